@@ -54,8 +54,16 @@ export function ticks([low, high]: Range, count: number): { values: number[]; de
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
   const values: number[] = [];
-  for (let number = Math.ceil(low / step); number * step <= high; number++) values.push(number * step);
-  return { values, decimals: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
+  const first = Math.ceil(low / step);
+  for (let number = 0; number <= 10 * count && (first + number) * step <= high; number++) values.push((first + number) * step);
+  return { values, decimals: decimalsOf(step) };
+}
+
+/** Digits after the point of multiples of a step: two for 0.25. */
+export function decimalsOf(step: number): number {
+  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const scaled = step * 10 ** decimals;
+  return Math.abs(scaled - Math.round(scaled)) < 1e-6 ? decimals : decimals + 1;
 }
 
 /** The text of a tick. */
