@@ -30,7 +30,7 @@ pub struct Virtual {
     duration: f64,
     /// Whether it has all faults, not noise alone.
     faults: bool,
-    seed: u64,
+    seed: f64,
 }
 
 /// Records and what is known of their rig.
@@ -57,8 +57,18 @@ pub struct Wanted {
     fix: BTreeMap<String, f64>,
     #[serde(default)]
     fit: Vec<String>,
-    budget: Option<u64>,
-    repetitions: Option<usize>,
+    budget: Option<f64>,
+    repetitions: Option<f64>,
+}
+
+/// A count as a user writes it.
+fn count(name: &str, value: f64) -> Result<u64, Fault> {
+    // Above, not every whole number is one of a user's.
+    const MOST: f64 = 9_007_199_254_740_992.0;
+    if value.fract() == 0.0 && (0.0..=MOST).contains(&value) {
+        return Ok(value as u64);
+    }
+    Err(Fault::value(format_args!("{name} = {value}: must be a whole number from 0 to {MOST}")))
 }
 
 fn law(name: &str) -> Result<&'static ModelType, Fault> {
@@ -73,6 +83,7 @@ pub fn record(given: &Virtual) -> Result<Answer, Fault> {
     let values = numbers(&given.set);
     let faults = if given.faults { Faults::ALL } else { Faults::NOISE };
     let Virtual { mass, normal_force, duration, seed, .. } = *given;
+    let seed = count("seed", seed)?;
     let rig = VirtualRig { law, values: values.clone(), mass, normal_force, duration, faults, seed };
     let files = rig.record()?;
     let starts = law.variables().filter(|(_, variable)| variable.role.is_parameter());
@@ -131,8 +142,9 @@ pub fn fit(known: &Known, wanted: &Wanted, progress: &(dyn Fn(f64) -> bool + Syn
     let usual = Task::default();
     let task = Task {
         wishes: Wishes { fixed: numbers(&wanted.fix), fitted: wanted.fit.clone(), ranges: Vec::new() },
-        budget: wanted.budget.unwrap_or(usual.budget),
-        repetitions: wanted.repetitions.unwrap_or(usual.repetitions),
+        budget: wanted.budget.map_or(Ok(usual.budget), |value| count("budget", value))?,
+        repetitions: wanted.repetitions.map_or(Ok(usual.repetitions as u64), |value| count("repetitions", value))?
+            as usize,
         mass: known.mass,
         ..usual
     };

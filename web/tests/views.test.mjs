@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { barriers, computed, drawn, fault, folder, opened, pixels, saved } from "./browser.mjs";
 
-const VIEWS = { bench: 6, law: 3, strut: 6, fit: 3 };
+const VIEWS = { bench: 7, law: 3, strut: 6, fit: 3 };
 const text = (page, kind) => page.locator(`[data-kind=${kind}] > .unseen`).textContent();
 
 /** Measures on the virtual rig. */
@@ -124,6 +124,55 @@ test("a fit finds the law of the virtual rig again, tells how far it is, and can
   assert.match(toml, /law = \["LuGre"\][^]*mu_k = 0\.\d+/);
   await page.locator("#fit-to-law").click();
   await page.waitForFunction(() => /^#v=1&view=law&held\.|^#v=1&view=law&.*friction\.mu_k=/.test(location.hash));
+  assert.deepEqual(wrong, []);
+});
+
+test("a visitor with a spring of 500 N/m gets LuGre against Coulomb as a link", async () => {
+  const { page, wrong } = await opened("", { permissions: ["clipboard-read", "clipboard-write"] });
+  await page.locator("#add-law-bench").click();
+  await page.getByLabel("Search").fill("coulomb");
+  await page.getByRole("checkbox", { name: "Coulomb Coulomb friction", exact: true }).check();
+  await page.getByRole("button", { name: "Remove CoulombStiction" }).click();
+  await page.getByLabel("stiffness", { exact: true }).and(page.locator("[type=text]")).fill("500");
+  await page.keyboard.press("Enter");
+  await page.getByRole("button", { name: "Copy link" }).first().click();
+  await page.getByRole("button", { name: "Link copied" }).waitFor();
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  assert.ok(link.endsWith("#v=1&law=LuGre,Coulomb&rig.stiffness=500"), link);
+  await computed(page);
+  assert.deepEqual(await page.locator("#bench > .main > .legend strong").allTextContents(), ["LuGre", "Coulomb"]);
+  assert.deepEqual(wrong, []);
+});
+
+test("silly numbers are refused by name, value and limit, and a message stays in sight", async () => {
+  const { page, wrong } = await opened();
+  const field = page.locator("[data-name='rig.mass'] input[type=text]");
+  const silly = [["-1", /mass = -1: must be > 0/], ["1e400", /mass = inf: must be > 0 and finite/], ["0x10", /mass = '0x10': must be a number/], ["", /mass = '': must be a number/]];
+  for (const [text, expected] of silly) {
+    await field.fill(text);
+    await page.keyboard.press("Tab");
+    await page.waitForFunction((text) => document.querySelector("#fault").textContent.includes(text), text === "1e400" ? "inf" : text);
+    assert.match(await fault(page), expected);
+  }
+  await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
+  assert.ok(await page.locator("#fault").evaluate((line) => line.getBoundingClientRect().top >= 0), "it has scrolled out of sight");
+  await page.evaluate(() => scrollTo(0, 0));
+  await page.locator("#reset").click();
+  await computed(page);
+  assert.equal(await fault(page), "");
+  await page.locator("#to-fit").click();
+  await page.locator("#fit .solver summary").click();
+  for (const [name, text, expected] of [["seed", "-1", /seed = -1: must be a whole number from 0/], ["duration", "1e9", /duration = 1000000000 s: must be from 0.1 s to 1000 s/], ["seed", "1.5", /seed = 1.5: must be/]]) {
+    const before = await page.locator(`#rig-${name}`).inputValue();
+    await page.locator(`#rig-${name}`).fill(text);
+    await page.locator("#measure-rig").click();
+    await page.waitForFunction((text) => document.querySelector("#fault").textContent.includes(text), `${name} = `);
+    assert.match(await fault(page), expected);
+    await page.locator(`#rig-${name}`).fill(before);
+    await page.keyboard.press("Tab");
+    await page.locator("#measure-rig").click();
+    await page.waitForFunction(() => document.querySelector("#fault").hidden && !document.querySelector("#start-fit").disabled);
+  }
   assert.deepEqual(wrong, []);
 });
 
