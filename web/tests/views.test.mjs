@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { barriers, computed, drawn, fault, folder, opened, pixels, saved } from "./browser.mjs";
+import { barriers, computed, drawn, fault, folder, opened, pixels, reopened, saved } from "./browser.mjs";
 
 const VIEWS = { bench: 7, law: 3, strut: 6, fit: 3 };
 const text = (page, kind) => page.locator(`[data-kind=${kind}] > .unseen`).textContent();
@@ -124,6 +124,19 @@ test("a fit finds the law of the virtual rig again, tells how far it is, and can
   assert.match(toml, /law = \["LuGre"\][^]*mu_k = 0\.\d+/);
   await page.locator("#fit-to-law").click();
   await page.waitForFunction(() => /^#v=1&view=law&held\.|^#v=1&view=law&.*friction\.mu_k=/.test(location.hash));
+  assert.deepEqual(wrong, []);
+});
+
+test("a browser whose searches cannot hear of their end says so", async () => {
+  const { page, wrong } = await opened();
+  await page.addInitScript(() => delete WebAssembly.Suspending);
+  await reopened(page, "#v=1&view=fit&rig.duration=2");
+  await measure(page);
+  await page.locator("#start-fit").click();
+  await page.waitForFunction(() => /Fitting LuGre/.test(document.querySelector("#fit .progress").textContent));
+  await page.locator("#cancel-fit").click();
+  assert.equal(await page.locator("#fit .progress").textContent(), "Given up: this browser cannot keep the best so far.");
+  assert.ok(await page.locator("#start-fit").isEnabled());
   assert.deepEqual(wrong, []);
 });
 
