@@ -52,7 +52,9 @@ export function range(arrays: ArrayLike<number>[], room = ROOM): Range {
 export function ticks([low, high]: Range, count: number): { values: number[]; decimals: number } {
   const rough = (high - low) / Math.max(count, 1);
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
+  const round = power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
+  // One value alone is no scale.
+  const step = Math.floor(high / round) > Math.ceil(low / round) ? round : round / 2;
   const values: number[] = [];
   const first = Math.ceil(low / step);
   for (let number = 0; number <= 10 * count && (first + number) * step <= high; number++) values.push((first + number) * step);
