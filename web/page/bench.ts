@@ -379,7 +379,7 @@ export class Bench {
   /** The run of the first law as a program. */
   private async asC(): Promise<string> {
     const [law = ""] = this.state.laws;
-    const { answer } = await this.questions.ask<{ text: string }>({ ask: "c", run: run(this.state), law });
+    const { answer } = await this.questions.ask<{ text: string }>({ ask: "c", run: run(this.state, this.record()), law });
     return answer.text;
   }
 

@@ -52,10 +52,20 @@ export function range(arrays: ArrayLike<number>[], room = ROOM): Range {
 export function ticks([low, high]: Range, count: number): { values: number[]; decimals: number } {
   const rough = (high - low) / Math.max(count, 1);
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
+  const round = power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
+  // One value alone is no scale.
+  const step = Math.floor(high / round) > Math.ceil(low / round) ? round : round / 2;
   const values: number[] = [];
-  for (let number = Math.ceil(low / step); number * step <= high; number++) values.push(number * step);
-  return { values, decimals: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
+  const first = Math.ceil(low / step);
+  for (let number = 0; number <= 10 * count && (first + number) * step <= high; number++) values.push((first + number) * step);
+  return { values, decimals: decimalsOf(step) };
+}
+
+/** Digits after the point of multiples of a step: two for 0.25. */
+export function decimalsOf(step: number): number {
+  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const scaled = step * 10 ** decimals;
+  return Math.abs(scaled - Math.round(scaled)) < 1e-6 ? decimals : decimals + 1;
 }
 
 /** The text of a tick. */

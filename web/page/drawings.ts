@@ -140,13 +140,23 @@ export const strut: Paint = (pen, instant) => {
   coils(pen, [x(0) + 20, axis - tube - 16], [eye - 10, axis - tube - 16], 9, 26, colours.axis);
   pen.line([x(0) + 20, axis - tube - 28], [x(0) + 20, axis - tube], colours.axis, 2);
   outline(pen, [[eye - 10, axis - tube - 28], [eye - 10, axis - rod]], colours.axis, 2);
-  contact(pen, instant, [end, axis + tube], "1", "guide", span("normal_1"));
-  contact(pen, instant, [crown - 2, axis + tube], "2", "piston", span("normal_2"));
+  // Labels of contacts that are close to each other stand on either side.
+  const isTight = end - crown < 130;
+  contact(pen, instant, [end, axis + tube], "1", "guide", span("normal_1"), isTight ? "start" : "middle");
+  contact(pen, instant, [crown - 2, axis + tube], "2", "piston", span("normal_2"), isTight ? "end" : "middle");
   const force = now("force");
   pen.text([left, height - 10], `force ${short(force)} N, compression ${short(now("displacement") * 1000)} mm`, colours.ink, "start");
 };
 
-function contact(pen: Pen, { colours, now }: Instant, [x, y]: Point, number: string, name: string, [, most]: [number, number]): void {
+function contact(
+  pen: Pen,
+  { colours, now }: Instant,
+  [x, y]: Point,
+  number: string,
+  name: string,
+  [, most]: [number, number],
+  anchor: "start" | "middle" | "end",
+): void {
   const [normal, friction] = [now(`normal_${number}`), now(`friction_${number}`)];
   const up = most > 0 ? (30 * normal) / most : 0;
   const colour = colours.laws[Number(number) - 1]!;
@@ -154,5 +164,5 @@ function contact(pen: Pen, { colours, now }: Instant, [x, y]: Point, number: str
   // The rod feels the negative of the friction force.
   const along = -28 * Math.sign(friction) * Math.min(1, Math.abs(friction) / 25);
   arrow(pen, [x, y + 38], [x + along, y + 38], colour);
-  pen.text([x, y + 56], `${name}: ${short(friction)} N`, colours.ink, "middle");
+  pen.text([x, y + 56], `${name}: ${short(friction)} N`, colours.ink, anchor);
 }

@@ -1,5 +1,6 @@
 /** Workers with the library. */
 
+import { canHear } from "./library";
 import { unpacked } from "./texts";
 import { type Answer, type Question, Refused } from "./types";
 
@@ -10,9 +11,7 @@ let script: string | undefined;
 
 /** The library that lies in this page, compiled once. */
 function module(): Promise<WebAssembly.Module> {
-  compiled ??= unpacked("library")
-    .arrayBuffer()
-    .then((bytes) => WebAssembly.compile(bytes));
+  compiled ??= WebAssembly.compile(unpacked("library"));
   return compiled;
 }
 
@@ -55,6 +54,13 @@ export class Lane {
       clearTimeout(this.timer);
       this.timer = setTimeout(() => this.restart(), Math.max(left, 0));
     });
+  }
+
+  /** Ends a search that is under way: its answer is the best so far. Returns whether it can be ended so. */
+  end(): boolean {
+    if (!canHear || !this.worker || !this.asked) return false;
+    this.worker.postMessage({ end: this.asked.number });
+    return true;
   }
 
   /** Gives up whatever is under way. */

@@ -55,11 +55,12 @@ export class FitView {
   private readonly worth = h("div", { class: "worth" });
   private readonly progress = h("div", { class: "progress", role: "status" });
   private readonly start = h("button", { type: "button", id: "start-fit", onclick: () => this.fit() }, "Fit");
-  private readonly cancel = h("button", { type: "button", id: "cancel-fit", onclick: () => this.stop() }, "Cancel");
+  private readonly cancel = h("button", { type: "button", id: "cancel-fit", onclick: () => this.end() }, "Cancel");
   private readonly outcome = h("div", { class: "outcome" });
   private readonly plots: [string, Plot][];
   private readonly questions = new Lane();
   private readonly worker = new Lane();
+  private isEnding = false;
   private data: Data | undefined;
   private measured: Measured | undefined;
   private fitted: { answer: Fitted; arrays: Float64Array[] } | undefined;
@@ -254,6 +255,18 @@ export class FitView {
     this.draw();
   }
 
+  /** Ends a fit with the best so far; gives it up where that cannot be done, or takes too long for the user. */
+  private end(): void {
+    if (!this.isEnding && this.worker.end()) {
+      this.isEnding = true;
+      this.cancel.textContent = "Give up";
+      return;
+    }
+    const { isEnding } = this;
+    this.stop();
+    this.progress.textContent = isEnding ? "Given up." : "Given up: this browser cannot keep the best so far.";
+  }
+
   private stop(): void {
     this.worker.stop();
     this.mark(false);
@@ -266,6 +279,8 @@ export class FitView {
     dataset.drawn = String(Number(dataset.drawn) + 1);
     this.start.disabled = isRunning || !this.measured;
     this.cancel.disabled = !isRunning;
+    this.isEnding = false;
+    this.cancel.textContent = "Cancel";
   }
 
   private async fit(): Promise<void> {
@@ -286,7 +301,8 @@ export class FitView {
     const tell = (rms?: number) => {
       const seconds = ((performance.now() - begin) / 1000).toFixed(0);
       const so = rms === undefined ? "" : `, ${short(rms)} N not explained so far`;
-      told.textContent = `Fitting ${state.laws.join(", ")} for ${seconds} s${so}`;
+      const doing = this.isEnding ? "Ending with the best so far:" : "Fitting";
+      told.textContent = `${doing} ${state.laws.join(", ")} for ${seconds} s${so}`;
     };
     tell();
     try {
@@ -363,11 +379,12 @@ export class FitView {
       this.outcome.replaceChildren();
       return;
     }
-    const { ranking, level } = fitted.answer;
+    const { ranking, level, early } = fitted.answer;
     const [best] = ranking.laws;
     if (!best) return;
     this.outcome.replaceChildren(
       h("h2", {}, `${best.law}: ${short(best.rms)} N of ${short(level)} N is not explained`),
+      early === null ? "" : h("p", { class: "note" }, early),
       this.estimates(best, data?.truth),
       h("ul", { class: "findings" }, ...best.warnings.map((text) => h("li", {}, text))),
       ranking.laws.length + ranking.refused.length > 1 ? places(ranking) : "",

@@ -15,7 +15,8 @@ export function short(value: number): string {
 export function parsed(text: string): number | undefined {
   const plain = text.trim().replace("\u2212", "-").replace(",", ".");
   const value = Number(plain);
-  return plain !== "" && Number.isFinite(value) ? value : undefined;
+  // JavaScript has other spellings too, such as 0x10.
+  return /^[-+]?[\d.]+(e[-+]?\d+)?$/i.test(plain) && Number.isFinite(value) ? value : undefined;
 }
 
 /** A unit as it is printed: N.s2/m2 is N·s²/m². */

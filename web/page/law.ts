@@ -96,9 +96,8 @@ export class LawView {
       this.mark();
       return;
     }
-    const text = await textOf(law);
-    // Another law was chosen meanwhile.
-    if (state.laws[0] !== law || !text) return;
+    const text = textOf(law);
+    if (!text) return;
     this.text = text;
     this.title.textContent = `${law}: ${model.summary}`;
     this.article.innerHTML = text.html;

@@ -19,6 +19,7 @@ export const BENCH: Layout = {
     { id: "force-over-time", title: "Friction force over time", up: ["force"] },
     { id: "force-over-velocity", title: "Friction force over relative velocity", up: ["force"], across: "velocity" },
     { id: "force-over-displacement", title: "Friction force over displacement", up: ["force"], across: "displacement" },
+    { id: "velocity-over-position", title: "Relative velocity over position", up: ["velocity"], across: "position" },
   ],
   record: {},
   names: {

@@ -1,4 +1,20 @@
-/** The library as WebAssembly: questions in, answers out. Used in workers and in Node. */
+/** The library as WebAssembly: questions in, answers out. */
+
+import type { Question } from "./types";
+
+/** Hears of what a search does not explain so far, in N; an answer other than 0 ends it with the best so far. */
+type Progress = (rms: number) => number | Promise<number>;
+
+/** Parts of WebAssembly with which a library waits for a promise (JSPI); not every browser has them. */
+interface Waits {
+  Suspending?: new (does: Progress) => WebAssembly.ImportValue;
+  promising?: (does: () => number) => () => Promise<number>;
+}
+
+const { Suspending, promising } = WebAssembly as Waits;
+
+/** Whether a search that is under way can hear of its end. */
+export const canHear = Suspending !== undefined && promising !== undefined;
 
 interface Exports {
   memory: WebAssembly.Memory;
@@ -12,22 +28,17 @@ export interface Packed {
   arrays: Float64Array<ArrayBuffer>[];
 }
 
-/**
- * Opens a compiled library; the function that is returned answers questions. `progress` hears of a search that is under
- * way: what is not explained so far, in N.
- */
-export async function open(
-  module: WebAssembly.Module,
-  progress: (rms: number) => void = () => undefined,
-): Promise<(question: unknown) => Packed> {
-  const instance = await WebAssembly.instantiate(module, { page: { progress } });
+/** Opens a compiled library; the function that is returned answers questions. */
+export async function open(module: WebAssembly.Module, progress: Progress): Promise<(question: Question) => Promise<Packed>> {
+  const instance = await WebAssembly.instantiate(module, { page: { progress: Suspending ? new Suspending(progress) : progress } });
   const library = instance.exports as unknown as Exports;
-  return (question) => {
+  const search = promising?.(library.stribeck_ask) ?? library.stribeck_ask;
+  return async (question) => {
     const text = new TextEncoder().encode(JSON.stringify(question));
     // The memory may grow, and its buffer change, with every call.
     const place = library.stribeck_alloc(text.length);
     new Uint8Array(library.memory.buffer).set(text, place);
-    const length = library.stribeck_ask();
+    const length = question.ask === "fit" ? await search() : library.stribeck_ask();
     const begin = library.stribeck_answer();
     return unpacked(library.memory.buffer.slice(begin, begin + length) as ArrayBuffer);
   };

@@ -49,6 +49,19 @@ interface Shown {
 
 const NAMES: Record<View, string> = { bench: "Bench", law: "Law", strut: "Strut", fit: "Fit" };
 
+/** Copies the link of what is shown, which the address has too. */
+async function copyLink(event: Event): Promise<void> {
+  const button = event.currentTarget as HTMLButtonElement;
+  try {
+    await navigator.clipboard.writeText(location.href);
+    button.textContent = "Link copied";
+    say("Link copied");
+  } catch {
+    button.textContent = "Copy the address";
+  }
+  setTimeout(() => (button.textContent = "Copy link"), 2500);
+}
+
 /** The views, of which one is shown; each keeps its state while another one is. */
 class Views {
   now: View = "bench";
@@ -143,6 +156,7 @@ async function start(): Promise<void> {
     history.keep(hash);
     void open(hash);
   });
+  document.getElementById("copy-link")?.addEventListener("click", copyLink);
   document.getElementById("theme")?.addEventListener("click", toggleTheme);
   document.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;

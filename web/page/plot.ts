@@ -2,10 +2,11 @@
 
 import uPlot from "uplot";
 import { h, save, say, swatch } from "./dom";
-import { type Curve, type Diagram, draw, Frame, labelText, legend, range, type Range, tickText } from "./drawing";
+import { type Curve, decimalsOf, type Diagram, draw, Frame, labelText, legend, range, type Range, tickText } from "./drawing";
 import { short, unitText } from "./format";
 import { CanvasPen, SvgPen } from "./pen";
 import { colours, dashes } from "./theme";
+import { heedTouch, type Place, type Touched } from "./touch";
 
 /** Listeners to the cursor: the number of the output time it is at, or none. */
 type CursorListener = (at: number | null, from: unknown) => void;
@@ -30,7 +31,7 @@ const EXPORT: [number, number] = [800, 480];
 const ROWS = 40;
 
 /** What time plots and others have in common. */
-export abstract class Plot {
+export abstract class Plot implements Touched {
   readonly root: HTMLElement;
   protected readonly area: HTMLDivElement;
   private readonly caption = h("span", { class: "title" });
@@ -73,6 +74,7 @@ export abstract class Plot {
       this.summary,
       this.table,
     );
+    heedTouch(this.area, this);
     new ResizeObserver(() => this.resize()).observe(this.area);
     new IntersectionObserver(([entry]) => this.seen(entry!.isIntersecting), { rootMargin: "100px" }).observe(this.area);
   }
@@ -113,14 +115,31 @@ export abstract class Plot {
 
   protected abstract update(): void;
   protected abstract resize(): void;
-  protected abstract reset(): void;
+  abstract reset(): void;
+  abstract isPart(): boolean;
+  abstract touch(place: Place): void;
   /** Shows a part as large as this, around the cursor, or more than now. */
   protected abstract magnify(factor: number): void;
   /** Ranges that are shown. */
   protected abstract ranges(): { x: Range; y: Range };
+  /** Ends of the axes in the area, in pixels. */
+  protected abstract ends(): { x: Range; y: Range };
+  /** Shows these ranges, as far as they lie in the whole. */
+  protected abstract look(x: Range, y: Range): void;
   abstract theme(): void;
   /** Moves the cursor here. */
   protected abstract point(at: number): void;
+
+  bring(from: Place, to: Place, factor: number): void {
+    const [shown, ends] = [this.ranges(), this.ends()];
+    const along = ([low, high]: Range, [begin, end]: Range, one: number, other: number): Range => {
+      const size = (high - low) / factor;
+      const value = low + ((one - begin) / (end - begin)) * (high - low);
+      const first = value - ((other - begin) / (end - begin)) * size;
+      return [first, first + size];
+    };
+    this.look(along(shown.x, ends.x, from[0], to[0]), along(shown.y, ends.y, from[1], to[1]));
+  }
 
   /** The picture as it is shown, with a legend. */
   svg(): string {
@@ -206,9 +225,13 @@ function part(values: ArrayLike<number>, from: number, to: number): ArrayLike<nu
   return values instanceof Float64Array ? values.subarray(from, to) : Array.prototype.slice.call(values, from, to);
 }
 
+/** The smallest part of a range that can be shown (chosen). */
+const SMALLEST = 1e-6;
+
 /** A part of a range around a value, inside of the whole. */
-function within([low, high]: Range, whole: Range, around: number | undefined, factor: number): Range {
-  const size = Math.min(factor * (high - low), whole[1] - whole[0]);
+function within([low, high]: Range, whole: Range, around?: number, factor = 1): Range {
+  const all = whole[1] - whole[0];
+  const size = Math.min(Math.max(factor * (high - low), SMALLEST * all), all);
   const middle = around ?? 0.5 * (low + high);
   const begin = Math.min(Math.max(middle - 0.5 * size, whole[0]), whole[1] - size);
   return [begin, begin + size];
@@ -264,7 +287,7 @@ export class TimePlot extends Plot {
       ticks: { stroke: grid, width: 1 },
       values: (_, values) => {
         const step = values.length > 1 ? Math.abs(values[1]! - values[0]!) : 1;
-        const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+        const decimals = decimalsOf(step);
         return values.map((value) => tickText(value, decimals));
       },
     });
@@ -329,8 +352,31 @@ export class TimePlot extends Plot {
     this.chart?.setSize(this.size());
   }
 
-  protected reset(): void {
+  reset(): void {
     this.onZoom(undefined);
+  }
+
+  isPart(): boolean {
+    return this.zoomed !== undefined;
+  }
+
+  touch([right]: Place): void {
+    const { chart } = this;
+    if (!chart) return;
+    const at = chart.posToIdx(right - chart.over.offsetLeft);
+    this.cursor.move(at, this);
+    this.moveTo(at);
+  }
+
+  protected ends(): { x: Range; y: Range } {
+    const { offsetLeft, offsetTop, clientWidth, clientHeight } = this.chart!.over;
+    return { x: [offsetLeft, offsetLeft + clientWidth], y: [offsetTop + clientHeight, offsetTop] };
+  }
+
+  protected look(x: Range): void {
+    const whole = range(this.diagram.curves.map((curve) => curve.x), 0);
+    const part = within(x, whole);
+    this.onZoom(part[0] <= whole[0] && part[1] >= whole[1] ? undefined : part);
   }
 
   protected magnify(factor: number): void {
@@ -338,8 +384,7 @@ export class TimePlot extends Plot {
     const whole = range(curves.map((curve) => curve.x), 0);
     const { x } = this.ranges();
     const at = this.cursor.at === null ? undefined : curves[0]?.x[this.cursor.at];
-    const part = within(x, whole, at, factor);
-    this.onZoom(part[0] <= whole[0] && part[1] >= whole[1] ? undefined : part);
+    this.look(within(x, whole, at, factor));
   }
 
   theme(): void {
@@ -374,13 +419,16 @@ export class LoopPlot extends Plot {
     this.area.append(this.canvas, this.box);
     this.area.classList.add("loop");
     cursor.on(() => this.redraw());
-    this.canvas.addEventListener("pointermove", (event) => this.hover(event));
-    this.canvas.addEventListener("pointerleave", () => this.cursor.move(null, this));
-    this.canvas.addEventListener("pointerdown", (event) => {
+    // Fingers are heeded otherwise.
+    const mouse = (type: "pointermove" | "pointerleave" | "pointerdown" | "pointerup", does: (event: PointerEvent) => void) =>
+      this.canvas.addEventListener(type, (event) => event.pointerType !== "touch" && does(event));
+    mouse("pointermove", (event) => this.hover(event));
+    mouse("pointerleave", () => this.cursor.move(null, this));
+    mouse("pointerdown", (event) => {
       this.from = [event.offsetX, event.offsetY];
       this.canvas.setPointerCapture(event.pointerId);
     });
-    this.canvas.addEventListener("pointerup", (event) => this.release(event));
+    mouse("pointerup", (event) => this.release(event));
     this.canvas.addEventListener("dblclick", () => this.reset());
   }
 
@@ -389,8 +437,7 @@ export class LoopPlot extends Plot {
   }
 
   protected ranges(): { x: Range; y: Range } {
-    const { curves } = this.diagram;
-    return this.zoomed ?? { x: range(curves.map((curve) => curve.x)), y: range(curves.map((curve) => curve.y)) };
+    return this.zoomed ?? this.whole();
   }
 
   private frame(): Frame {
@@ -431,11 +478,15 @@ export class LoopPlot extends Plot {
       this.stretch(event);
       return;
     }
+    this.touch([event.offsetX, event.offsetY]);
+  }
+
+  touch(place: Place): void {
     const frame = this.frame();
     let [nearest, best] = [null as number | null, 30 * 30];
     for (const { x, y } of this.diagram.curves) {
       for (let at = 0; at < x.length; at++) {
-        const [right, down] = [frame.across(x[at]!) - event.offsetX, frame.up(y[at]!) - event.offsetY];
+        const [right, down] = [frame.across(x[at]!) - place[0], frame.up(y[at]!) - place[1]];
         const far = right * right + down * down;
         if (far < best) [nearest, best] = [at, far];
       }
@@ -469,8 +520,30 @@ export class LoopPlot extends Plot {
     this.redraw();
   }
 
-  protected reset(): void {
+  reset(): void {
     this.zoomed = undefined;
+    this.redraw();
+  }
+
+  isPart(): boolean {
+    return this.zoomed !== undefined;
+  }
+
+  protected ends(): { x: Range; y: Range } {
+    const { left, right, top, bottom } = this.frame();
+    return { x: [left, right], y: [bottom, top] };
+  }
+
+  private whole(): { x: Range; y: Range } {
+    const { curves } = this.diagram;
+    return { x: range(curves.map((curve) => curve.x)), y: range(curves.map((curve) => curve.y)) };
+  }
+
+  protected look(x: Range, y: Range): void {
+    const whole = this.whole();
+    const part = { x: within(x, whole.x), y: within(y, whole.y) };
+    const isAll = (one: Range, all: Range) => one[0] <= all[0] && one[1] >= all[1];
+    this.zoomed = isAll(part.x, whole.x) && isAll(part.y, whole.y) ? undefined : part;
     this.redraw();
   }
 
@@ -480,10 +553,8 @@ export class LoopPlot extends Plot {
     const { x, y } = this.ranges();
     const at = this.cursor.at;
     const [nearX, nearY] = at === null ? [undefined, undefined] : [curve?.x[at], curve?.y[at]];
-    const wholeX = range(curves.map((curve) => curve.x));
-    const wholeY = range(curves.map((curve) => curve.y));
-    this.zoomed = { x: within(x, wholeX, nearX, factor), y: within(y, wholeY, nearY, factor) };
-    this.redraw();
+    const whole = this.whole();
+    this.look(within(x, whole.x, nearX, factor), within(y, whole.y, nearY, factor));
   }
 
   theme(): void {

@@ -1,5 +1,7 @@
 /** Texts of the laws that lie in this page. */
 
+import { decompress } from "fzstd";
+
 export interface Text {
   html: string;
   /** A velocity that includes all features of the curve, m/s. */
@@ -8,17 +10,16 @@ export interface Text {
   stroke: number | null;
 }
 
-/** What was packed with gzip into an element. */
-export function unpacked(id: string): Response {
+/** What was packed with zstd into an element. */
+export function unpacked(id: string): Uint8Array<ArrayBuffer> {
   const packed = document.getElementById(id)?.textContent?.trim() ?? "";
-  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")));
+  return decompress(Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0))) as Uint8Array<ArrayBuffer>;
 }
 
-let known: Promise<Record<string, Text>> | undefined;
+let known: Record<string, Text> | undefined;
 
 /** The text of a law. */
-export async function textOf(law: string): Promise<Text | undefined> {
-  known ??= unpacked("texts").json();
-  return (await known)[law];
+export function textOf(law: string): Text | undefined {
+  known ??= JSON.parse(new TextDecoder().decode(unpacked("texts"))) as Record<string, Text>;
+  return known[law];
 }

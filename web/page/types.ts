@@ -177,6 +177,8 @@ export interface Fitted {
   ranking: { laws: FittedLaw[]; refused: { law: string; reason: string }[] };
   best: string;
   level: number;
+  /** Description of a fit that was cancelled. */
+  early: string | null;
   toml: string;
   ssv: string;
 }

@@ -4,7 +4,7 @@
 //! buffer. The answer begins with the length of its JSON and the number of numbers in its arrays, as two integers of 32
 //! bits; the JSON follows, filled up with spaces to a multiple of 8 bytes, then the numbers, 8 bytes each. It lies at
 //! [`stribeck_answer`] until the next question. A host of the WebAssembly hears of a search that is under way through
-//! the import `page.progress`.
+//! the import `page.progress`, and ends it by an answer other than 0: the best so far is kept.
 
 mod answer;
 mod catalogue;

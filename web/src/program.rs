@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use lab::couple::{Exchange, Train, hold, is_host};
-use lab::run::{Configuration, Settings, Solver};
+use lab::run::{Configuration, Settings, Solver, run};
 use lab::system::{Fault, Place, Signal, System, WireSource};
 use serde_json::json;
 
@@ -19,7 +19,8 @@ pub fn c(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault> {
     hold(&mut system, Exchange::Sequential)?;
     let results = chosen.results(&source).into_iter().filter(|name| !name.starts_with("der("));
     let results = results.map(|name| Ok((system.place(&name)?, name))).collect::<Result<Vec<_>, Fault>>()?;
-    let text = Program { system: &system, settings: &settings, results: &results }.text()?;
+    let course = course(&system, &settings, &results)?;
+    let text = Program { system: &system, settings: &settings, results: &results, course: &course }.text()?;
     Ok(Answer::plain(json!({ "text": text })))
 }
 
@@ -33,9 +34,12 @@ fn check(system: &System, settings: &Settings) -> Result<(), Fault> {
     if settings.master.exchange != Exchange::Sequential || settings.master.jitter != 0.0 {
         return Err(Fault::value("exchange, jitter: a program in C has a sequential exchange and equal steps"));
     }
-    if let Some((place, _)) = system.signals.iter().find(|(_, signal)| !matches!(signal, Signal::Constant(_))) {
-        let name = system.name(*place);
-        return Err(Fault::value(format_args!("{name} moves: the inputs of a program in C are connected or constant")));
+    let steps = settings.until / settings.master.step;
+    if moving(system).next().is_some() && steps > MOST_STEPS {
+        let until = settings.until;
+        let text =
+            format_args!("until = {until} s: {steps} steps of inputs that move; a program in C has {MOST_STEPS}");
+        return Err(Fault::value(text));
     }
     match system.wires.iter().find(|wire| matches!(wire.from, WireSource::Derivative(_))) {
         Some(wire) => {
@@ -46,10 +50,34 @@ fn check(system: &System, settings: &Settings) -> Result<(), Fault> {
     }
 }
 
+/// Steps for which a program has a table of inputs (chosen: 2 MB of text for two inputs).
+const MOST_STEPS: f64 = 50_000.0;
+
+/// Inputs that move.
+fn moving(system: &System) -> impl Iterator<Item = &(Place, Signal)> {
+    system.signals.iter().filter(|(_, signal)| !matches!(signal, Signal::Constant(_)))
+}
+
+/// The values of the inputs that move at the beginning of each step.
+fn course(system: &System, settings: &Settings, results: &[(Place, String)]) -> Result<Vec<Vec<f64>>, Fault> {
+    if moving(system).next().is_none() {
+        return Ok(Vec::new());
+    }
+    let names: Vec<String> = results.iter().map(|(_, name)| name.clone()).collect();
+    // Twice as fine, so that every communication point is one of the results.
+    let outcome = run(system, &Settings { every: 0.5 * settings.master.step, ..*settings }, &names)?;
+    if !outcome.is_reached() {
+        return Err(Fault::value(outcome.end));
+    }
+    let begins = &outcome.time[..outcome.time.len() - 1];
+    Ok(begins.iter().map(|time| moving(system).map(|(_, signal)| signal.at(*time).0).collect()).collect())
+}
+
 struct Program<'a> {
     system: &'a System,
     settings: &'a Settings<'a>,
     results: &'a [(Place, String)],
+    course: &'a [Vec<f64>],
 }
 
 impl Program<'_> {
@@ -71,6 +99,8 @@ impl Program<'_> {
             hosts.join(", "),
             numbers.join(", ")
         );
+        text += CHECK;
+        self.course(&mut text);
         text += EXCHANGE;
         let _ = writeln!(
             text,
@@ -85,6 +115,9 @@ impl Program<'_> {
         for (at, (place, _)) in self.results.iter().enumerate() {
             let _ = writeln!(text, "    result[{at}] = find({}, \"{}\");", place.part, self.variable(*place));
         }
+        for (at, (place, _)) in moving(system).enumerate() {
+            let _ = writeln!(text, "    input[{at}] = find({}, \"{}\");", place.part, self.variable(*place));
+        }
         let names = self
             .results
             .iter()
@@ -95,6 +128,26 @@ impl Program<'_> {
 
     fn list(&self, items: impl Iterator<Item = String>) -> String {
         format!("{{{}}};\n", items.collect::<Vec<_>>().join(", "))
+    }
+
+    /// Inputs that move: the parts that they belong to, and their values.
+    fn course(&self, text: &mut String) {
+        let parts: Vec<String> = moving(self.system).map(|(place, _)| place.part.to_string()).collect();
+        if parts.is_empty() {
+            *text += "\n/* No input moves. */\nstatic void drive(int step) { (void)step; }\n\n";
+            return;
+        }
+        let (inputs, steps, parts) = (parts.len(), self.course.len(), parts.join(", "));
+        let _ = writeln!(text, "#define INPUTS {inputs}\n#define STEPS {steps}\n");
+        let _ = writeln!(text, "/* Inputs that move, and their values at the beginning of each step. */");
+        let _ = writeln!(text, "static uint32_t input[INPUTS];\nstatic const int moved[INPUTS] = {{{parts}}};");
+        *text += "static const double course[STEPS][INPUTS] = {\n";
+        for row in self.course {
+            let row: Vec<String> = row.iter().map(|value| format!("{value:?}")).collect();
+            let _ = writeln!(text, "    {{{}}},", row.join(", "));
+        }
+        *text += "};\n";
+        *text += DRIVE;
     }
 
     fn variable(&self, place: Place) -> String {
@@ -153,7 +206,7 @@ typedef struct {
 
 "#;
 
-const EXCHANGE: &str = r#"
+const CHECK: &str = r#"
 static void check(stribeck_status status, const stribeck_model *model) {
     if (status != STRIBECK_OK) {
         fprintf(stderr, "%s\n", stribeck_last_error(model));
@@ -161,7 +214,16 @@ static void check(stribeck_status status, const stribeck_model *model) {
     }
 }
 
-static uint32_t find(int at, const char *name) {
+"#;
+
+const DRIVE: &str = r#"
+static void drive(int step) {
+    for (int i = 0; i < INPUTS; i++) check(stribeck_set(part[moved[i]], input[i], course[step][i]), part[moved[i]]);
+}
+
+"#;
+
+const EXCHANGE: &str = r#"static uint32_t find(int at, const char *name) {
     uint32_t found = 0;
     check(stribeck_find(part[at], name, &found), part[at]);
     return found;
@@ -175,6 +237,7 @@ static double get(int at, uint32_t variable) {
 
 /* At the start values go round until nothing changes. */
 static void settle(void) {
+    drive(0);
     for (int round = 0, changed = 1; round <= WIRES && changed; round++) {
         changed = 0;
         for (int i = 0; i < WIRES; i++) {
@@ -206,7 +269,7 @@ static void advance(int hosts, double h) {
 const RUN: &str = r#"    settle();
     /* Times are summed up with what the last digit loses (Kahan). */
     double time = 0.0, lost = 0.0;
-    for (int number = 0;;) {
+    for (int number = 0, made = 0;; made++) {
         double reached = time + 1e-9 * step + 4.0 * 2.220446049250313e-16 * time;
         double due = number == intervals ? end : end * ((double)number / intervals);
         if (due <= reached) {
@@ -220,6 +283,7 @@ const RUN: &str = r#"    settle();
         }
         if (number > intervals) break;
         double rest = end - time, h = step >= rest * (1.0 - 1e-9) ? rest : step, length = h - lost, next = time + length;
+        drive(made);
         pass(0);
         advance(0, h);
         pass(1);

@@ -1,9 +1,11 @@
 //! Records of rigs, and laws fitted to them.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use lab::identify::{self, Experiment, Fit, Ranking, Task, Watch, Wishes, as_json, fit_all, laws_named, respond};
+use lab::identify::{
+    self, EARLY, Experiment, Fit, Ranking, Task, Watch, Wishes, as_json, fit_all, laws_named, respond,
+};
 use lab::measured::{self, Delay, Record, average};
 use lab::rig::{Faults, VirtualRig};
 use lab::sheet::Sheet;
@@ -28,7 +30,7 @@ pub struct Virtual {
     duration: f64,
     /// Whether it has all faults, not noise alone.
     faults: bool,
-    seed: u64,
+    seed: f64,
 }
 
 /// Records and what is known of their rig.
@@ -55,8 +57,18 @@ pub struct Wanted {
     fix: BTreeMap<String, f64>,
     #[serde(default)]
     fit: Vec<String>,
-    budget: Option<u64>,
-    repetitions: Option<usize>,
+    budget: Option<f64>,
+    repetitions: Option<f64>,
+}
+
+/// A count as a user writes it.
+fn count(name: &str, value: f64) -> Result<u64, Fault> {
+    // Above, not every whole number is one of a user's.
+    const MOST: f64 = 9_007_199_254_740_992.0;
+    if value.fract() == 0.0 && (0.0..=MOST).contains(&value) {
+        return Ok(value as u64);
+    }
+    Err(Fault::value(format_args!("{name} = {value}: must be a whole number from 0 to {MOST}")))
 }
 
 fn law(name: &str) -> Result<&'static ModelType, Fault> {
@@ -71,6 +83,7 @@ pub fn record(given: &Virtual) -> Result<Answer, Fault> {
     let values = numbers(&given.set);
     let faults = if given.faults { Faults::ALL } else { Faults::NOISE };
     let Virtual { mass, normal_force, duration, seed, .. } = *given;
+    let seed = count("seed", seed)?;
     let rig = VirtualRig { law, values: values.clone(), mass, normal_force, duration, faults, seed };
     let files = rig.record()?;
     let starts = law.variables().filter(|(_, variable)| variable.role.is_parameter());
@@ -123,19 +136,24 @@ pub fn quality(known: &Known) -> Result<Answer, Fault> {
     Ok(Answer::with(told, arrays))
 }
 
-/// Fits laws; `progress` hears of the number of the law and of what it does not explain so far, in N.
-pub fn fit(known: &Known, wanted: &Wanted, progress: &(dyn Fn(f64) + Sync)) -> Result<Answer, Fault> {
+/// Fits laws; `progress` hears of what is not explained so far, in N, and returns whether the search is to end with it.
+pub fn fit(known: &Known, wanted: &Wanted, progress: &(dyn Fn(f64) -> bool + Sync)) -> Result<Answer, Fault> {
     let record = known.record()?;
     let usual = Task::default();
     let task = Task {
         wishes: Wishes { fixed: numbers(&wanted.fix), fitted: wanted.fit.clone(), ranges: Vec::new() },
-        budget: wanted.budget.unwrap_or(usual.budget),
-        repetitions: wanted.repetitions.unwrap_or(usual.repetitions),
+        budget: wanted.budget.map_or(Ok(usual.budget), |value| count("budget", value))?,
+        repetitions: wanted.repetitions.map_or(Ok(usual.repetitions as u64), |value| count("repetitions", value))?
+            as usize,
         mass: known.mass,
         ..usual
     };
     let experiments = [Experiment::new("record", &record)];
-    let watch = Watch { cancel: &AtomicBool::new(false), progress: &|level, _| progress(level) };
+    let cancel = AtomicBool::new(false);
+    let heard = |level, _| {
+        cancel.fetch_or(progress(level), Ordering::Relaxed);
+    };
+    let watch = Watch { cancel: &cancel, progress: &heard };
     let ranking = fit_all(&laws_named(&wanted.laws)?, &experiments, &task, &mut |_| {}, watch)?;
     let best = ranking.best();
     let values = best.columns.iter().map(|(column, value)| (best.name_of(*column), *value));
@@ -152,6 +170,7 @@ fn told(ranking: &Ranking, best: &Fit) -> Result<Value, Fault> {
         "ranking": as_json(ranking),
         "best": best.law.name,
         "level": best.level,
+        "early": best.is_cancelled.then_some(EARLY),
         "condition": best.condition,
         "toml": best.configuration().text(),
         "ssv": set.to_ssv(),

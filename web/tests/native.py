@@ -1,5 +1,4 @@
-"""The page's library as a native one: a question per line in; a line with the hash of the bytes of its answer, and with
-the JSON of a fit, out."""
+"""The page's library as a native one: a question per line in; a line with the hash of the bytes of its answer out."""
 
 import ctypes
 import hashlib
@@ -17,9 +16,7 @@ def main(path: str) -> None:
         ctypes.memmove(library.stribeck_alloc(len(question)), question, len(question))
         length = library.stribeck_ask()
         answer = ctypes.string_at(library.stribeck_answer(), length)
-        length = int.from_bytes(answer[:4], "little")
-        told = answer[8 : 8 + length].decode().strip() if b'"ask":"fit"' in question else ""
-        print(hashlib.sha256(answer).hexdigest(), told, sep="\t")
+        print(hashlib.sha256(answer).hexdigest())
 
 
 main(sys.argv[1])

@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { barriers, computed, drawn, fault, folder, opened, pixels, saved } from "./browser.mjs";
+import { barriers, computed, drawn, fault, folder, opened, pixels, reopened, saved } from "./browser.mjs";
 
-const VIEWS = { bench: 6, law: 3, strut: 6, fit: 3 };
+const VIEWS = { bench: 7, law: 3, strut: 6, fit: 3 };
 const text = (page, kind) => page.locator(`[data-kind=${kind}] > .unseen`).textContent();
 
 /** Measures on the virtual rig. */
@@ -107,10 +107,13 @@ test("a fit finds the law of the virtual rig again, tells how far it is, and can
   await measure(page);
   await page.locator("#start-fit").click();
   await page.waitForFunction(() => /Fitting LuGre for \d+ s, [\d.e−]+ N not explained so far/.test(document.querySelector("#fit .progress").textContent));
+  // As with Ctrl-C on the command line, the best so far is kept.
   await page.locator("#cancel-fit").click();
-  assert.equal(await page.locator(".outcome table").count(), 0);
+  await page.locator(".outcome table").first().waitFor();
+  assert.match(await page.locator(".outcome .note").textContent(), /^ended early: the best values so far, without profiles and repetitions$/);
+  assert.match((await saved(page, () => page.locator("#fit-save-toml").click())).toString(), /law = \["LuGre"\]/);
   await page.locator("#start-fit").click();
-  await page.locator(".outcome table").first().waitFor({ timeout: 240_000 });
+  await page.waitForFunction(() => !document.querySelector(".outcome .note"), null, { timeout: 240_000 });
   const rows = await page.locator(".outcome tbody tr").evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
   const [, value, interval, , truth, verdict] = rows.find(([name]) => name === "mu_k");
   assert.equal(verdict, "determined");
@@ -121,6 +124,68 @@ test("a fit finds the law of the virtual rig again, tells how far it is, and can
   assert.match(toml, /law = \["LuGre"\][^]*mu_k = 0\.\d+/);
   await page.locator("#fit-to-law").click();
   await page.waitForFunction(() => /^#v=1&view=law&held\.|^#v=1&view=law&.*friction\.mu_k=/.test(location.hash));
+  assert.deepEqual(wrong, []);
+});
+
+test("a browser whose searches cannot hear of their end says so", async () => {
+  const { page, wrong } = await opened();
+  await page.addInitScript(() => delete WebAssembly.Suspending);
+  await reopened(page, "#v=1&view=fit&rig.duration=2");
+  await measure(page);
+  await page.locator("#start-fit").click();
+  await page.waitForFunction(() => /Fitting LuGre/.test(document.querySelector("#fit .progress").textContent));
+  await page.locator("#cancel-fit").click();
+  assert.equal(await page.locator("#fit .progress").textContent(), "Given up: this browser cannot keep the best so far.");
+  assert.ok(await page.locator("#start-fit").isEnabled());
+  assert.deepEqual(wrong, []);
+});
+
+test("a visitor with a spring of 500 N/m gets LuGre against Coulomb as a link", async () => {
+  const { page, wrong } = await opened("", { permissions: ["clipboard-read", "clipboard-write"] });
+  await page.locator("#add-law-bench").click();
+  await page.getByLabel("Search").fill("coulomb");
+  await page.getByRole("checkbox", { name: "Coulomb Coulomb friction", exact: true }).check();
+  await page.getByRole("button", { name: "Remove CoulombStiction" }).click();
+  await page.getByLabel("stiffness", { exact: true }).and(page.locator("[type=text]")).fill("500");
+  await page.keyboard.press("Enter");
+  await page.getByRole("button", { name: "Copy link" }).first().click();
+  await page.getByRole("button", { name: "Link copied" }).waitFor();
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  assert.ok(link.endsWith("#v=1&law=LuGre,Coulomb&rig.stiffness=500"), link);
+  await computed(page);
+  assert.deepEqual(await page.locator("#bench > .main > .legend strong").allTextContents(), ["LuGre", "Coulomb"]);
+  assert.deepEqual(wrong, []);
+});
+
+test("silly numbers are refused by name, value and limit, and a message stays in sight", async () => {
+  const { page, wrong } = await opened();
+  const field = page.locator("[data-name='rig.mass'] input[type=text]");
+  const silly = [["-1", /mass = -1: must be > 0/], ["1e400", /mass = inf: must be > 0 and finite/], ["0x10", /mass = '0x10': must be a number/], ["", /mass = '': must be a number/]];
+  for (const [text, expected] of silly) {
+    await field.fill(text);
+    await page.keyboard.press("Tab");
+    await page.waitForFunction((text) => document.querySelector("#fault").textContent.includes(text), text === "1e400" ? "inf" : text);
+    assert.match(await fault(page), expected);
+  }
+  await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
+  assert.ok(await page.locator("#fault").evaluate((line) => line.getBoundingClientRect().top >= 0), "it has scrolled out of sight");
+  await page.evaluate(() => scrollTo(0, 0));
+  await page.locator("#reset").click();
+  await computed(page);
+  assert.equal(await fault(page), "");
+  await page.locator("#to-fit").click();
+  await page.locator("#fit .solver summary").click();
+  for (const [name, text, expected] of [["seed", "-1", /seed = -1: must be a whole number from 0/], ["duration", "1e9", /duration = 1000000000 s: must be from 0.1 s to 1000 s/], ["seed", "1.5", /seed = 1.5: must be/]]) {
+    const before = await page.locator(`#rig-${name}`).inputValue();
+    await page.locator(`#rig-${name}`).fill(text);
+    await page.locator("#measure-rig").click();
+    await page.waitForFunction((text) => document.querySelector("#fault").textContent.includes(text), `${name} = `);
+    assert.match(await fault(page), expected);
+    await page.locator(`#rig-${name}`).fill(before);
+    await page.keyboard.press("Tab");
+    await page.locator("#measure-rig").click();
+    await page.waitForFunction(() => document.querySelector("#fault").hidden && !document.querySelector("#start-fit").disabled);
+  }
   assert.deepEqual(wrong, []);
 });
 

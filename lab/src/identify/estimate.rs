@@ -1,5 +1,7 @@
 //! The unknowns after a fit, with their intervals.
 
+use stribeck::number::Real;
+
 use super::interval::{profile, quantiles};
 use super::problem::Problem;
 use super::search::Found;
@@ -129,7 +131,7 @@ impl Ended<'_> {
 fn is_open(unknown: &Unknown, value: f64, [low, high]: [f64; 2]) -> bool {
     let far = DETERMINED * WIDTH;
     match unknown.scale {
-        Scale::Logarithmic => 0.5 * (high / low).ln() > far,
+        Scale::Logarithmic => 0.5 * Real::ln(high / low) > far,
         Scale::Linear | Scale::Mixed(_) => 0.5 * (high - low) > far * unknown.large(value),
     }
 }

@@ -128,7 +128,8 @@ pub(super) fn repetitions(
         }
         let mut noise = Vec::with_capacity(residuals.len() + length);
         while noise.len() < residuals.len() {
-            let from = random.usize(0..=residuals.len() - length);
+            // A usize of 32 bits, as in a browser, would take other numbers.
+            let from = random.u64(0..=(residuals.len() - length) as u64) as usize;
             noise.extend_from_slice(&residuals[from..from + length]);
         }
         let forces = measured.iter().zip(&residuals).zip(&noise);
@@ -136,6 +137,7 @@ pub(super) fn repetitions(
         let again = Problem { instead: Some(forces.collect()), ..problem.clone() };
         let from = Found { cost: f64::INFINITY, ..best.clone() };
         found.push(polish(&again, &from).places);
+        (watch.progress)(seen.rms, best.evaluations);
     }
     found
 }

@@ -38,7 +38,7 @@ use stribeck::model::ModelType;
 
 pub use estimate::Estimate;
 pub use experiment::Experiment;
-pub use output::{Difference, Reference, as_json, difference, preset, respond};
+pub use output::{Difference, EARLY, Reference, as_json, difference, preset, respond};
 pub use rank::{APART, Rank, rank};
 pub use search::{Method, Watch};
 pub use strut::{StrutFriction, strut_friction};

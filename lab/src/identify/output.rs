@@ -124,7 +124,7 @@ impl Fit {
             let _ = writeln!(text, "  {:<width$}  {}{}", one.name, told(one), compared(one, reference));
         }
         if self.is_cancelled {
-            text += "ended early: the best values so far, without profiles and repetitions\n";
+            let _ = writeln!(text, "{EARLY}");
         }
         for warning in &self.warnings {
             let _ = writeln!(text, "warning: {warning}");
@@ -132,6 +132,9 @@ impl Fit {
         text
     }
 }
+
+/// Description of a fit that was cancelled.
+pub const EARLY: &str = "ended early: the best values so far, without profiles and repetitions";
 
 /// Fits with their ranking, for programs. What is not determined has no value.
 pub fn as_json(ranking: &Ranking) -> serde_json::Value {

@@ -13,6 +13,8 @@
 //! R. E. Kass, A. E. Raftery, "Bayes factors", Journal of the American Statistical Association 90 (1995),
 //! doi:10.1080/01621459.1995.10476572, "very strong".
 
+use stribeck::number::Real;
+
 use super::Fit;
 
 /// Difference of the criterion below which two laws cannot be told apart.
@@ -40,7 +42,7 @@ pub fn rank(fits: &[Fit]) -> Vec<Rank> {
         let n = fit.samples as f64;
         let freedom = (n - fit.unknowns() as f64).max(1.0);
         let mean = fit.residuals.loss.max(floor).powi(2) * freedom / n;
-        count * mean.ln() + fit.unknowns() as f64 * count.ln()
+        count * Real::ln(mean) + fit.unknowns() as f64 * Real::ln(count)
     };
     let mut list: Vec<(usize, f64)> = fits.iter().map(criterion).enumerate().collect();
     list.sort_by(|a, b| a.1.total_cmp(&b.1));

@@ -32,7 +32,8 @@ pub(super) struct Found {
 pub struct Watch<'a> {
     /// Ends the search early; the best so far is kept.
     pub cancel: &'a AtomicBool,
-    /// Root mean square of the residuals at the best place so far, N, and the evaluations that led there.
+    /// Root mean square of the residuals at the best place so far, N, and the evaluations that led there. It is called
+    /// after each generation and each repetition.
     pub progress: &'a (dyn Fn(f64, u64) + Sync),
 }
 

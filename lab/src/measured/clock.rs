@@ -1,6 +1,7 @@
 //! Two clocks: that of the load cell and that of the camera.
 
 use nalgebra::{SMatrix, SVector};
+use stribeck::number::Real;
 
 use super::polynomial::Local;
 
@@ -80,12 +81,12 @@ impl<'a> Pair<'a> {
             for ((state, way), term) in hysteresis.iter_mut().zip(WAYS).zip(&mut terms[3..]) {
                 // Exact for dz = dx (1 - sgn(dx) z) / way.
                 let steady = if change == 0.0 { *state } else { change.signum() };
-                *state = steady + (*state - steady) * (-change.abs() / (way * travel)).exp();
+                *state = steady + (*state - steady) * Real::exp(-change.abs() / (way * travel));
                 *term = *state;
             }
             [terms[1], terms[2]] = [v / fastest, a / steepest];
             for (speed, term) in SPEEDS.iter().zip(&mut terms[3 + WAYS.len()..]) {
-                *term = (v / (speed * fastest)).tanh();
+                *term = Real::tanh(v / (speed * fastest));
             }
             terms
         };

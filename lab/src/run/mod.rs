@@ -64,8 +64,8 @@ impl Settings<'_> {
         }
         let rows = self.until / self.every;
         if rows > MOST_ROWS {
-            let text = format_args!("every = {} s gives {rows:.0} rows: at most {MOST_ROWS}", self.every);
-            return Err(Fault::value(text));
+            let rows = if rows < 1e15 { format!("{rows:.0}") } else { format!("{rows:e}") };
+            return Err(Fault::value(format_args!("every = {} s gives {rows} rows: at most {MOST_ROWS}", self.every)));
         }
         Ok(())
     }
