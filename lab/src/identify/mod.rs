@@ -459,6 +459,12 @@ fn doubted(problem: &Problem, best: &Found, seen: &Residuals, profiles: bool, se
             trust.verdicts[number] = Verdict::Undetermined(format!("it depends on {name}, which is not determined"));
         }
     }
+    // Residuals that are correlated are warned of: there the law is wrong, and not a few samples.
+    if seen.correlation <= SYSTEMATIC
+        && let Some(left) = problem.residuals(&best.places)
+    {
+        trust.doubt_outliers(&problem.loss.influence(&left).0, Loss::noise(problem.experiments));
+    }
     trust
 }
 

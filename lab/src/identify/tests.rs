@@ -1,6 +1,7 @@
 //! Fits to data of known laws.
 
 use std::f64::consts::TAU;
+use std::slice;
 use std::sync::atomic::AtomicBool;
 
 use approx::assert_abs_diff_eq;
@@ -271,12 +272,13 @@ fn a_force_that_changes_in_jumps_has_no_interval() {
 
 #[test]
 fn searches_that_disagree_leave_no_number() {
-    let data = [measured("Dahl", &[], &standard(200), 0.01, 1)];
+    let data = [measured("Dahl", &[], &standard(1000), 0.01, 1)];
     let problem = whole_problem("Dahl", &data);
     let found = best(&problem, &quick(), quiet(), None, false).0;
     let seen = white_noise(0.02);
     let verdicts = |searches| doubted(&problem, &found, &seen, false, searches).verdicts;
-    assert!(verdicts(Searches::Agree).iter().all(|verdict| *verdict == Verdict::Determined));
+    let told = verdicts(Searches::Agree);
+    assert!(told.iter().all(|verdict| *verdict == Verdict::Determined), "{told:?}");
     assert!(verdicts(Searches::Disagree).iter().all(|verdict| matches!(verdict, Verdict::Undetermined(_))));
 }
 
@@ -490,6 +492,22 @@ fn experiments_and_tasks_without_sense_are_refused() {
         let refused = fit(by_name("Dahl").unwrap(), &data, &task, quiet()).map(|_| ()).unwrap_err().to_string();
         assert_eq!(refused, wanted);
     }
+}
+
+/// Eight samples of 1200, all at high speed, are half as large again: the viscous part is theirs. With the robust loss
+/// it is that of the truth.
+#[test]
+fn a_value_that_a_few_samples_decide_has_no_number() {
+    let mut data = measured("CoulombViscous", &[("viscous_coefficient", 20.0)], &standard(1200), 0.01, 4);
+    let fastest = data.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    let at: Vec<usize> = (0..1200).filter(|at| data.velocity[*at].abs() > 0.9 * fastest).step_by(10).take(8).collect();
+    at.iter().for_each(|at| data.force[*at] *= 1.5);
+    let plain = fitted("CoulombViscous", slice::from_ref(&data), &quick());
+    let verdict = estimate(&plain, "viscous_coefficient").verdict.to_string();
+    assert!(verdict.contains("8 of 1200 samples") && verdict.contains("robust loss"), "{verdict}");
+    let robust = fitted("CoulombViscous", &[data], &Task { is_robust: true, ..quick() });
+    let [low, high] = estimate(&robust, "viscous_coefficient").interval();
+    assert!(estimate(&robust, "viscous_coefficient").verdict == Verdict::Determined && low < 20.0 && 20.0 < high);
 }
 
 /// The others have all their searches, as if they were alone.
