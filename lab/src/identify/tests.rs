@@ -451,8 +451,8 @@ fn impossible_wishes_are_refused() {
             Wishes { fitted: vec!["mas".into()], ..none() },
             "parameter 'mas' does not exist (did you mean 'mass'?)",
         ),
-        ("Dahl", range("mu_k", [0.2, 0.1]), "mu_k = 0.2:0.1: must be a range within the bound of mu_k"),
-        ("Dahl", range("mu_k", [-0.2, 0.1]), "mu_k = -0.2:0.1: must be a range within the bound of mu_k"),
+        ("Dahl", range("mu_k", [0.2, 0.1]), "mu_k = 0.2:0.1: must be LOW:HIGH with LOW < HIGH, both finite"),
+        ("Dahl", range("mu_k", [-0.2, 0.1]), "mu_k = -0.2:0.1: both must be >= 0 and finite"),
         ("Dahl", range("alpha", [0.5, 2.0]), "Dahl: alpha has a range and is not fitted"),
         (
             "Dahl",
