@@ -414,9 +414,7 @@ fn finish(
     let seen = residuals(&left, &problem.lengths(), problem.unknowns.len(), problem.loss);
     let is_cancelled = watch.cancel.load(Ordering::Relaxed);
     let profiles = task.profiles && !is_cancelled;
-    // One genetic algorithm hardly ever ends where another one does.
-    let doubt = if task.method == Method::Genetic { Searches::Agree } else { searches };
-    let trust = doubted(problem, best, &seen, profiles, doubt);
+    let trust = doubted(problem, best, &seen, profiles, searches.believed(task.method));
     let count = if is_cancelled { 0 } else { task.repetitions };
     let repeated = repetitions(problem, best, &seen, count, task.seed, watch);
     let estimates = Ended { problem, best, seen: &seen, trust: &trust }.estimates(profiles, &repeated);
