@@ -489,8 +489,8 @@ def formats() -> None:
     python = folder / "venv" / PYTHON.relative_to(VENV)
     run(python, "-m", "pip", "install", "--quiet", "--requirement", "tests/formats/requirements.txt")
     run(python, "tests/formats/write.py", folder / "files")
-    run("cargo", "test", "--package", "lab", "--features", "mdf,mat", "--test", "binary", FORMATS=str(folder / "files"))
-    print("figure: MDF 4 and MAT 5: 30 channels equal to those of asammdf and scipy, to the last bit", flush=True)
+    test = ["cargo", "test", "--package", "lab", "--features", "mdf,mat", "--test", "binary"]
+    run(*test, "--", "--nocapture", FORMATS=str(folder / "files"), RUST_BACKTRACE="0")
 
 
 def trust() -> None:

@@ -186,10 +186,15 @@ impl Sheet {
         self.headings.iter().any(|(heading, _)| heading.eq_ignore_ascii_case(name))
     }
 
-    /// Gives a column another name, if it is there.
+    /// Gives a column another name, if it is there; a column that had it loses it.
     pub fn rename(&mut self, from: &str, to: &str) {
-        for (heading, _) in self.headings.iter_mut().filter(|(heading, _)| heading.eq_ignore_ascii_case(from)) {
-            to.clone_into(heading);
+        let is_here = self.has(from);
+        for (heading, _) in &mut self.headings {
+            if heading.eq_ignore_ascii_case(from) {
+                to.clone_into(heading);
+            } else if is_here && heading.eq_ignore_ascii_case(to) {
+                heading.clear();
+            }
         }
     }
 

@@ -20,6 +20,9 @@ pub struct Arguments {
     /// Parameter set to write, .csv or .ssv; from a test, a tyre property file, .tir. Without it, it is printed.
     #[arg(long)]
     out: Option<PathBuf>,
+    /// Name of a column in the table of a test: SA=Schraeglaufwinkel.
+    #[arg(long, value_name = "NAME=COLUMN")]
+    column: Vec<Setting>,
     /// Axes of the test.
     #[arg(long)]
     axes: Option<AxesChoice>,
@@ -83,10 +86,10 @@ fn has_extension(path: &Path, wanted: &str) -> bool {
 }
 
 fn convert(arguments: &Arguments) -> Result<(), TyreError> {
-    if arguments.axes.is_some() || arguments.radius.is_some() || arguments.nominal_load.is_some() {
-        return Err(
-            Fault::value("--axes, --radius and --nominal-load: are for a tyre test, not for a .tir file").into()
-        );
+    let is_of_test = arguments.axes.is_some() || arguments.radius.is_some() || arguments.nominal_load.is_some();
+    if is_of_test || !arguments.column.is_empty() {
+        let text = "--axes, --radius, --nominal-load and --column: are for a tyre test, not for a .tir file";
+        return Err(Fault::value(text).into());
     }
     let TyreFile { set, unused, notes } = tir::read(&arguments.file)?;
     for note in notes {
@@ -102,6 +105,22 @@ fn convert(arguments: &Arguments) -> Result<(), TyreError> {
     Ok(())
 }
 
+/// The table with the names of columns as they are here.
+fn renamed(mut sheet: Sheet, arguments: &Arguments) -> Result<Sheet, Fault> {
+    for Setting { name, value } in &arguments.column {
+        let is_named = |names: &&&[&str]| names.iter().any(|known| known.eq_ignore_ascii_case(name));
+        let known = || TyreTest::COLUMNS.iter().flat_map(|names| names.iter().copied());
+        let names = TyreTest::COLUMNS.iter().find(is_named);
+        let names = names.ok_or_else(|| Fault::unknown("quantity of a tyre test", name, known()))?;
+        if !sheet.has(value) {
+            return Err(Fault::File(format!("{}: no column '{value}' for {name}", arguments.file.display())));
+        }
+        // The first name is looked for first, so that no other column takes its place.
+        sheet.rename(value, names[0]);
+    }
+    Ok(sheet)
+}
+
 fn fit(arguments: &Arguments) -> Result<(), TyreError> {
     let path = &arguments.file;
     let axes = match arguments.axes {
@@ -115,7 +134,7 @@ fn fit(arguments: &Arguments) -> Result<(), TyreError> {
     }
     let side = if let SideChoice::Left = arguments.side { Side::Left } else { Side::Right };
     let test = |source: TyreTestError| TyreError::Test { path: path.clone(), source };
-    let sheet = Sheet::load(path).map_err(|error: SheetError| test(error.into()))?;
+    let sheet = renamed(Sheet::load(path).map_err(|error: SheetError| test(error.into()))?, arguments)?;
     let tyre_test = TyreTest::of(&sheet, axes).map_err(test)?;
     let fixed = arguments.fix.iter().map(Setting::number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
     let found = fit_tyre(&tyre_test, &TyreTask { radius, nominal_load: arguments.nominal_load, side, fixed })?;

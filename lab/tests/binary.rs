@@ -50,6 +50,7 @@ fn channels_are_those_of_the_python_programs() {
         }
     }
     assert_eq!(channels, 3 * 6 + 2 * 6);
+    println!("figure: MDF 4 and MAT 5: {channels} channels equal to those of asammdf and scipy, to the last bit");
 }
 
 /// Cut or overwritten files are refused, or read in part; they never stop the program.

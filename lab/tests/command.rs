@@ -209,3 +209,24 @@ fn refusals_of_an_identification_name_what_is_wrong() {
         assert_eq!(usage.status.code(), Some(2), "{arguments:?}");
     }
 }
+
+#[test]
+fn columns_of_a_tyre_test_have_the_names_that_were_given() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("t.csv");
+    let test = path.to_str().expect("text");
+    std::fs::write(&path, "Radlast [kN],alpha,Winkel [deg],Quer [N]\n-1,x,1,-5\n-1,x,2,-9\n").expect("a file");
+    let tyre = ["tyre", test, "--axes", "sae", "--radius", "0.2"];
+    for (arguments, expected) in [
+        (vec![], format!("{test}: no column 'F_z', 'FZ', 'normal_force'; there are Radlast,")),
+        (vec!["--column", "FZ=Last"], format!("{test}: no column 'Last' for FZ")),
+        (vec!["--column", "FW=Radlast"], "quantity of a tyre test 'FW' does not exist".to_owned()),
+        (
+            vec!["--column", "FZ=Radlast", "--column", "SA=Winkel", "--column", "FY=Quer"],
+            format!("{test}: 2 samples; at least 40 are needed"),
+        ),
+    ] {
+        let found = refusal(&[&tyre[..], &arguments].concat());
+        assert!(found.starts_with(&format!("stribeck: {expected}")), "{found}");
+    }
+}

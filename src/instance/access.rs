@@ -120,7 +120,10 @@ impl Instance {
     /// Sets the variable of a column, in the phase [`Phase::Setup`].
     #[inline]
     pub fn set_column(&mut self, column: usize, value: f64) -> Result<(), Refused> {
-        self.check_value(Phase::Setup, column, value)?;
+        // The usual one is an input with no rule but its range.
+        if !self.model.ports.takes(column, value) {
+            self.check_value(Phase::Setup, column, value)?;
+        }
         self.write(column, value);
         Ok(())
     }

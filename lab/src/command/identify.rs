@@ -377,8 +377,9 @@ fn table(ranking: &Ranking) -> String {
     text += if is_held_out { "   not fitted\n" } else { "\n" };
     for (number, place) in ranking.ranks.iter().enumerate() {
         let fit = &ranking.fits[place.fit];
-        let note = if place.is_tied && number > 0 { "  cannot be told apart from the first" } else { "" };
-        let note = if fit.is_repeatable { note } else { "  the searches did not agree" };
+        let is_tied = place.is_tied && number > 0;
+        let note = fit.searches.note().or(is_tied.then_some("cannot be told apart from the first"));
+        let note = note.map_or(String::new(), |note| format!("  {note}"));
         text += &format!(
             "  {:<20} {:>9.3e} N {:>9} {:>8.1}{}{note}\n",
             fit.law.name,

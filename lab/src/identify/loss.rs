@@ -24,7 +24,7 @@ use super::Experiment;
 /// Bend in standard deviations of the noise: Huber's, which loses 5 % of precision if the noise is normal.
 const BEND: f64 = 1.345;
 
-/// Least bend, as a part of the largest force (chosen): forces of a computation have no noise.
+/// Least noise, as a part of the largest force (chosen): forces of a computation have no noise.
 const LEAST: f64 = 1e-6;
 
 /// Loss of residuals, by its bend in N.
@@ -39,11 +39,16 @@ impl Loss {
 
     /// Robust against outliers in experiments of this noise.
     pub fn robust(experiments: &[Experiment]) -> Loss {
+        Loss { bend: BEND * Loss::noise(experiments) }
+    }
+
+    /// Noise of the forces of experiments, N.
+    pub fn noise(experiments: &[Experiment]) -> f64 {
         let square = |one: &Experiment| crate::measured::noise(&one.force).powi(2);
         let noise = (experiments.iter().map(square).sum::<f64>() / experiments.len().max(1) as f64).sqrt();
         let forces = experiments.iter().flat_map(|one| &one.force);
         let level = forces.fold(f64::MIN_POSITIVE, |most, force| most.max(force.abs()));
-        Loss { bend: (BEND * noise).max(LEAST * level) }
+        noise.max(LEAST * level)
     }
 
     /// sqrt(1 + (r/c)2).

@@ -40,7 +40,7 @@ pub use estimate::Estimate;
 pub use experiment::Experiment;
 pub use output::{Difference, EARLY, Reference, as_json, difference, preset, respond};
 pub use rank::{APART, Rank, rank};
-pub use search::{Method, Watch};
+pub use search::{Method, Searches, Watch};
 pub use strut::{StrutFriction, strut_friction};
 pub use trust::{DETERMINED, Residuals, Verdict, digits};
 pub use unknown::{Scale, Target, Unknown, Wishes};
@@ -52,7 +52,7 @@ use interval::{dependent, repetitions};
 use loss::Loss;
 use problem::Problem;
 use response::{Exact, Ports};
-use search::{Found, polish, search};
+use search::{Found, best, first_look, polish};
 use trust::{Trust, residuals, trust};
 use unknown::OF_RIG;
 use unseen::folds;
@@ -145,8 +145,8 @@ pub struct Fit {
     pub level: f64,
     /// Evaluations of the law.
     pub evaluations: u64,
-    /// Whether a second search over the whole range found the same values.
-    pub is_repeatable: bool,
+    /// Whether several searches over the whole range found the same values.
+    pub searches: Searches,
     /// Whether it was ended early.
     pub is_cancelled: bool,
     /// Whether the sensitivities are exact.
@@ -217,8 +217,14 @@ impl Ranking {
     }
 }
 
-/// Fits laws to the same experiments and ranks them; the best of several once more with all intervals. `begin` hears of
-/// each law. As many laws are under way at once as the machine has cores; their number changes no result.
+/// Root mean square left by a law after one search, as a multiple of the least among the laws, from which it is not
+/// searched again (chosen). In six records of each law, one search for the law that made the data ended within 1.2 of
+/// the best one, and within 1.7 for `FrictionalLag`.
+const FAR: f64 = 2.0;
+
+/// Fits laws to the same experiments and ranks them; the best of several once more with all intervals. Each law is
+/// searched once, then those that may be the best again, as if they were alone. `begin` hears of each law. As many laws
+/// are under way at once as the machine has cores; their number changes no result.
 pub fn fit_all(
     laws: &[&'static ModelType],
     experiments: &[Experiment],
@@ -226,9 +232,19 @@ pub fn fit_all(
     begin: &mut (dyn FnMut(&'static ModelType) + Send),
     watch: Watch,
 ) -> Result<Ranking, Fault> {
+    let is_ranked = laws.len() > 1 && task.method == Method::Evolution;
     let quick = if laws.len() > 1 { Task { profiles: false, repetitions: 0, ..task.clone() } } else { task.clone() };
+    let look = |law: &'static ModelType| Some(first_look(&problem(law, experiments, &quick).ok()?, &quick, watch));
+    let seen = if is_ranked { side_by_side(laws, begin, watch, |_, law| look(law)) } else { Vec::new() };
+    let seen: Vec<Option<Found>> = seen.into_iter().map(Option::flatten).collect();
+    let least = seen.iter().flatten().map(|found| found.cost).fold(f64::INFINITY, f64::min);
+    let one = |number: usize, law: &'static ModelType| {
+        let first = seen.get(number).cloned().flatten();
+        let is_far = first.as_ref().is_some_and(|first| first.cost > FAR * FAR * least);
+        fit_from(law, experiments, &quick, watch, first, is_far)
+    };
     let (mut fits, mut refused, mut reason) = (Vec::new(), Vec::new(), Fault::value("no law was given"));
-    for (law, found) in laws.iter().zip(side_by_side(laws, experiments, &quick, begin, watch)) {
+    for (law, found) in laws.iter().zip(side_by_side(laws, begin, watch, one)) {
         match found {
             Some(Ok(fit)) => fits.push(fit),
             Some(Err(fault)) => {
@@ -242,31 +258,31 @@ pub fn fit_all(
     let Some(best) = ranks.first().map(|place| place.fit) else { return Err(reason) };
     if laws.len() > 1 && !fits[best].is_cancelled {
         begin(fits[best].law);
-        fits[best] = fit(fits[best].law, experiments, task, watch)?;
+        let first = laws.iter().position(|law| law.name == fits[best].law.name).and_then(|at| seen.get(at).cloned());
+        fits[best] = fit_from(fits[best].law, experiments, task, watch, first.flatten(), false)?;
     }
     Ok(Ranking { fits, ranks, refused })
 }
 
-/// The fits of laws, in their order; None for those that were not begun before the end.
-fn side_by_side(
+/// Work on laws, in their order; None for those that were not begun before the end.
+fn side_by_side<T: Send>(
     laws: &[&'static ModelType],
-    experiments: &[Experiment],
-    task: &Task,
     begin: &mut (dyn FnMut(&'static ModelType) + Send),
     watch: Watch,
-) -> Vec<Option<Result<Fit, Fault>>> {
+    work: impl Fn(usize, &'static ModelType) -> T + Sync,
+) -> Vec<Option<T>> {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let next = AtomicUsize::new(0);
     let begin = Mutex::new(begin);
-    let found = Mutex::new(laws.iter().map(|_| None).collect::<Vec<Option<Result<Fit, Fault>>>>());
-    let work = || {
+    let found = Mutex::new(laws.iter().map(|_| None).collect::<Vec<Option<T>>>());
+    let all = || {
         while let Some((number, law)) = pick(laws, &next) {
             if let Ok(mut begin) = begin.lock() {
                 begin(law);
             }
-            let fit = fit(law, experiments, task, watch);
+            let one = work(number, law);
             if let Ok(mut found) = found.lock() {
-                found[number] = Some(fit);
+                found[number] = Some(one);
             }
             if watch.cancel.load(Ordering::Relaxed) {
                 break;
@@ -275,9 +291,9 @@ fn side_by_side(
     };
     std::thread::scope(|scope| {
         for _ in 1..cores.min(laws.len()) {
-            scope.spawn(work);
+            scope.spawn(all);
         }
-        work();
+        all();
     });
     found.into_inner().unwrap_or_default()
 }
@@ -289,14 +305,26 @@ fn pick(laws: &[&'static ModelType], next: &AtomicUsize) -> Option<(usize, &'sta
 
 /// Fits a law to experiments.
 pub fn fit(law: &'static ModelType, experiments: &[Experiment], task: &Task, watch: Watch) -> Result<Fit, Fault> {
+    fit_from(law, experiments, task, watch, None, false)
+}
+
+/// As [`fit`], with the end of the first search if it is known; no other search is made for a law that is far behind.
+fn fit_from(
+    law: &'static ModelType,
+    experiments: &[Experiment],
+    task: &Task,
+    watch: Watch,
+    first: Option<Found>,
+    is_far: bool,
+) -> Result<Fit, Fault> {
     let mut problem = problem(law, experiments, task)?;
-    let (best, is_repeatable) = best(&problem, task, watch);
+    let (best, searches) = best(&problem, task, watch, first, is_far);
     if !best.cost.is_finite() {
         return Err(Fault::value(format_args!("{}: the law is refused everywhere in the ranges", law.name)));
     }
     let (best, shift) = refine(&mut problem, best, task, watch);
-    let mut fit = finish(&problem, task, watch, &best, is_repeatable, shift)?;
-    if task.folds > 0 && !fit.is_cancelled {
+    let mut fit = finish(&problem, task, watch, &best, searches, shift)?;
+    if task.folds > 0 && !fit.is_cancelled && !is_far {
         fit.saw(folds(law, experiments, task.folds, task, watch)?);
     }
     Ok(fit)
@@ -325,42 +353,6 @@ fn refine(problem: &mut Problem, mut best: Found, task: &Task, watch: Watch) -> 
             best = polish(problem, &best);
         }
     }
-}
-
-/// Rounds of searches, each with twice the budget of the one before, until two of them agree (chosen).
-const ROUNDS: u32 = 3;
-
-/// Part of the sum of squares of the force below which costs do not differ (chosen).
-const ROUNDING: f64 = 1e-9;
-
-/// The best place, and whether two searches with different seeds have found it: it is then hardly one of several. They
-/// go over fewer samples; only the best of their ends is followed on all of them.
-fn best(problem: &Problem, task: &Task, watch: Watch) -> (Found, bool) {
-    let parts = problem.samples().div_ceil(SEARCHED);
-    let coarser: Vec<Experiment> = problem.experiments.iter().map(|one| one.coarser(parts)).collect();
-    let is_thinned = parts > 1 && task.method == Method::Evolution && coarser.iter().all(|one| one.time.len() > 2);
-    let coarse = if is_thinned { Problem { experiments: &coarser, ..problem.clone() } } else { problem.clone() };
-    let rounding = ROUNDING * coarse.measured().iter().map(|force| force * force).sum::<f64>();
-    let mut ends: Vec<Found> = Vec::new();
-    let mut agree = false;
-    for round in 0..ROUNDS {
-        ends.extend(searches(&coarse, task, task.budget << round, u64::from(round), watch));
-        ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-        let variance = 2.0 * ends[0].cost / coarse.samples() as f64;
-        agree = 2.0 * (ends[1].cost - ends[0].cost) <= variance.max(rounding);
-        if agree || watch.cancel.load(Ordering::Relaxed) || task.method == Method::Genetic {
-            break;
-        }
-    }
-    let evaluations = ends.iter().map(|found| found.evaluations).sum();
-    let mut found = Found { evaluations, ..ends.swap_remove(0) };
-    if is_thinned {
-        found = problem.judge(found);
-        if !watch.cancel.load(Ordering::Relaxed) {
-            found = polish(problem, &found);
-        }
-    }
-    (found, agree)
 }
 
 /// Problem of a fit, with everything checked.
@@ -408,39 +400,13 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
     })
 }
 
-/// Samples on which the whole range is searched (chosen): more only make it slower.
-const SEARCHED: usize = 2000;
-
-/// Two searches with different seeds, side by side.
-fn searches(problem: &Problem, task: &Task, budget: u64, round: u64, watch: Watch) -> Vec<Found> {
-    let run = |number: u64| {
-        let seed =
-            fastrand::Rng::with_seed(task.seed ^ (number + 2 * round).wrapping_mul(0x9E37_79B9_7F4A_7C15)).u64(..);
-        let found = search(problem, task.method, seed, budget, watch);
-        if task.method == Method::Genetic || watch.cancel.load(Ordering::Relaxed) {
-            found
-        } else {
-            polish(problem, &found)
-        }
-    };
-    // In a browser this library has no threads.
-    if cfg!(target_family = "wasm") {
-        return vec![run(0), run(1)];
-    }
-    std::thread::scope(|scope| {
-        let second = scope.spawn(move || run(1));
-        let first = run(0);
-        std::iter::once(first).chain(second.join()).collect()
-    })
-}
-
 /// Everything about a best place.
 fn finish(
     problem: &Problem,
     task: &Task,
     watch: Watch,
     best: &Found,
-    is_repeatable: bool,
+    searches: Searches,
     shift: f64,
 ) -> Result<Fit, Fault> {
     let refused = |reason: String| Fault::value(format_args!("{}: {reason}", problem.law.name));
@@ -448,7 +414,7 @@ fn finish(
     let seen = residuals(&left, &problem.lengths(), problem.unknowns.len(), problem.loss);
     let is_cancelled = watch.cancel.load(Ordering::Relaxed);
     let profiles = task.profiles && !is_cancelled;
-    let trust = doubted(problem, best, &seen, profiles, is_repeatable || task.method == Method::Genetic);
+    let trust = doubted(problem, best, &seen, profiles, searches.believed(task.method));
     let count = if is_cancelled { 0 } else { task.repetitions };
     let repeated = repetitions(problem, best, &seen, count, task.seed, watch);
     let estimates = Ended { problem, best, seen: &seen, trust: &trust }.estimates(profiles, &repeated);
@@ -464,7 +430,7 @@ fn finish(
         samples: problem.samples(),
         level: problem.measured().iter().fold(0.0, |most: f64, force| most.max(force.abs())),
         evaluations: best.evaluations,
-        is_repeatable,
+        searches,
         is_cancelled,
         is_exact: problem.exact.is_some(),
         mass: point.mass,
@@ -475,22 +441,27 @@ fn finish(
         columns: point.columns,
         held: problem.held.clone(),
         explained: split(&explained, &problem.experiments.iter().map(|one| one.time.len()).collect::<Vec<usize>>()),
-        warnings: warnings(problem, &seen, &estimates, is_repeatable, shift),
+        warnings: warnings(problem, &seen, &estimates, searches, shift),
         estimates,
     })
 }
 
 /// Trust by the sensitivities, less what they do not see.
-fn doubted(problem: &Problem, best: &Found, seen: &Residuals, profiles: bool, is_repeatable: bool) -> Trust {
+fn doubted(problem: &Problem, best: &Found, seen: &Residuals, profiles: bool, searches: Searches) -> Trust {
     let mut trust = trust(problem, &best.places, seen);
-    if !is_repeatable {
-        let reason = "searches over the whole range end at different values; narrow the ranges, or raise the budget";
+    if let Some(reason) = searches.doubt() {
         trust.verdicts.iter_mut().for_each(|verdict| *verdict = Verdict::Undetermined(reason.to_owned()));
     } else if profiles {
         for (number, other) in dependent(problem, best, seen, &trust) {
             let name = &problem.unknowns[other].name;
             trust.verdicts[number] = Verdict::Undetermined(format!("it depends on {name}, which is not determined"));
         }
+    }
+    // Residuals that are correlated are warned of: there the law is wrong, and not a few samples.
+    if seen.correlation <= SYSTEMATIC
+        && let Some(left) = problem.residuals(&best.places)
+    {
+        trust.doubt_outliers(&problem.loss.influence(&left).0, Loss::noise(problem.experiments));
     }
     trust
 }
@@ -511,11 +482,11 @@ fn warnings(
     problem: &Problem,
     seen: &Residuals,
     estimates: &[Estimate],
-    is_repeatable: bool,
+    searches: Searches,
     shift: f64,
 ) -> Vec<String> {
     let mut list = Vec::new();
-    if !is_repeatable {
+    if searches == Searches::Disagree {
         list.push(
             "searches over the whole range ended at different values: raise the budget, or narrow the ranges"
                 .to_owned(),

@@ -11,7 +11,7 @@ use stribeck::model::ModelType;
 use super::response::{Ports, forces};
 use super::trust::digits;
 use super::unknown::OF_RIG;
-use super::{Estimate, Experiment, Fit, Rank, Ranking, Verdict};
+use super::{Estimate, Experiment, Fit, Rank, Ranking, Searches, Verdict};
 use crate::measured::Record;
 use crate::run::Configuration;
 use crate::system::Fault;
@@ -149,7 +149,7 @@ pub fn as_json(ranking: &Ranking) -> serde_json::Value {
             "unseen": fit.unseen.iter().map(|one| (one.name.clone(), one.rms)).collect::<BTreeMap<String, f64>>(),
             "samples": fit.samples,
             "correlation": fit.residuals.correlation,
-            "repeatable": fit.is_repeatable,
+            "repeatable": fit.searches == Searches::Agree,
             "exact": fit.is_exact,
             "evaluations": fit.evaluations,
             "warnings": fit.warnings,

@@ -4,9 +4,9 @@
 //! ```text
 //! BIC = (n / tau) ln(r'r / n) + k ln(n / tau)
 //! ```
-//! with r'r twice the loss if that is robust, and the correlation time tau of the residuals of the law that explains most: samples of a rig are not independent,
-//! and who counts them as if they were prefers the law with more parameters. Laws within [`APART`] of the best one
-//! cannot be told apart.
+//! with r'r twice the loss if that is robust, and the correlation time tau of the residuals of the law that explains
+//! most: samples of a rig are not independent, and who counts them as if they were prefers the law with more parameters.
+//! Laws within [`APART`] of the best one cannot be told apart.
 //!
 //! # Source
 //! G. Schwarz, "Estimating the dimension of a model", Annals of Statistics 6 (1978), doi:10.1214/aos/1176344136. Limit:

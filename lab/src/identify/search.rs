@@ -7,6 +7,7 @@ use basin::{
 };
 
 use super::problem::Problem;
+use super::{Experiment, Task};
 
 /// How the whole range is searched.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -37,6 +38,140 @@ pub struct Watch<'a> {
     pub progress: &'a (dyn Fn(f64, u64) + Sync),
 }
 
+/// Ends of searches over the whole range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Searches {
+    /// Two of them have found the same.
+    Agree,
+    /// No two of them have.
+    Disagree,
+    /// There was one: another law explains far more.
+    One,
+}
+
+impl Searches {
+    /// The same for judging values: one genetic algorithm hardly ever ends where another one does.
+    pub(super) fn believed(self, method: Method) -> Searches {
+        if method == Method::Genetic { Searches::Agree } else { self }
+    }
+
+    /// Reason for which nothing is determined.
+    pub(super) fn doubt(self) -> Option<&'static str> {
+        match self {
+            Searches::Agree => None,
+            Searches::Disagree => {
+                Some("searches over the whole range end at different values; narrow the ranges, or raise the budget")
+            }
+            Searches::One => Some("another law explains far more, so that this one was searched once only"),
+        }
+    }
+
+    /// Note in a ranking.
+    pub fn note(self) -> Option<&'static str> {
+        match self {
+            Searches::Agree => None,
+            Searches::Disagree => Some("the searches did not agree"),
+            Searches::One => Some("far behind, searched once"),
+        }
+    }
+}
+
+/// Where the first search over the whole range ends.
+pub(super) fn first_look(problem: &Problem, task: &Task, watch: Watch) -> Found {
+    let fewer = coarser(problem, task);
+    one_search(&coarse(problem, fewer.as_deref()), task, 0, watch)
+}
+
+/// Rounds of searches, each with twice the budget of the one before, until two of them agree (chosen).
+const ROUNDS: u32 = 3;
+
+/// Part of the sum of squares of the force below which costs do not differ (chosen).
+const ROUNDING: f64 = 1e-9;
+
+/// The experiments with fewer samples, for searches; None if they have few, or if the search shall see all.
+fn coarser(problem: &Problem, task: &Task) -> Option<Vec<Experiment>> {
+    let parts = problem.samples().div_ceil(SEARCHED);
+    let coarser: Vec<Experiment> = problem.experiments.iter().map(|one| one.coarser(parts)).collect();
+    let is_thinned = parts > 1 && task.method == Method::Evolution && coarser.iter().all(|one| one.time.len() > 2);
+    is_thinned.then_some(coarser)
+}
+
+fn coarse<'a>(problem: &Problem<'a>, coarser: Option<&'a [Experiment]>) -> Problem<'a> {
+    Problem { experiments: coarser.unwrap_or(problem.experiments), ..problem.clone() }
+}
+
+/// The best place, and whether two searches with different seeds have found it: it is then hardly one of several. They
+/// go over fewer samples; only the best of their ends is followed on all of them.
+pub(super) fn best(
+    problem: &Problem,
+    task: &Task,
+    watch: Watch,
+    first: Option<Found>,
+    is_far: bool,
+) -> (Found, Searches) {
+    let fewer = coarser(problem, task);
+    let coarse = coarse(problem, fewer.as_deref());
+    let (mut ends, seen) = match first {
+        Some(first) if is_far => (vec![first], Searches::One),
+        first => several(&coarse, task, watch, first),
+    };
+    let evaluations = ends.iter().map(|found| found.evaluations).sum();
+    let mut found = Found { evaluations, ..ends.swap_remove(0) };
+    if fewer.is_some() {
+        found = problem.judge(found);
+        if !watch.cancel.load(Ordering::Relaxed) {
+            found = polish(problem, &found);
+        }
+    }
+    (found, seen)
+}
+
+/// Ends of searches, the best first, made until two of them agree.
+fn several(coarse: &Problem, task: &Task, watch: Watch, mut first: Option<Found>) -> (Vec<Found>, Searches) {
+    let rounding = ROUNDING * coarse.measured().iter().map(|force| force * force).sum::<f64>();
+    let mut ends: Vec<Found> = Vec::new();
+    for round in 0..ROUNDS {
+        ends.extend(two_searches(coarse, task, round, first.take(), watch));
+        ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        let variance = 2.0 * ends[0].cost / coarse.samples() as f64;
+        if 2.0 * (ends[1].cost - ends[0].cost) <= variance.max(rounding) {
+            return (ends, Searches::Agree);
+        }
+        if watch.cancel.load(Ordering::Relaxed) || task.method == Method::Genetic {
+            break;
+        }
+    }
+    (ends, Searches::Disagree)
+}
+
+/// Samples on which the whole range is searched (chosen): more only make it slower.
+const SEARCHED: usize = 2000;
+
+/// A search and what least squares make of its end. Each number has its seed, each pair of numbers its budget.
+fn one_search(problem: &Problem, task: &Task, number: u32, watch: Watch) -> Found {
+    let seed = task.seed ^ u64::from(number).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    let seed = fastrand::Rng::with_seed(seed).u64(..);
+    let found = search(problem, task.method, seed, task.budget << (number / 2), watch);
+    if task.method == Method::Genetic || watch.cancel.load(Ordering::Relaxed) { found } else { polish(problem, &found) }
+}
+
+/// Two searches with different seeds, side by side; the first one may be known.
+fn two_searches(problem: &Problem, task: &Task, round: u32, first: Option<Found>, watch: Watch) -> Vec<Found> {
+    let run = |number: u32| one_search(problem, task, 2 * round + number, watch);
+    if let Some(first) = first {
+        return vec![first, run(1)];
+    }
+    // In a browser this library has no threads.
+    if cfg!(target_family = "wasm") {
+        return vec![run(0), run(1)];
+    }
+    std::thread::scope(|scope| {
+        let second = scope.spawn(move || run(1));
+        let first = run(0);
+        std::iter::once(first).chain(second.join()).collect()
+    })
+}
+
 /// Members of a population for each unknown, the least of them all, and generations (chosen: twice what LuGre needs).
 const MEMBERS: usize = 8;
 const LEAST_MEMBERS: usize = 24;
@@ -45,7 +180,7 @@ const GENERATIONS: u64 = 60;
 const PATIENCE: u64 = 12;
 
 /// Searches the whole range.
-pub(super) fn search(problem: &Problem, method: Method, seed: u64, budget: u64, watch: Watch) -> Found {
+fn search(problem: &Problem, method: Method, seed: u64, budget: u64, watch: Watch) -> Found {
     let members = (MEMBERS * problem.unknowns.len()).max(LEAST_MEMBERS);
     let empty = PopulationProgress::<Vec<f64>>::empty();
     match method {

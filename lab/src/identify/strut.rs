@@ -38,6 +38,9 @@ pub struct StrutFriction {
 /// The contacts of the strut.
 const CONTACTS: [&str; 2] = ["c1", "c2"];
 
+/// Part of the level, and of what adds up over contacts, that each of them gets.
+const SHARE: f64 = 1.0 / CONTACTS.len() as f64;
+
 /// Parameters of laws that are viscous.
 pub(super) const VISCOUS: [&str; 3] = ["viscous_coefficient", "quadratic_coefficient", "mu_v"];
 
@@ -53,12 +56,12 @@ pub fn strut_friction(
     task: &Task,
     watch: Watch,
 ) -> Result<StrutFriction, Fault> {
-    let first = strut_friction_once(law, test, options, task, watch)?;
+    let once = |options: &Options| strut_friction_once(law, test, options, task, watch);
+    let first = once(options)?;
     let falling = first.fit.estimates.iter().find(|one| one.name == "stribeck_velocity");
-    match falling.filter(|one| one.verdict == Verdict::Determined) {
+    match falling.filter(is_told) {
         Some(one) if FALLEN * one.value < options.low_speed => {
-            let again = Options { falling: FALLEN * one.value, ..*options };
-            strut_friction_once(law, test, &again, task, watch)
+            once(&Options { falling: FALLEN * one.value, ..*options })
         }
         _ => Ok(first),
     }
@@ -115,13 +118,11 @@ impl StrutFriction {
     pub(super) fn transfer(&mut self, strut: &'static ModelType, mu: f64, load: f64) -> Result<(), Fault> {
         let law = self.fit.law;
         let told = |name: &str| self.fit.estimates.iter().find(|one| one.name == name);
-        let is_told = |one: &&Estimate| one.verdict == Verdict::Determined;
         let Some(kinetic) = told("mu_k").filter(is_told).map(|one| one.value) else {
             let reason = told("mu_k").map_or("the law has none".to_owned(), |one| one.verdict.to_string());
             return Err(Fault::value(format_args!("{}: mu_k, on which all levels depend: {reason}", law.name)));
         };
-        let share = 1.0 / CONTACTS.len() as f64;
-        let level = kinetic * load * share;
+        let level = kinetic * load * SHARE;
         let starts = ["c1.preload_k", "c1.preload_s"];
         let starts = ParameterSet::starts(strut, starts).map_err(Fault::value)?;
         let ratio = match told("mu_s") {
@@ -143,8 +144,6 @@ impl StrutFriction {
     /// The other parameters, each by its unit.
     fn others(&mut self, strut: &'static ModelType, kinetic: f64, mu: f64) {
         let law = self.fit.law;
-        let share = 1.0 / CONTACTS.len() as f64;
-        let is_told = |one: &&Estimate| one.verdict == Verdict::Determined;
         for one in &self.fit.estimates {
             match (one.name.as_str(), law.find(&one.name)) {
                 ("mu_k" | "mass" | "offset" | "mu_s - mu_k", _) | (_, None) => {}
@@ -154,10 +153,10 @@ impl StrutFriction {
                     let unit = if let Kind::Real(unit) = variable.kind { unit.name } else { "" };
                     let factor = match unit {
                         // The strut has its own mu and a load that gives the same level.
-                        "N" => kinetic / mu * share,
+                        "N" => kinetic / mu * SHARE,
                         _ if one.name.starts_with("mu") => mu / kinetic,
                         // Stiffness, damping, rates of a force: they add up over the contacts.
-                        _ if unit.starts_with("N/") || unit.starts_with("N.") => share,
+                        _ if unit.starts_with("N/") || unit.starts_with("N.") => SHARE,
                         _ => 1.0,
                     };
                     match in_strut(strut, law.name, &one.name) {
@@ -170,6 +169,10 @@ impl StrutFriction {
             }
         }
     }
+}
+
+fn is_told(one: &&Estimate) -> bool {
+    one.verdict == Verdict::Determined
 }
 
 /// Name of a parameter of a law in the strut, if it is there: its own, if its default differs from the one that the laws

@@ -1,6 +1,7 @@
 //! Fits to data of known laws.
 
 use std::f64::consts::TAU;
+use std::slice;
 use std::sync::atomic::AtomicBool;
 
 use approx::assert_abs_diff_eq;
@@ -128,7 +129,7 @@ fn sensitivities_are_those_of_differences() {
 fn a_law_is_found_again_with_intervals_three_ways() {
     let data = [measured("LuGre", &SLIDER, &standard(1000), 0.01, 11)];
     let fit = fitted("LuGre", &data, &Task { profiles: true, repetitions: 20, ..quick() });
-    assert!(fit.is_repeatable && fit.is_exact && fit.warnings.is_empty(), "{:?}", fit.warnings);
+    assert!(fit.searches == Searches::Agree && fit.is_exact && fit.warnings.is_empty(), "{:?}", fit.warnings);
     assert!((fit.residuals.rms / (0.01 * fit.level) - 1.0).abs() < 0.1, "{:?}", fit.residuals);
     for (name, truth) in SLIDER {
         let one = estimate(&fit, name);
@@ -245,7 +246,7 @@ fn correlated_residuals_count_as_fewer_samples() {
     // The intervals grow with the root of it.
     let data = [measured("Dahl", &[], &standard(500), 0.01, 6)];
     let problem = whole_problem("Dahl", &data);
-    let (best, _) = best(&problem, &quick(), quiet());
+    let (best, _) = best(&problem, &quick(), quiet(), None, false);
     let plain = white_noise(0.02);
     let [narrow, wide] =
         [plain, Residuals { correlation: 9.0, ..plain }].map(|seen| trust(&problem, &best.places, &seen));
@@ -271,13 +272,14 @@ fn a_force_that_changes_in_jumps_has_no_interval() {
 
 #[test]
 fn searches_that_disagree_leave_no_number() {
-    let data = [measured("Dahl", &[], &standard(200), 0.01, 1)];
+    let data = [measured("Dahl", &[], &standard(1000), 0.01, 1)];
     let problem = whole_problem("Dahl", &data);
-    let found = best(&problem, &quick(), quiet()).0;
+    let found = best(&problem, &quick(), quiet(), None, false).0;
     let seen = white_noise(0.02);
-    let verdicts = |is_repeatable| doubted(&problem, &found, &seen, false, is_repeatable).verdicts;
-    assert!(verdicts(true).iter().all(|verdict| *verdict == Verdict::Determined));
-    assert!(verdicts(false).iter().all(|verdict| matches!(verdict, Verdict::Undetermined(_))));
+    let verdicts = |searches| doubted(&problem, &found, &seen, false, searches).verdicts;
+    let told = verdicts(Searches::Agree);
+    assert!(told.iter().all(|verdict| *verdict == Verdict::Determined), "{told:?}");
+    assert!(verdicts(Searches::Disagree).iter().all(|verdict| matches!(verdict, Verdict::Undetermined(_))));
 }
 
 /// 110 instead of 100: 10 % of the reference, 10 / 105 of the mean.
@@ -291,8 +293,9 @@ fn differences_have_both_definitions() {
 fn a_start_at_an_end_of_the_range_does_not_stop_the_search() {
     let data = [measured("LuGre", &SLIDER, &standard(1000), 0.01, 4)];
     let problem = whole_problem("LuGre", &data);
-    let floor =
-        problem.judge(Found { places: best(&problem, &quick(), quiet()).0.places, cost: 0.0, evaluations: 0 }).cost;
+    let floor = problem
+        .judge(Found { places: best(&problem, &quick(), quiet(), None, false).0.places, cost: 0.0, evaluations: 0 })
+        .cost;
     let count = problem.unknowns.len();
     for ends in [vec![0.0; count], vec![1.0; count]] {
         let start = problem.judge(Found { places: ends, cost: 0.0, evaluations: 0 });
@@ -448,8 +451,8 @@ fn impossible_wishes_are_refused() {
             Wishes { fitted: vec!["mas".into()], ..none() },
             "parameter 'mas' does not exist (did you mean 'mass'?)",
         ),
-        ("Dahl", range("mu_k", [0.2, 0.1]), "mu_k = 0.2:0.1: must be a range within the bound of mu_k"),
-        ("Dahl", range("mu_k", [-0.2, 0.1]), "mu_k = -0.2:0.1: must be a range within the bound of mu_k"),
+        ("Dahl", range("mu_k", [0.2, 0.1]), "mu_k = 0.2:0.1: must be LOW:HIGH with LOW < HIGH, both finite"),
+        ("Dahl", range("mu_k", [-0.2, 0.1]), "mu_k = -0.2:0.1: both must be >= 0 and finite"),
         ("Dahl", range("alpha", [0.5, 2.0]), "Dahl: alpha has a range and is not fitted"),
         (
             "Dahl",
@@ -491,6 +494,41 @@ fn experiments_and_tasks_without_sense_are_refused() {
     }
 }
 
+/// Eight samples of 1200, all at high speed, are half as large again: the viscous part is theirs. With the robust loss
+/// it is that of the truth.
+#[test]
+fn a_value_that_a_few_samples_decide_has_no_number() {
+    let mut data = measured("CoulombViscous", &[("viscous_coefficient", 20.0)], &standard(1200), 0.01, 4);
+    let fastest = data.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    let at: Vec<usize> = (0..1200).filter(|at| data.velocity[*at].abs() > 0.9 * fastest).step_by(10).take(8).collect();
+    at.iter().for_each(|at| data.force[*at] *= 1.5);
+    let plain = fitted("CoulombViscous", slice::from_ref(&data), &quick());
+    let verdict = estimate(&plain, "viscous_coefficient").verdict.to_string();
+    assert!(verdict.contains("8 of 1200 samples") && verdict.contains("robust loss"), "{verdict}");
+    let robust = fitted("CoulombViscous", &[data], &Task { is_robust: true, ..quick() });
+    let [low, high] = estimate(&robust, "viscous_coefficient").interval();
+    assert!(estimate(&robust, "viscous_coefficient").verdict == Verdict::Determined && low < 20.0 && 20.0 < high);
+}
+
+/// The others have all their searches, as if they were alone.
+#[test]
+fn a_law_that_is_far_behind_is_searched_once_and_has_no_number() {
+    let data = [measured("Dahl", &[], &standard(400), 0.01, 1)];
+    let laws = laws_named(&["Coulomb".into(), "Dahl".into(), "LuGre".into()]).unwrap();
+    let ranking = fit_all(&laws, &data, &quick(), &mut |_| {}, quiet()).unwrap();
+    assert_eq!(ranking.best().law.name, "Dahl");
+    let [far, _, close] = ["Coulomb", "Dahl", "LuGre"].map(|name| {
+        let found = ranking.fits.iter().find(|fit| fit.law.name == name);
+        found.unwrap()
+    });
+    assert!(far.searches == Searches::One && far.values().is_empty(), "{:?}", far.estimates);
+    assert!(far.warnings.iter().all(|text| !text.contains("raise the budget")), "{:?}", far.warnings);
+    for fit in [ranking.best(), close] {
+        let alone = fitted(fit.law.name, &data, &quick());
+        assert_eq!((&fit.columns, fit.searches), (&alone.columns, alone.searches), "{}", fit.law.name);
+    }
+}
+
 #[test]
 fn a_law_that_cannot_be_fitted_does_not_stop_the_others() {
     let data = [measured("Dahl", &[], &standard(200), 0.01, 1)];
@@ -499,7 +537,9 @@ fn a_law_that_cannot_be_fitted_does_not_stop_the_others() {
     let laws = laws_named(&["Coulomb".into(), "Dahl".into()]).unwrap();
     let mut begun = Vec::new();
     let ranking = fit_all(&laws, &data, &task, &mut |law| begun.push(law.name), quiet()).unwrap();
-    assert_eq!(begun, ["Coulomb", "Dahl", "Dahl"]);
+    // A first look at each, then each of them, then the best once more; which one begins first is left to the threads.
+    begun.sort_unstable();
+    assert_eq!(begun, ["Coulomb", "Coulomb", "Dahl", "Dahl", "Dahl"]);
     assert_eq!(ranking.best().law.name, "Dahl");
     assert_eq!(
         ranking.best().values(),

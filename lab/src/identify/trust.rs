@@ -67,7 +67,10 @@ impl fmt::Display for Verdict {
 
 /// A number with four digits.
 pub fn digits(value: f64) -> String {
-    let is_plain = value == 0.0 || (1e-3..1e5).contains(&value.abs());
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let is_plain = (1e-3..1e5).contains(&value.abs());
     let decimals = (3.0 - value.abs().max(1e-300).log10().floor()).max(0.0) as usize;
     if is_plain { format!("{value:.decimals$}") } else { format!("{value:.3e}") }
 }
@@ -199,12 +202,46 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
 impl Trust {
     /// Shift of the unknowns that an error of the explained forces causes, in standard deviations; the largest one.
     pub fn shift(&self, error: &[f64]) -> f64 {
+        self.shifts(error).into_iter().fold(0.0, f64::max)
+    }
+
+    /// The shift of each unknown.
+    fn shifts(&self, error: &[f64]) -> Vec<f64> {
         let pull = |column: &Vec<f64>| column.iter().zip(error).map(|(a, b)| a * b).sum::<f64>() / self.variance;
         let pull = DVector::from_iterator(self.columns.len(), self.columns.iter().map(pull));
         let shifts = &self.covariance * pull;
-        shifts.iter().zip(&self.deviations).map(|(shift, deviation)| (shift / deviation).abs()).fold(0.0, f64::max)
+        shifts.iter().zip(&self.deviations).map(|(shift, deviation)| (shift / deviation).abs()).collect()
+    }
+
+    /// Calls what a few samples decide not determined: their residuals are far larger than the others, such as those of
+    /// a law that jumps where the sign of the velocity is not known. `noise` is that of the force.
+    pub fn doubt_outliers(&mut self, residuals: &[f64], noise: f64) {
+        let mut sizes: Vec<f64> = residuals.iter().map(|one| one.abs()).collect();
+        sizes.sort_by(f64::total_cmp);
+        let usual = noise.max(OF_MEDIAN * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0));
+        let is_far = |one: f64| one.abs() > OUTLIER * usual;
+        let count = residuals.iter().filter(|one| is_far(**one)).count();
+        let far: Vec<f64> = residuals.iter().map(|one| if is_far(*one) { *one } else { 0.0 }).collect();
+        let shifts = self.shifts(&far);
+        for (verdict, shift) in self.verdicts.iter_mut().zip(shifts) {
+            if shift > MOVED && matches!(verdict, Verdict::Determined | Verdict::AtMost(_)) {
+                *verdict = Verdict::Undetermined(format!(
+                    "{count} of {} samples, more than {OUTLIER} times the noise off, shift it by {shift:.1} standard \
+                     deviations; use the robust loss, or leave out rest",
+                    residuals.len()
+                ));
+            }
+        }
     }
 }
+
+/// Standard deviation of normal noise by the median of its magnitude.
+const OF_MEDIAN: f64 = 1.4826;
+
+/// Standard deviations from which a sample is an outlier, and shift by all of them, in standard deviations, from which a
+/// value is theirs (chosen).
+const OUTLIER: f64 = 5.0;
+const MOVED: f64 = 1.0;
 
 /// (information + knowledge before the data)^-1, with less knowledge about what the data do not determine.
 pub(super) fn spread(information: &DMatrix<f64>) -> DMatrix<f64> {

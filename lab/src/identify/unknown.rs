@@ -288,10 +288,17 @@ fn narrow(list: &mut [Unknown], law: &ModelType, wishes: &Wishes) -> Result<(), 
             Target::Excess { .. } | Target::Mass => *low >= 0.0,
             Target::Offset | Target::Delay => true,
         };
-        if !is_ordered || !is_admitted {
+        if !is_ordered {
             return Err(Fault::value(format_args!(
-                "{name} = {low}:{high}: must be a range within the bound of {name}"
+                "{name} = {low}:{high}: must be LOW:HIGH with LOW < HIGH, both finite"
             )));
+        }
+        if !is_admitted {
+            let bound = match unknown.target {
+                Target::Column(column) => law.table.at(column).bound.to_string(),
+                _ => ">= 0".to_owned(),
+            };
+            return Err(Fault::value(format_args!("{name} = {low}:{high}: both must be {bound}")));
         }
         unknown.range = [*low, *high];
         if *low <= 0.0 && unknown.scale == Scale::Logarithmic {

@@ -95,11 +95,8 @@ fn ranking(page: &mut Page, facts: &Identification) {
     page.begin_table(&head);
     for (place, rank) in facts.ranking.ranks.iter().enumerate() {
         let fit = &facts.ranking.fits[rank.fit];
-        let verdict = match (fit.is_repeatable, rank.is_tied && place > 0) {
-            (false, _) => "the searches did not agree",
-            (true, true) => "cannot be told apart from the first",
-            (true, false) => "",
-        };
+        let is_tied = rank.is_tied && place > 0;
+        let verdict = fit.searches.note().or(is_tied.then_some("cannot be told apart from the first")).unwrap_or("");
         let count = fit.unknowns().to_string();
         let cells =
             [fit.law.name.into(), digits(fit.residuals.rms), count, format!("{:.1}", rank.behind), verdict.into()];

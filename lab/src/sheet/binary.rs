@@ -69,13 +69,13 @@ fn mdf(path: &Path) -> Result<Vec<Sheet>, SheetError> {
 /// numbers, texts and structures are left out.
 #[cfg(feature = "mat")]
 fn mat(path: &Path) -> Result<Vec<Sheet>, SheetError> {
-    use matrw::{MatVariable, MatlabType, load_matfile};
+    use matrw::{MatVariable, MatlabType};
 
     super::not_too_large(path)?;
-    let text = path.to_str().ok_or_else(|| refused(path, "the name of the file is not UTF-8"))?;
+    let bytes = std::fs::read(path).map_err(|error| refused(path, error))?;
     // The reader counts on some lengths being what they should be.
-    let file = std::panic::catch_unwind(|| load_matfile(text)).map_err(|_| refused(path, "the file is damaged"))?;
-    let file = file.map_err(|error| refused(path, error))?;
+    let file = std::panic::catch_unwind(|| variables(&bytes)).map_err(|_| refused(path, "the file is damaged"))?;
+    let file = file.map_err(|why| refused(path, why))?;
     let vector = |(name, variable): (String, MatVariable)| {
         let MatVariable::NumericArray(array) = variable else { return None };
         let longest = array.dim.iter().copied().max().unwrap_or(0);
@@ -101,4 +101,27 @@ fn mat(path: &Path) -> Result<Vec<Sheet>, SheetError> {
         return Err(refused(path, "the file has no vectors"));
     }
     Ok(vec![Sheet::of_channels(channels)])
+}
+
+/// The variables of a MAT 5 file. Of its header only the kind and the order of bytes count: programs other than MATLAB,
+/// such as scipy, write texts into it that the reader would refuse.
+#[cfg(feature = "mat")]
+fn variables(bytes: &[u8]) -> Result<matrw::MatFile, String> {
+    use binrw::{BinRead, Endian};
+    use matrw::parser::{header::HEADER_SIZE, v7::matfile7::MatFile7};
+
+    if !bytes.starts_with(b"MATLAB 5.0 MAT-file") || bytes.len() < HEADER_SIZE {
+        return Err("the file is not MAT 5 (save it in MATLAB with -v7)".to_owned());
+    }
+    let (endian, number): (Endian, fn([u8; 8]) -> u64) = match &bytes[HEADER_SIZE - 2..HEADER_SIZE] {
+        b"IM" => (Endian::Little, u64::from_le_bytes),
+        b"MI" => (Endian::Big, u64::from_be_bytes),
+        _ => return Err("the header of the file does not tell the order of its bytes".to_owned()),
+    };
+    // What belongs to objects comes last; files without it have spaces or zeros here.
+    let objects = bytes[HEADER_SIZE - 12..HEADER_SIZE - 4].try_into().map_or(0, number);
+    let end = usize::try_from(objects).ok().filter(|end| (HEADER_SIZE..bytes.len()).contains(end));
+    let mut data = std::io::Cursor::new(&bytes[HEADER_SIZE..end.unwrap_or(bytes.len())]);
+    let file = MatFile7::read_options(&mut data, endian, ()).map_err(|error| error.root_cause().to_string())?;
+    Ok(file.into())
 }

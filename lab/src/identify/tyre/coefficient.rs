@@ -74,7 +74,8 @@ pub(super) const LONGITUDINAL: &[Coefficient] = &[
     coefficient("pdx1", 1.2, [0.1, 4.0], 0.3, Slip),
     coefficient("pdx2", -0.1, [-2.0, 2.0], 0.2, Load),
     coefficient("pdx3", 0.0, [-30.0, 30.0], 3.0, Camber),
-    coefficient("pex1", 0.0, [-15.0, 1.0], 1.0, Slip),
+    // Not from 0, where pex4 changes nothing.
+    coefficient("pex1", 0.3, [-15.0, 1.0], 1.0, Slip),
     coefficient("pex2", 0.0, [-10.0, 10.0], 1.0, Load),
     coefficient("pex3", 0.0, [-10.0, 10.0], 1.0, Load),
     coefficient("pex4", 0.0, [-5.0, 5.0], 0.5, Slip),

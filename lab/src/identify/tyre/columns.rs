@@ -65,7 +65,7 @@ pub enum TyreTestError {
 /// Least number of samples (chosen: twice the coefficients of the side force).
 pub(super) const LEAST: usize = 40;
 
-/// Names of a column: those of rigs and that of the library. Headings are compared without regard to case.
+/// A column under one of its names.
 fn named<'a>(sheet: &Sheet, names: &[&'a str], quantity: &Quantity) -> Result<Option<(&'a str, Vec<f64>)>, SheetError> {
     for name in names {
         if let Some(values) = sheet.column_named(name, quantity)? {
@@ -82,16 +82,28 @@ fn required<'a>(sheet: &Sheet, names: &[&'a str], quantity: &Quantity) -> Result
     }
 }
 
+/// Names of the columns: those of rigs and that of the library. Headings are compared without regard to case.
+const LOAD: &[&str] = &["F_z", "FZ", "normal_force"];
+const SIDE_SLIP: &[&str] = &["alpha", "SA", "side_slip"];
+const FORCE_Y: &[&str] = &["F_y", "FY", "force_y"];
+const LONGITUDINAL_SLIP: &[&str] = &["kappa", "SR", "SL", "longitudinal_slip"];
+const CAMBER: &[&str] = &["gamma", "IA", "camber"];
+const FORCE_X: &[&str] = &["F_x", "FX", "force_x"];
+const MOMENT_Z: &[&str] = &["M_z", "MZ", "moment_z"];
+
 impl TyreTest {
+    /// Names of the columns of a test, those of one quantity together.
+    pub const COLUMNS: [&[&str]; 7] = [LOAD, SIDE_SLIP, FORCE_Y, LONGITUDINAL_SLIP, CAMBER, FORCE_X, MOMENT_Z];
+
     /// Reads a table with the columns F_z, alpha and F_y, and perhaps kappa, gamma, F_x and M_z.
     pub fn of(sheet: &Sheet, axes: Axes) -> Result<TyreTest, TyreTestError> {
-        let (name, mut load) = required(sheet, &["F_z", "FZ", "normal_force"], &FORCE)?;
-        let (_, mut side_slip) = required(sheet, &["alpha", "SA", "side_slip"], &ANGLE)?;
-        let (_, mut force_y) = required(sheet, &["F_y", "FY", "force_y"], &FORCE)?;
-        let slip = named(sheet, &["kappa", "SR", "SL", "longitudinal_slip"], &SLIP)?;
-        let camber = named(sheet, &["gamma", "IA", "camber"], &ANGLE)?;
-        let force_x = named(sheet, &["F_x", "FX", "force_x"], &FORCE)?.map(|(_, values)| values);
-        let mut moment_z = named(sheet, &["M_z", "MZ", "moment_z"], &MOMENT)?.map(|(_, values)| values);
+        let (name, mut load) = required(sheet, LOAD, &FORCE)?;
+        let (_, mut side_slip) = required(sheet, SIDE_SLIP, &ANGLE)?;
+        let (_, mut force_y) = required(sheet, FORCE_Y, &FORCE)?;
+        let slip = named(sheet, LONGITUDINAL_SLIP, &SLIP)?;
+        let camber = named(sheet, CAMBER, &ANGLE)?;
+        let force_x = named(sheet, FORCE_X, &FORCE)?.map(|(_, values)| values);
+        let mut moment_z = named(sheet, MOMENT_Z, &MOMENT)?.map(|(_, values)| values);
         let count = load.len();
         if count < LEAST {
             return Err(TyreTestError::Short { count });
