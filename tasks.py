@@ -271,6 +271,18 @@ def platforms() -> None:
     with ThreadPoolExecutor() as both:
         list(both.map(pack_for_all, [ROOT, copy], [out / "fmus", out / "fmus-of-copy"]))
     run(PYTHON, "-m", "pytest", "-rP", "tests/platforms")
+    test_registers_of_arm()
+
+
+def test_registers_of_arm() -> None:
+    """Runs laws side by side in the registers of ARM, under qemu."""
+    target = "aarch64-unknown-linux-gnu"
+    variable = "CARGO_TARGET_" + target.upper().replace("-", "_")
+    run(
+        *("cargo", "test", "--package", "stribeck", "--test", "batch", "--target", target),
+        **{f"{variable}_LINKER": "aarch64-linux-gnu-gcc"},
+        **{f"{variable}_RUNNER": "qemu-aarch64-static -L /usr/aarch64-linux-gnu"},
+    )
 
 
 def pack(*fmu_build: str | Path) -> None:
