@@ -53,7 +53,7 @@ export function ticks([low, high]: Range, count: number): { values: number[]; de
   const rough = (high - low) / Math.max(count, 1);
   const power = 10 ** Math.floor(Math.log10(rough));
   const round = power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
-  // One value alone is no scale.
+  // A single value does not make a scale.
   const step = Math.floor(high / round) > Math.ceil(low / round) ? round : round / 2;
   const values: number[] = [];
   const first = Math.ceil(low / step);

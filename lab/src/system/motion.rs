@@ -13,7 +13,7 @@ pub struct Motion {
     runs: Vec<Run>,
     scales: Vec<f64>,
     tasks: Vec<Task>,
-    /// What finds all rates.
+    /// Steps that find all rates.
     acts: Vec<Act>,
     /// Those of the tasks that event indicators need, which depend on inputs and states.
     tasks_of_indicators: Vec<Task>,
