@@ -139,7 +139,8 @@ pub(super) fn repetitions(
         found.push(polish(&again, &from).places);
         (watch.progress)(seen.rms, best.evaluations);
     }
-    found
+    // Some of the repetitions do not make an interval.
+    if watch.cancel.load(Ordering::Relaxed) { Vec::new() } else { found }
 }
 
 /// Interval that holds 95 % of values.

@@ -412,12 +412,12 @@ fn finish(
     let refused = |reason: String| Fault::value(format_args!("{}: {reason}", problem.law.name));
     let left = problem.residuals(&best.places).ok_or_else(|| refused("the law is refused at the best place".into()))?;
     let seen = residuals(&left, &problem.lengths(), problem.unknowns.len(), problem.loss);
-    let is_cancelled = watch.cancel.load(Ordering::Relaxed);
-    let profiles = task.profiles && !is_cancelled;
-    let trust = doubted(problem, best, &seen, profiles, searches.believed(task.method));
-    let count = if is_cancelled { 0 } else { task.repetitions };
-    let repeated = repetitions(problem, best, &seen, count, task.seed, watch);
-    let estimates = Ended { problem, best, seen: &seen, trust: &trust }.estimates(profiles, &repeated);
+    let is_ended = || watch.cancel.load(Ordering::Relaxed);
+    let trust = doubted(problem, best, &seen, task.profiles && !is_ended(), searches.believed(task.method));
+    let repeated = repetitions(problem, best, &seen, task.repetitions, task.seed, watch);
+    let is_cancelled = is_ended();
+    let estimates =
+        Ended { problem, best, seen: &seen, trust: &trust }.estimates(task.profiles && !is_cancelled, &repeated);
     let point = problem.point(&best.places);
     let explained = problem.explained(&mut Instance::new(problem.law), &point, problem.parts);
     let explained = explained.map_err(|reason| refused(reason.to_string()))?;
