@@ -579,6 +579,34 @@ fn a_search_that_is_ended_keeps_its_best() {
     assert!(fit.estimates.iter().all(|one| one.profile.is_none() && one.repeated.is_none()));
 }
 
+/// Its values are those of an undisturbed fit; what was repeated before the end does not make an interval.
+#[test]
+fn a_fit_that_is_ended_while_it_is_repeated_says_so() {
+    const REPETITIONS: usize = 8;
+    let data = [measured("Dahl", &[], &standard(300), 0.01, 1)];
+    let task = Task { budget: 200, repetitions: REPETITIONS, ..quick() };
+    let calls = std::sync::Mutex::new(0);
+    let run = |last: usize| {
+        let stop = AtomicBool::new(false);
+        *calls.lock().unwrap() = 0;
+        let progress = |_, _| {
+            let mut calls = calls.lock().unwrap();
+            *calls += 1;
+            stop.store(*calls >= last, Ordering::Relaxed);
+        };
+        fit(by_name("Dahl").unwrap(), &data, &task, Watch { cancel: &stop, progress: &progress }).unwrap()
+    };
+    let whole = run(usize::MAX);
+    let count = *calls.lock().unwrap();
+    let ended = run(count - REPETITIONS / 2);
+    assert_eq!(*calls.lock().unwrap(), count - REPETITIONS / 2);
+    assert!(!whole.is_cancelled && ended.is_cancelled);
+    for (whole, ended) in whole.estimates.iter().zip(&ended.estimates) {
+        assert_eq!(whole.value.to_bits(), ended.value.to_bits());
+        assert!(whole.repeated.is_some() && ended.repeated.is_none() && ended.profile.is_none());
+    }
+}
+
 /// One force in 25 is spoilt by 20 to 60 standard deviations to one side. With squares they pull the values away by far
 /// more than the noise of the others allows; a robust loss finds the truth within its intervals, which are hardly wider
 /// than without outliers.
