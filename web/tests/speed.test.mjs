@@ -10,8 +10,9 @@ const EIGHT = "CoulombStiction,LuGre,Dahl,Stribeck,Karnopp,Andersson,Specker,Bro
 test("a slider redraws the belt", async () => {
   for (const names of ["CoulombStiction", "LuGre", EIGHT]) {
     const { page, close } = await opened(`#v=1&law=${names}`);
-    const times = await page.evaluate(async (moves) => {
-      const slider = document.querySelector("[data-name='friction.mu_k'] input[type=range]");
+    // Curves may come before the sliders.
+    const slider = await page.waitForSelector("[data-name='friction.mu_k'] input[type=range]");
+    const times = await slider.evaluate(async (slider, moves) => {
       const view = document.querySelector(".view");
       const times = [];
       for (let move = 0; move < moves; move++) {
