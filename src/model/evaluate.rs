@@ -89,6 +89,7 @@ pub fn output_and_rate_in<M: Model, T: Evaluate>(row: &mut [T], rate: &mut [T]) 
 
 /// Computes the time derivatives of the continuous states, in the columns of the states; `rate` is 0 elsewhere.
 pub fn rate_in<M: Model, T: Evaluate>(row: &[T], rate: &mut [T]) {
+    let rate = &mut rate[..M::TABLE.len()];
     rate.fill(T::from(0.0));
     <M::In<T> as Law>::Interface::rates(view(row), view_mut(rate));
 }

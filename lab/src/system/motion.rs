@@ -1,7 +1,7 @@
 //! Equations of motion of a system whose parts all support Model Exchange.
 
 use super::mover::Mover;
-use super::order::{Task, moving, tasks};
+use super::order::{Influence, Task, moving, tasks};
 use super::part::{System, WireSource};
 use super::{Fault, Place, Signal};
 use crate::solve::Equations;
@@ -33,11 +33,13 @@ enum Act {
     Output(usize),
     /// Computes the rates of a part, and its outputs with them.
     Respond(usize),
+    /// Computes the rates of a part whose outputs were needed before it had all inputs.
+    Rate(usize),
     /// Passes a value on.
     Pass { from: Place, to: Place },
 }
 
-/// The tasks, and then the rates of all parts that move. Those of a part whose outputs are computed when all its inputs
+/// The tasks, and then the rates of all parts that move; those of a part whose outputs are computed when all its inputs
 /// are known are found with them.
 fn acts(tasks: &[Task], movers: &[Mover]) -> Vec<Act> {
     let is_ready = |part: usize, rest: &[Task]| {
@@ -54,7 +56,7 @@ fn acts(tasks: &[Task], movers: &[Mover]) -> Vec<Act> {
     let mut acts: Vec<Act> = tasks.iter().enumerate().map(act).collect();
     for (part, mover) in movers.iter().enumerate() {
         if mover.moves && !acts.contains(&Act::Respond(part)) {
-            acts.push(Act::Respond(part));
+            acts.push(if acts.contains(&Act::Output(part)) { Act::Rate(part) } else { Act::Respond(part) });
         }
     }
     acts
@@ -80,6 +82,17 @@ fn runs(states: &[Place]) -> Vec<Run> {
     runs
 }
 
+/// Copies some values: two at once where a model is likely to read two at once, since processors stall if they were
+/// written singly.
+#[inline(always)]
+fn copy(from: &[f64], to: &mut [f64], count: usize) {
+    match count {
+        1 => to[0] = from[0],
+        2 => to[..2].copy_from_slice(&from[..2]),
+        _ => to[..count].copy_from_slice(&from[..count]),
+    }
+}
+
 /// Largest number of times that events are passed from part to part at one instant (chosen).
 const PASSES: usize = 8;
 
@@ -95,10 +108,11 @@ impl Motion {
                 .check_model_exchange(&part.row)
                 .map_err(|fault| Fault::value(format_args!("{}: {}", part.name, fault.0)))?;
         }
-        let tasks = tasks(system)?;
+        let influences: Vec<Influence> = system.parts.iter().map(Influence::of).collect();
+        let tasks = tasks(system, &influences)?;
         let states = states(system, recorded);
         let scales = states.iter().map(|place| system.variable(*place).nominal).collect();
-        let moving = moving(system, &states);
+        let moving = moving(system, &influences, &states);
         let mover = |(number, moving): (usize, &Vec<usize>)| Mover::new(system, number, &states, moving);
         let movers: Vec<Mover> = moving.iter().enumerate().map(mover).collect();
         let moving_signals = system.signals.iter().any(|(_, signal)| !matches!(signal, Signal::Constant(_)));
@@ -137,13 +151,7 @@ impl Motion {
     fn put_states(&mut self, time: f64, states: &[f64]) {
         self.known = None;
         for Run { part, column, first, count } in &self.runs {
-            let row = &mut self.movers[*part].row;
-            // Two at once where the model is likely to read two at once: processors stall if they were written singly.
-            if *count == 2 {
-                row[*column..*column + 2].copy_from_slice(&states[*first..*first + 2]);
-            } else {
-                row[*column..*column + *count].copy_from_slice(&states[*first..*first + *count]);
-            }
+            copy(&states[*first..], &mut self.movers[*part].row[*column..], *count);
         }
         if self.moving_signals {
             for (place, signal) in &self.signals {
@@ -165,6 +173,7 @@ impl Motion {
             match act {
                 Act::Output(part) => self.movers[*part].output_slopes(),
                 Act::Respond(part) => self.movers[*part].respond_slopes(),
+                Act::Rate(part) => self.movers[*part].rate_slopes(),
                 Act::Pass { from, to } => {
                     let slope = self.movers[from.part].dual[from.column].slope;
                     self.movers[to.part].incline(to.column, slope);
@@ -178,9 +187,7 @@ impl Motion {
     }
 
     fn find_rates(&mut self) {
-        for mover in self.movers.iter_mut().filter(|mover| mover.moves) {
-            mover.model.rate(&mover.row, &mut mover.rate);
-        }
+        self.movers.iter_mut().filter(|mover| mover.moves).for_each(Mover::find_rates);
     }
 
     /// Whether the rows have these states.
@@ -271,11 +278,18 @@ impl Equations for Motion {
             match act {
                 Act::Output(part) => self.movers[*part].output(),
                 Act::Respond(part) => self.movers[*part].respond(),
+                Act::Rate(part) => self.movers[*part].find_rates(),
                 Act::Pass { from, to } => self.movers[to.part].row[to.column] = self.movers[from.part].row[from.column],
             }
         }
-        for (rate, place) in rates.iter_mut().zip(&self.states) {
-            *rate = self.movers[place.part].rate[place.column];
+        for Run { part, column, first, count } in &self.runs {
+            let (found, rates) = (&self.movers[*part].rate[*column..], &mut rates[*first..]);
+            match *count {
+                1 => rates[0] = found[0],
+                // One by one, as the model has written them.
+                2 => (rates[0], rates[1]) = (found[0], found[1]),
+                count => rates[..count].copy_from_slice(&found[..count]),
+            }
         }
         self.known = Some(time);
     }

@@ -1,7 +1,7 @@
 //! Parts of equations of motion: rows of their numbers, and the functions of their models in two kinds of them.
 
 use stribeck::catalogue;
-use stribeck::model::{Evaluate, Model, ModelType, Visitor, output_and_rate_in};
+use stribeck::model::{Evaluate, Model, ModelType, Visitor, output_and_rate_in, rate_in};
 use stribeck::number::Dual;
 
 use super::Place;
@@ -11,8 +11,8 @@ use super::part::{System, WireSource};
 /// A part under way.
 pub(super) struct Mover {
     pub model: &'static ModelType,
-    respond: Respond<f64>,
-    respond_dual: Respond<Dual>,
+    functions: Functions<f64>,
+    of_slopes: Functions<Dual>,
     pub row: Vec<f64>,
     pub rate: Vec<f64>,
     pub dual: Vec<Dual>,
@@ -30,26 +30,34 @@ pub(super) struct Mover {
     pub has_slope: bool,
 }
 
-/// Outputs and rates of a row.
-type Respond<T> = fn(&mut [T], &mut [T]);
+/// Functions of a model for a row.
+#[derive(Clone, Copy)]
+struct Functions<T> {
+    /// Writes outputs and rates.
+    respond: fn(&mut [T], &mut [T]),
+    /// Writes rates.
+    rate: fn(&[T], &mut [T]),
+}
+
+impl<T: Evaluate> Functions<T> {
+    fn of<M: Model>() -> Functions<T> {
+        Functions { respond: output_and_rate_in::<M, T>, rate: rate_in::<M, T> }
+    }
+}
 
 /// Search for the functions of a model.
 struct Search {
     name: &'static str,
-    found: Option<(Respond<f64>, Respond<Dual>)>,
+    found: Option<(Functions<f64>, Functions<Dual>)>,
 }
 
 impl Visitor for Search {
     fn visit<M: Model>(&mut self) {
         // Models without rates need no code.
         if const { ModelType::of::<M>().model_exchange } && M::NAME == self.name {
-            self.found = Some((respond::<M, f64>, respond::<M, Dual>));
+            self.found = Some((Functions::of::<M>(), Functions::of::<M>()));
         }
     }
-}
-
-fn respond<M: Model, T: Evaluate>(row: &mut [T], rate: &mut [T]) {
-    output_and_rate_in::<M, T>(row, rate);
 }
 
 impl Mover {
@@ -58,12 +66,12 @@ impl Mover {
         let part = &system.parts[number];
         let mut search = Search { name: part.model.name, found: None };
         catalogue::visit(&mut search);
-        let (respond, respond_dual) = search.found.expect("models with rates are in the catalogue");
+        let (functions, of_slopes) = search.found.expect("models with rates are in the catalogue");
         let zero = vec![Dual::default(); part.row.len()];
         Mover {
             model: part.model,
-            respond,
-            respond_dual,
+            functions,
+            of_slopes,
             rate: vec![0.0; part.row.len()],
             row: part.row.clone(),
             dual: zero.clone(),
@@ -84,7 +92,12 @@ impl Mover {
 
     /// Computes outputs and rates.
     pub fn respond(&mut self) {
-        (self.respond)(&mut self.row, &mut self.rate);
+        (self.functions.respond)(&mut self.row, &mut self.rate);
+    }
+
+    /// Computes rates.
+    pub fn find_rates(&mut self) {
+        (self.functions.rate)(&self.row, &mut self.rate);
     }
 
     /// Takes the values of all columns over.
@@ -114,9 +127,16 @@ impl Mover {
     /// Computes the slopes of outputs and rates.
     pub fn respond_slopes(&mut self) {
         if self.has_slope {
-            (self.respond_dual)(&mut self.dual, &mut self.dual_rate);
+            (self.of_slopes.respond)(&mut self.dual, &mut self.dual_rate);
         } else {
             self.flatten();
+        }
+    }
+
+    /// Computes the slopes of rates.
+    pub fn rate_slopes(&mut self) {
+        if self.has_slope {
+            (self.of_slopes.rate)(&self.dual, &mut self.dual_rate);
         }
     }
 

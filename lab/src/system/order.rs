@@ -2,7 +2,7 @@
 
 use stribeck::catalogue::{Family, documented};
 use stribeck::model::{Kind, Role, Variable};
-use stribeck::number::elementary::pow;
+use stribeck::number::elementary::exp;
 
 use super::part::{Part, System, Wire, WireSource};
 use super::{Fault, Place, Signal};
@@ -20,9 +20,7 @@ pub(super) enum Task {
 const TRIALS: usize = 100;
 
 /// The tasks that give every connected input its value.
-pub(super) fn tasks(system: &System) -> Result<Vec<Task>, Fault> {
-    let influence = |part: &Part| Influence::of(part, &columns(part, |role| role == Role::Input));
-    let influences: Vec<Influence> = system.parts.iter().map(influence).collect();
+pub(super) fn tasks(system: &System, influences: &[Influence]) -> Result<Vec<Task>, Fault> {
     let mut open: Vec<(Wire, Place)> = Vec::new();
     for wire in &system.wires {
         match wire.from {
@@ -34,9 +32,9 @@ pub(super) fn tasks(system: &System) -> Result<Vec<Task>, Fault> {
     let mut tasks = Vec::new();
     while !open.is_empty() {
         let waits = |from: &Place| {
-            influences[from.part]
-                .of_column(from.column)
-                .any(|column| open.iter().any(|(wire, _)| wire.to == Place { part: from.part, column }))
+            influences[from.part].on[from.column]
+                .iter()
+                .any(|column| open.iter().any(|(wire, _)| wire.to == Place { part: from.part, column: *column }))
         };
         let ready: Vec<(Wire, Place)> = open.iter().filter(|(_, from)| !waits(from)).copied().collect();
         if ready.is_empty() {
@@ -59,18 +57,17 @@ pub(super) fn tasks(system: &System) -> Result<Vec<Task>, Fault> {
 
 /// The columns of each part that change in time: integrated states, inputs that are given as signals, and what they
 /// change through the parts.
-pub(super) fn moving(system: &System, states: &[Place]) -> Vec<Vec<usize>> {
+pub(super) fn moving(system: &System, influences: &[Influence], states: &[Place]) -> Vec<Vec<usize>> {
     let signals = system.signals.iter().filter(|(_, signal)| !matches!(signal, Signal::Constant(_)));
     let mut moving = vec![Vec::new(); system.parts.len()];
     for Place { part, column } in states.iter().copied().chain(signals.map(|(place, _)| *place)) {
         moving[part].push(column);
     }
     loop {
-        let outputs: Vec<Influence> =
-            system.parts.iter().zip(&moving).map(|(part, moving)| Influence::of(part, moving)).collect();
         let moves = |from: WireSource| match from {
             WireSource::Variable(Place { part, column }) => {
-                moving[part].contains(&column) || outputs[part].of_column(column).next().is_some()
+                let on = &influences[part].on[column];
+                moving[part].contains(&column) || on.iter().any(|column| moving[part].contains(column))
             }
             WireSource::Derivative(_) => true,
         };
@@ -88,69 +85,76 @@ pub(super) fn indicators_move(part: &Part, moving: &[usize]) -> bool {
     if !is_law || part.model.memory_in_use(&part.row) > 0 {
         return count > 0;
     }
-    let [mut before, mut after] = [vec![0.0; count], vec![0.0; count]];
-    try_columns(part, moving, |row, changed, _| {
-        part.model.indicate(row, &mut before);
-        part.model.indicate(changed, &mut after);
-        before.iter().zip(&after).any(|(before, after)| before.to_bits() != after.to_bits())
-    })
+    let indicators = |row: &mut Vec<f64>| {
+        let mut values = vec![0.0; count];
+        part.model.indicate(row, &mut values);
+        *row = values;
+    };
+    let mut found = false;
+    try_columns(part, moving, indicators, |_, _| found = true);
+    found
 }
 
 fn columns(part: &Part, wanted: impl Fn(Role) -> bool) -> Vec<usize> {
     (0..part.row.len()).filter(|column| wanted(part.model.table.at(*column).role)).collect()
 }
 
-/// Shows pairs of random rows that differ in one of some columns, and that column, until a look at them is enough.
-fn try_columns(part: &Part, some: &[usize], mut look: impl FnMut(&[f64], &[f64], usize) -> bool) -> bool {
-    let table = &part.model.table;
-    let moved = columns(part, |role| role == Role::Input || role.is_state());
-    let variables: Vec<(usize, Variable)> = moved.into_iter().map(|column| (column, table.at(column))).collect();
-    let mut random = Random(0x2545_f491_4f6c_dd1d);
-    (0..TRIALS).any(|_| {
-        let mut row = part.row.clone();
-        variables.iter().for_each(|(column, variable)| row[*column] = random.value(variable));
-        some.iter().any(|column| {
-            let mut changed = row.clone();
-            changed[*column] = random.value(&table.at(*column));
-            look(&row, &changed, *column)
-        })
-    })
+/// Inputs and states.
+fn free(part: &Part) -> Vec<usize> {
+    columns(part, |role| role == Role::Input || role.is_state())
 }
 
-/// The columns on which each output of a model depends.
-struct Influence {
+/// Changes one of some columns after the other in random rows; `answer` replaces a row by values that follow from it, and
+/// `differs` hears of each value that a column changes.
+fn try_columns(part: &Part, some: &[usize], answer: impl Fn(&mut Vec<f64>), mut differs: impl FnMut(usize, usize)) {
+    let table = &part.model.table;
+    let of_column = |column: usize| (column, table.at(column));
+    let variables: Vec<(usize, Variable)> = free(part).into_iter().map(of_column).collect();
+    let some: Vec<(usize, Variable)> = some.iter().copied().map(of_column).collect();
+    let mut random = Random(0x2545_f491_4f6c_dd1d);
+    for _ in 0..TRIALS {
+        let mut row = part.row.clone();
+        variables.iter().for_each(|(column, variable)| row[*column] = random.value(variable));
+        let mut before = row.clone();
+        answer(&mut before);
+        for (column, variable) in &some {
+            let mut after = row.clone();
+            after[*column] = random.value(variable);
+            answer(&mut after);
+            let values = before.iter().zip(&after).enumerate();
+            let others = values.filter(|(_, (before, after))| before.to_bits() != after.to_bits());
+            others.for_each(|(value, _)| differs(value, *column));
+        }
+    }
+}
+
+/// The inputs and states on which each output of a model depends.
+pub(super) struct Influence {
     /// Per column, those that change it.
     on: Vec<Vec<usize>>,
 }
 
 impl Influence {
-    /// Looks for dependencies by changing one of some columns after the other, at random states.
-    fn of(part: &Part, some: &[usize]) -> Influence {
-        let outputs = columns(part, Role::is_computed);
+    /// Looks for dependencies by changing one column after the other, at random states.
+    pub fn of(part: &Part) -> Influence {
+        let (outputs, some) = (columns(part, Role::is_computed), free(part));
         let mut on = vec![Vec::new(); part.row.len()];
         if part.model.memory_in_use(&part.row) > 0 {
             // A model whose memory is beside the row: take every output to depend on all of them.
             for output in &outputs {
-                on[*output] = some.to_vec();
+                on[*output] = some.clone();
             }
             return Influence { on };
         }
-        try_columns(part, some, |row, changed, column| {
-            let [mut before, mut after] = [row.to_vec(), changed.to_vec()];
-            part.model.output(&mut before);
-            part.model.output(&mut after);
-            for output in &outputs {
-                if after[*output].to_bits() != before[*output].to_bits() && !on[*output].contains(&column) {
-                    on[*output].push(column);
-                }
+        let output = |row: &mut Vec<f64>| {
+            part.model.output(row);
+        };
+        try_columns(part, &some, output, |value, column| {
+            if outputs.contains(&value) && !on[value].contains(&column) {
+                on[value].push(column);
             }
-            false
         });
         Influence { on }
-    }
-
-    fn of_column(&self, column: usize) -> impl Iterator<Item = usize> + '_ {
-        self.on[column].iter().copied()
     }
 }
 
@@ -170,7 +174,7 @@ impl Random {
         if let Kind::Enumeration(choices) = variable.kind {
             return 1.0 + (self.unit() * choices.items.len() as f64).floor();
         }
-        let size = pow(10.0, 4.0 * self.unit() - 3.0) * variable.nominal.max(variable.start.abs());
+        let size = exp(9.0 * self.unit() - 7.0) * variable.nominal.max(variable.start.abs());
         let value = if self.unit() < 0.5 { size } else { -size };
         let value = variable.bound.nearest(value);
         if matches!(variable.kind, Kind::Real(_)) { value } else { value.round() }
