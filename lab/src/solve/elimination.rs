@@ -4,6 +4,30 @@
 /// the terms of a product with it do not. For matrices that small its errors are those of the substitution.
 const SMALL: usize = 4;
 
+/// Largest number of rows for which the inverse has a closed form here: one division instead of a chain of them.
+const CLOSED: usize = 3;
+
+/// The columns of the inverse of a matrix with up to three rows: its cofactors by its determinant. None if a number is
+/// too large or too small for that.
+#[inline(always)]
+fn inverse<const N: usize>(matrix: &[[f64; N]; N]) -> Option<[[f64; N]; N]> {
+    let cofactor = |row: usize, column: usize| {
+        let at = |i: usize, j: usize| matrix[(row + i) % N][(column + j) % N];
+        match N {
+            1 => 1.0,
+            // Signs alternate where the order of the others does not turn with the row.
+            2 => at(1, 1) * if row == column { 1.0 } else { -1.0 },
+            _ => at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1),
+        }
+    };
+    let cofactors: [[f64; N]; N] = std::array::from_fn(|i| std::array::from_fn(|j| cofactor(i, j)));
+    let determinant: f64 = matrix[0].iter().zip(&cofactors[0]).map(|(value, cofactor)| value * cofactor).sum();
+    let reciprocal = 1.0 / determinant;
+    // The columns of the inverse are the rows of the cofactors.
+    (determinant.is_finite() && reciprocal.is_finite())
+        .then(|| cofactors.map(|row| row.map(|value| value * reciprocal)))
+}
+
 /// A matrix in triangular factors, or the inverse of a small one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Factors<const N: usize> {
@@ -15,9 +39,18 @@ pub(super) struct Factors<const N: usize> {
 }
 
 impl<const N: usize> Factors<N> {
-    /// Eliminates with partial pivoting. None if the matrix is singular or not finite.
+    /// The inverse in closed form for up to three rows, otherwise elimination with partial pivoting. None if the matrix is
+    /// singular or not finite.
     #[inline]
-    pub fn of(mut matrix: [[f64; N]; N]) -> Option<Factors<N>> {
+    pub fn of(matrix: [[f64; N]; N]) -> Option<Factors<N>> {
+        let closed = if N <= CLOSED { inverse(&matrix) } else { None };
+        match closed {
+            Some(matrix) => Some(Factors { matrix, reciprocals: [0.0; N], exchanged: [0; N] }),
+            None => Factors::eliminated(matrix),
+        }
+    }
+
+    fn eliminated(mut matrix: [[f64; N]; N]) -> Option<Factors<N>> {
         let (mut reciprocals, mut exchanged) = ([0.0; N], [0; N]);
         for column in 0..N {
             let mut pivot = column;
@@ -122,6 +155,34 @@ mod tests {
         let solution = Factors::of(matrix).unwrap().solve(right);
         for (found, expected) in solution.iter().zip(expected) {
             assert!((found / expected - 1.0).abs() < 1e-14, "{found} {expected}");
+        }
+    }
+
+    /// The matrices of steps: an oscillator with friction of either slope and a bristle, over ten decades of step sizes.
+    #[test]
+    fn closed_forms_agree_with_elimination() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut size = |least: f64, most: f64| 10f64.powf(least + (most - least) * random.f64());
+        for number in 0..10_000 {
+            let (c, slope) = (size(0.0, 10.0), if number % 3 == 0 { -1.0 } else { 1.0 } * size(-3.0, 5.0));
+            let (spring, bristle, release) = (size(-2.0, 4.0), size(2.0, 7.0), size(-3.0, 6.0));
+            let matrix = [[c, -1.0, 0.0], [spring, c + slope, bristle], [0.0, slope.signum() - 1.5, c + release]];
+            let right = [size(-3.0, 3.0), -size(-3.0, 3.0), size(-3.0, 3.0)];
+            let [closed, eliminated] = [Factors::of(matrix), Factors::eliminated(matrix)].map(|one| one.unwrap());
+            let least = [closed.solve(right), eliminated.solve(right)];
+            // What either leaves of the right-hand side, in parts of the terms in its rows.
+            for found in least {
+                for (row, right) in matrix.iter().zip(right) {
+                    let terms = row.iter().zip(found).map(|(a, x)| a * x);
+                    let size = terms.clone().map(f64::abs).sum::<f64>() + right.abs();
+                    let left = (terms.sum::<f64>() - right).abs() / size;
+                    assert!(left < 1e-9, "{matrix:?} {right:?}: {left:e}");
+                }
+            }
+        }
+        // The determinant of these would be too large or too small.
+        for scale in [1e-160, 1e160] {
+            assert_solved([[scale, 0.0, 0.0], [0.0, scale, 0.0], [0.0, 0.0, scale]], [scale, -scale, 2.0 * scale]);
         }
     }
 
