@@ -7,6 +7,17 @@ use super::recorder::Piece;
 /// within one step crosses zero twice.
 const LOOKS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 
+/// Part of an indicator's size below which its least value between looks is looked at (chosen): it may touch zero there
+/// and turn back.
+const NEAR: f64 = 0.1;
+
+/// Part of the greatest of three values above which the least of them has to be for that to be impossible, (3 NEAR + 1) / 4
+/// and a little more.
+const FAR: f64 = 0.35;
+
+/// Looks at such a value, each where a parabola through those around it says (chosen).
+const CLOSER: usize = 2;
+
 /// Part of a step after which an indicator that begins at zero has a sign (chosen).
 const EARLY: f64 = 1e-6;
 
@@ -20,6 +31,8 @@ const BEYOND: f64 = 1.01;
 pub(super) struct Watch {
     pub at_beginning: Vec<f64>,
     now: Vec<f64>,
+    /// The indicators at the last three looks.
+    recent: Vec<[f64; 3]>,
     states: Vec<f64>,
 }
 
@@ -28,10 +41,27 @@ fn changes(before: f64, now: f64) -> bool {
     before > 0.0 && now <= 0.0 || before < 0.0 && now >= 0.0
 }
 
+/// Whether a parabola through three values is not near zero between them either: it is at least a third of four times
+/// the least of them less the greatest.
+fn is_far([a, b, c]: [f64; 3]) -> bool {
+    a.min(b).min(c) > FAR * a.max(c)
+}
+
+/// Where the parabola through three positive values is least, if that is between them and near zero.
+fn least([a, b, c]: [f64; 3], [at_a, at_b, at_c]: [f64; 3]) -> Option<f64> {
+    let [first, second] = [(at_b - at_a) / (b - a), (at_c - at_b) / (c - b)];
+    let curvature = (second - first) / (c - a);
+    let place = 0.5 * (a + b - first / curvature);
+    let value = at_a + (place - a) * (first + curvature * (place - b));
+    let is_near = at_a.min(at_b).min(at_c) > 0.0 && curvature > 0.0 && value < NEAR * at_a.max(at_c);
+    (is_near && place > a && place < c && place != b).then_some(place)
+}
+
 impl Watch {
     pub fn new(equations: &dyn Equations) -> Watch {
         let indicators = vec![0.0; equations.indicators()];
-        Watch { at_beginning: indicators.clone(), now: indicators, states: Vec::new() }
+        let recent = vec![[0.0; 3]; indicators.len()];
+        Watch { at_beginning: indicators.clone(), now: indicators, recent, states: Vec::new() }
     }
 
     /// Whether there is anything to watch.
@@ -42,6 +72,11 @@ impl Watch {
     /// Takes the indicators as those at the beginning of a step.
     pub fn begin(&mut self, equations: &mut dyn Equations, time: f64, states: &[f64]) {
         equations.indicate(time, states, &mut self.at_beginning);
+    }
+
+    /// Takes the indicators at the end of a step without an event as those at the beginning of the next one.
+    pub fn go_on(&mut self) {
+        self.at_beginning.iter_mut().zip(&self.recent).for_each(|(beginning, recent)| *beginning = recent[2]);
     }
 
     /// The first indicator that has changed its sign at a state.
@@ -71,19 +106,78 @@ impl Watch {
 
     /// Where the first indicator changes its sign, by the polynomials of the step.
     pub fn first_change(&mut self, equations: &mut dyn Equations, piece: &Piece) -> Option<Crossing> {
-        let mut before = 0.0;
+        if self.is_calm(equations, piece) {
+            return None;
+        }
+        let mut places = [f64::NAN, f64::NAN, 0.0];
+        self.recent.iter_mut().zip(&self.at_beginning).for_each(|(recent, beginning)| recent[2] = *beginning);
         // An indicator that begins at zero shows its sign at once.
         let early = self.at_beginning.contains(&0.0).then_some(EARLY);
         for look in early.into_iter().chain(LOOKS) {
             if let Some(indicator) = self.changed_within(equations, piece, look) {
-                return Some(self.narrow(equations, piece, [before, look], indicator));
+                return Some(self.narrow(equations, piece, [places[2], look], indicator));
             }
             for (beginning, now) in self.at_beginning.iter_mut().zip(&self.now) {
                 if *beginning == 0.0 {
                     *beginning = *now;
                 }
             }
-            before = look;
+            places = [places[1], places[2], look];
+            self.keep();
+            for indicator in 0..self.recent.len() {
+                let crossing = self.touch(equations, piece, places, indicator);
+                if crossing.is_some() {
+                    return crossing;
+                }
+            }
+        }
+        None
+    }
+
+    /// Whether no indicator comes near zero in the middle of a step and at its end.
+    fn is_calm(&mut self, equations: &mut dyn Equations, piece: &Piece) -> bool {
+        self.recent.iter_mut().zip(&self.at_beginning).for_each(|(recent, beginning)| recent[2] = *beginning);
+        for look in [0.5, 1.0] {
+            if self.changed_within(equations, piece, look).is_some() {
+                return false;
+            }
+            self.keep();
+        }
+        self.recent.iter().all(|recent| is_far(recent.map(f64::abs)))
+    }
+
+    /// Keeps the indicators of the last look.
+    fn keep(&mut self) {
+        for (recent, now) in self.recent.iter_mut().zip(&self.now) {
+            *recent = [recent[1], recent[2], *now];
+        }
+    }
+
+    /// Whether an indicator that comes near zero between the last three looks and turns back reaches it.
+    fn touch(
+        &mut self,
+        equations: &mut dyn Equations,
+        piece: &Piece,
+        mut places: [f64; 3],
+        indicator: usize,
+    ) -> Option<Crossing> {
+        let direction = self.at_beginning[indicator].signum();
+        let mut values = self.recent[indicator].map(|value| value * direction);
+        if is_far(values) {
+            return None;
+        }
+        for _ in 0..CLOSER {
+            let place = least(places, values)?;
+            let before = if place > places[1] { places[1] } else { places[0] };
+            if let Some(changed) = self.changed_within(equations, piece, place) {
+                return Some(self.narrow(equations, piece, [before, place], changed));
+            }
+            let value = self.remaining(indicator);
+            (places, values) = if place > places[1] {
+                ([places[1], place, places[2]], [values[1], value, values[2]])
+            } else {
+                ([places[0], place, places[1]], [values[0], value, values[1]])
+            };
         }
         None
     }

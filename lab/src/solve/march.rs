@@ -11,6 +11,9 @@ const SAFETY: f64 = 0.9;
 const SHRINK: f64 = 0.1;
 const GROW: f64 = 6.0;
 
+/// Least error from which a growth of errors is told, in parts of the tolerance, as in the code Radau5.
+const LEAST_ERROR: f64 = 1e-2;
+
 /// Part of a step at which a rejected step that meets an event is tried again, beyond the event (chosen).
 const BEYOND: f64 = 1.0 + 1e-3;
 
@@ -32,6 +35,8 @@ struct March<'a, S, const N: usize> {
     /// The motion within the step made last, once it was asked for.
     dense: Option<[[f64; 5]; N]>,
     statistics: Statistics,
+    /// Length and error of the step before, since the last event.
+    last: Option<(f64, f64)>,
 }
 
 /// Outcome of making a step.
@@ -55,9 +60,10 @@ fn change(error: f64, order: i32) -> f64 {
     }
     // The bits of a number are nearly its logarithm: those of 1 less an order-th of what lies between. Newton's method
     // needs no division then, and each pass squares the deviation, at most 0.06 at the beginning (times 3 for order 5).
+    // Two passes leave less than a thousandth, which is more than the error control knows.
     let one = 1f64.to_bits() as i64;
     let mut root = f64::from_bits((one - (error.to_bits() as i64 - one) / i64::from(order)) as u64);
-    for _ in 0..5 {
+    for _ in 0..2 {
         root *= 1.0 + (1.0 - error * power(root, order)) / f64::from(order);
     }
     SAFETY * root
@@ -84,7 +90,7 @@ pub(super) fn run<S: Step<N>, const N: usize>(
     begin.states[..count].copy_from_slice(states);
     let statistics = Statistics::default();
     let (step, dense) = (S::default(), None);
-    let mut march = March { equations, options, recorder, scales, begin, step, watch, dense, statistics };
+    let mut march = March { equations, options, recorder, scales, begin, step, watch, dense, statistics, last: None };
     let end = match march.go() {
         Ok(end) => end,
         Err(reason) => End::Failed { time: march.begin.time, reason },
@@ -121,6 +127,8 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
     /// Makes events until none is due, and looks at the equations there.
     fn settle(&mut self) -> Result<(), String> {
         let time = self.begin.time;
+        // What was before an event says nothing about what comes after it.
+        self.last = None;
         self.equations.at_event(time, &mut self.begin.states)?;
         if self.options.events && self.watch.is_needed() {
             self.watch.begin(self.equations, time, &self.begin.states);
@@ -192,7 +200,7 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             let factor = change(error, S::ERROR_ORDER);
             let crossing = if error.is_nan() { None } else { self.first_change(length) };
             if error <= 1.0 {
-                let next = length * factor;
+                let next = length * factor.min(self.predicted(length, error, factor));
                 let Some(crossing) = crossing else {
                     let end = if is_last { wall } else { self.begin.time + length };
                     return Ok(Made { end, event: None, next });
@@ -209,6 +217,16 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
                 return Err(self.too_short(h));
             }
         }
+    }
+
+    /// Factor by which the next step is longer if the error goes on to grow as from the step before to this one; see
+    /// K. Gustafsson (1994), Control-theoretic techniques for stepsize selection in implicit Runge-Kutta methods, ACM
+    /// Transactions on Mathematical Software 20, 496-517, doi:10.1145/198429.198437.
+    fn predicted(&mut self, length: f64, error: f64, factor: f64) -> f64 {
+        let error = error.max(LEAST_ERROR);
+        let (length_before, error_before) = self.last.replace((length, error)).unwrap_or((length, error));
+        let growth = change(error / error_before, S::ERROR_ORDER) / SAFETY;
+        (factor * growth * length / length_before).max(SHRINK)
     }
 
     fn too_short(&self, h: f64) -> String {
@@ -269,8 +287,7 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             Some(indicator) => self.pass(indicator),
             None => {
                 if self.options.events && self.watch.is_needed() {
-                    let states = self.begin.states;
-                    self.watch.begin(self.equations, made.end, &states);
+                    self.watch.go_on();
                 }
                 self.look()
             }
@@ -299,7 +316,7 @@ mod tests {
             for exponent in -4000..=4000 {
                 let error = 10f64.powf(f64::from(exponent) * 2e-3);
                 let expected = (SAFETY * error.powf(-1.0 / f64::from(order))).clamp(SHRINK, GROW);
-                assert_relative_eq!(change(error, order), expected, max_relative = 1e-14);
+                assert_relative_eq!(change(error, order), expected, max_relative = 1e-3);
             }
         }
         assert_eq!([f64::NAN, f64::INFINITY, 0.0].map(|error| change(error, 5)), [SHRINK, SHRINK, GROW]);

@@ -19,6 +19,8 @@ enum Kind {
     Ball,
     /// x'' = -sin x.
     Pendulum,
+    /// An oscillator whose indicator is the distance to a wall.
+    Wall(f64),
 }
 
 impl Equations for Analytic {
@@ -26,7 +28,7 @@ impl Equations for Analytic {
         match self.kind {
             Kind::Stiff => 1,
             Kind::Nine => 18,
-            Kind::Oscillator | Kind::Ball | Kind::Pendulum => 2,
+            Kind::Oscillator | Kind::Ball | Kind::Pendulum | Kind::Wall(_) => 2,
         }
     }
 
@@ -40,7 +42,7 @@ impl Equations for Analytic {
 
     fn rates(&mut self, time: f64, x: &[f64], rates: &mut [f64]) {
         match self.kind {
-            Kind::Oscillator => rates.copy_from_slice(&[x[1], -x[0]]),
+            Kind::Oscillator | Kind::Wall(_) => rates.copy_from_slice(&[x[1], -x[0]]),
             Kind::Nine => {
                 for (number, (rates, x)) in rates.chunks_mut(2).zip(x.chunks(2)).enumerate() {
                     let w = (number + 1) as f64;
@@ -55,7 +57,7 @@ impl Equations for Analytic {
 
     fn jacobian(&mut self, time: f64, x: &[f64], jacobian: &mut [f64], by_time: &mut [f64]) {
         match self.kind {
-            Kind::Oscillator => jacobian.copy_from_slice(&[0.0, 1.0, -1.0, 0.0]),
+            Kind::Oscillator | Kind::Wall(_) => jacobian.copy_from_slice(&[0.0, 1.0, -1.0, 0.0]),
             Kind::Stiff => {
                 jacobian[0] = -1e6;
                 by_time[0] = -1e6 * time.sin() - time.cos();
@@ -76,7 +78,7 @@ impl Equations for Analytic {
     }
 
     fn indicators(&self) -> usize {
-        usize::from(self.kind == Kind::Ball)
+        usize::from(matches!(self.kind, Kind::Ball | Kind::Wall(_)))
     }
 
     fn indicator_name(&self, _indicator: usize) -> String {
@@ -84,8 +86,10 @@ impl Equations for Analytic {
     }
 
     fn indicate(&mut self, _time: f64, x: &[f64], indicators: &mut [f64]) {
-        if self.kind == Kind::Ball {
-            indicators[0] = x[0];
+        match self.kind {
+            Kind::Ball => indicators[0] = x[0],
+            Kind::Wall(place) => indicators[0] = x[0] - place,
+            _ => {}
         }
     }
 
@@ -144,6 +148,27 @@ fn landings_are_located() {
     assert_eq!(times.len(), 5, "{times:?}");
     for (number, time) in times.iter().enumerate() {
         assert!((time - 0.2 * (number + 1) as f64).abs() < 1e-13, "{times:?}");
+    }
+}
+
+/// cos t is beyond -1 + d for the time 2 arccos(1 - d) only, much shorter than a step.
+#[test]
+fn a_wall_that_is_only_touched_is_noticed() {
+    for depth in [1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+        for side in [1.0, -1.0] {
+            let wall = Kind::Wall(side * (depth - 1.0));
+            for tolerance in [1e-9, 1e-10, 1e-11] {
+                let (_, statistics, _) = run(wall, Method::Rodas5P, tolerance, 20.0, &[side, 0.0]);
+                let times: Vec<f64> = statistics.events.iter().map(|event| event.time).collect();
+                let half = f64::acos(1.0 - depth);
+                let turns = [1.0, 3.0, 5.0].map(|turn| turn * std::f64::consts::PI);
+                let expected: Vec<f64> = turns.iter().flat_map(|turn| [turn - half, turn + half]).collect();
+                assert_eq!(times.len(), expected.len(), "{depth} {tolerance}: {times:?} {expected:?}");
+                for (time, expected) in times.iter().zip(expected) {
+                    assert!((time - expected).abs() < 1e3 * tolerance / half, "{depth} {tolerance}: {time} {expected}");
+                }
+            }
+        }
     }
 }
 

@@ -70,6 +70,19 @@ fn motions_are_those_of_an_independent_solver() {
     }
 }
 
+/// The block comes near the kink of this law once a period and turns back at once; where such an event was missed, the end
+/// was off by 2e-6 m.
+#[test]
+fn kinks_that_are_only_touched_are_not_missed() {
+    let ends = [1e-8, 1e-9, 1e-10, 1e-11].map(|tolerance| {
+        let (statistics, motion) = belt("ThrelfallModified", tolerance);
+        (statistics.events.len(), motion.last().unwrap().1)
+    });
+    for (events, end) in ends {
+        assert!(events == ends[0].0 && (end - ends[3].1).abs() < 5e-8, "{ends:?}");
+    }
+}
+
 fn refused(text: &str) -> String {
     let description = match Description::parse(text) {
         Ok(description) => description,
