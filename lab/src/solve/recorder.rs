@@ -34,6 +34,9 @@ impl Grid {
     }
 }
 
+/// Output times whose states are computed together (chosen).
+const BLOCK: usize = 128;
+
 /// Motion within a step: each state is a polynomial in the fraction of the step, lowest power first.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece<'a> {
@@ -190,14 +193,23 @@ impl Recorder {
         number
     }
 
-    /// One array after the other, so that the loops run in vector registers.
+    /// In blocks, one array after the other, so that the loops run in vector registers.
     fn fill(&mut self, piece: &Piece, first: usize, past: usize) {
         let Grid { begin, end, intervals } = self.grid;
         let spacing = (end - begin) / intervals as f64 / piece.length;
         let offset = (begin - piece.begin) / piece.length;
-        for (column, coefficients) in self.states.iter_mut().zip(piece.coefficients) {
-            for (number, value) in column[first..past].iter_mut().enumerate() {
-                *value = horner(coefficients, offset + spacing * (first + number) as f64);
+        let mut fractions = [0.0; BLOCK];
+        for from in (first..past).step_by(BLOCK) {
+            let to = past.min(from + BLOCK);
+            let fractions = &mut fractions[..to - from];
+            for (number, fraction) in fractions.iter_mut().enumerate() {
+                // Processors convert integers of 32 bits at once.
+                *fraction = offset + spacing * (from as f64 + f64::from(number as u8));
+            }
+            for (column, coefficients) in self.states.iter_mut().zip(piece.coefficients) {
+                for (value, fraction) in column[from..to].iter_mut().zip(&*fractions) {
+                    *value = horner(coefficients, *fraction);
+                }
             }
         }
         self.filled = past;
