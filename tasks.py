@@ -613,7 +613,7 @@ TASKS = {
     faults: "test the library with importers and faults of the host, in full, and print the figures: 10 to 20 minutes",
     platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "
     "it needs with apt: 15 to 30 minutes",
-    fuzz: "try new inputs for interfaces and file readers, two minutes for each of seven targets: 10 to 20 minutes",
+    fuzz: "try new inputs for interfaces and file readers, two minutes for each of eight targets: 10 to 20 minutes",
     coverage: "install cargo-llvm-cov, run the Rust and C tests with counters, print the covered branches: "
     "8 to 15 minutes",
     broken: "deliberately break copies of the library and show which tests fail: 5 to 10 minutes",
