@@ -1,7 +1,7 @@
 //! Equations of motion of a system whose parts all support Model Exchange.
 
 use super::mover::Mover;
-use super::order::{Task, moving, tasks};
+use super::order::{Influence, Task, moving, tasks};
 use super::part::{System, WireSource};
 use super::{Fault, Place, Signal};
 use crate::solve::Equations;
@@ -95,10 +95,11 @@ impl Motion {
                 .check_model_exchange(&part.row)
                 .map_err(|fault| Fault::value(format_args!("{}: {}", part.name, fault.0)))?;
         }
-        let tasks = tasks(system)?;
+        let influences: Vec<Influence> = system.parts.iter().map(Influence::of).collect();
+        let tasks = tasks(system, &influences)?;
         let states = states(system, recorded);
         let scales = states.iter().map(|place| system.variable(*place).nominal).collect();
-        let moving = moving(system, &states);
+        let moving = moving(system, &influences, &states);
         let mover = |(number, moving): (usize, &Vec<usize>)| Mover::new(system, number, &states, moving);
         let movers: Vec<Mover> = moving.iter().enumerate().map(mover).collect();
         let moving_signals = system.signals.iter().any(|(_, signal)| !matches!(signal, Signal::Constant(_)));

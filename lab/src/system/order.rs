@@ -2,7 +2,7 @@
 
 use stribeck::catalogue::{Family, documented};
 use stribeck::model::{Kind, Role, Variable};
-use stribeck::number::elementary::pow;
+use stribeck::number::elementary::exp;
 
 use super::part::{Part, System, Wire, WireSource};
 use super::{Fault, Place, Signal};
@@ -20,9 +20,7 @@ pub(super) enum Task {
 const TRIALS: usize = 100;
 
 /// The tasks that give every connected input its value.
-pub(super) fn tasks(system: &System) -> Result<Vec<Task>, Fault> {
-    let influence = |part: &Part| Influence::of(part, &columns(part, |role| role == Role::Input));
-    let influences: Vec<Influence> = system.parts.iter().map(influence).collect();
+pub(super) fn tasks(system: &System, influences: &[Influence]) -> Result<Vec<Task>, Fault> {
     let mut open: Vec<(Wire, Place)> = Vec::new();
     for wire in &system.wires {
         match wire.from {
@@ -59,18 +57,17 @@ pub(super) fn tasks(system: &System) -> Result<Vec<Task>, Fault> {
 
 /// The columns of each part that change in time: integrated states, inputs that are given as signals, and what they
 /// change through the parts.
-pub(super) fn moving(system: &System, states: &[Place]) -> Vec<Vec<usize>> {
+pub(super) fn moving(system: &System, influences: &[Influence], states: &[Place]) -> Vec<Vec<usize>> {
     let signals = system.signals.iter().filter(|(_, signal)| !matches!(signal, Signal::Constant(_)));
     let mut moving = vec![Vec::new(); system.parts.len()];
     for Place { part, column } in states.iter().copied().chain(signals.map(|(place, _)| *place)) {
         moving[part].push(column);
     }
     loop {
-        let outputs: Vec<Influence> =
-            system.parts.iter().zip(&moving).map(|(part, moving)| Influence::of(part, moving)).collect();
         let moves = |from: WireSource| match from {
             WireSource::Variable(Place { part, column }) => {
-                moving[part].contains(&column) || outputs[part].of_column(column).next().is_some()
+                moving[part].contains(&column)
+                    || influences[part].of_column(column).any(|other| moving[part].contains(&other))
             }
             WireSource::Derivative(_) => true,
         };
@@ -88,11 +85,18 @@ pub(super) fn indicators_move(part: &Part, moving: &[usize]) -> bool {
     if !is_law || part.model.memory_in_use(&part.row) > 0 {
         return count > 0;
     }
+    let mut draw = Draw::of(part);
+    let mut row = part.row.clone();
     let [mut before, mut after] = [vec![0.0; count], vec![0.0; count]];
-    try_columns(part, moving, |row, changed, _| {
-        part.model.indicate(row, &mut before);
-        part.model.indicate(changed, &mut after);
-        before.iter().zip(&after).any(|(before, after)| before.to_bits() != after.to_bits())
+    (0..TRIALS).any(|_| {
+        draw.fill(&mut row);
+        part.model.indicate(&row, &mut before);
+        moving.iter().any(|column| {
+            let mut changed = row.clone();
+            changed[*column] = draw.value(*column);
+            part.model.indicate(&changed, &mut after);
+            before.iter().zip(&after).any(|(before, after)| before.to_bits() != after.to_bits())
+        })
     })
 }
 
@@ -100,52 +104,42 @@ fn columns(part: &Part, wanted: impl Fn(Role) -> bool) -> Vec<usize> {
     (0..part.row.len()).filter(|column| wanted(part.model.table.at(*column).role)).collect()
 }
 
-/// Shows pairs of random rows that differ in one of some columns, and that column, until a look at them is enough.
-fn try_columns(part: &Part, some: &[usize], mut look: impl FnMut(&[f64], &[f64], usize) -> bool) -> bool {
-    let table = &part.model.table;
-    let moved = columns(part, |role| role == Role::Input || role.is_state());
-    let variables: Vec<(usize, Variable)> = moved.into_iter().map(|column| (column, table.at(column))).collect();
-    let mut random = Random(0x2545_f491_4f6c_dd1d);
-    (0..TRIALS).any(|_| {
-        let mut row = part.row.clone();
-        variables.iter().for_each(|(column, variable)| row[*column] = random.value(variable));
-        some.iter().any(|column| {
-            let mut changed = row.clone();
-            changed[*column] = random.value(&table.at(*column));
-            look(&row, &changed, *column)
-        })
-    })
-}
-
-/// The columns on which each output of a model depends.
-struct Influence {
+/// The inputs and states on which each output of a model depends.
+pub(super) struct Influence {
     /// Per column, those that change it.
     on: Vec<Vec<usize>>,
 }
 
 impl Influence {
-    /// Looks for dependencies by changing one of some columns after the other, at random states.
-    fn of(part: &Part, some: &[usize]) -> Influence {
+    /// Looks for dependencies by changing one input or state after the other, in random rows.
+    pub fn of(part: &Part) -> Influence {
         let outputs = columns(part, Role::is_computed);
+        let moved = columns(part, is_moved);
         let mut on = vec![Vec::new(); part.row.len()];
         if part.model.memory_in_use(&part.row) > 0 {
             // A model whose memory is beside the row: take every output to depend on all of them.
             for output in &outputs {
-                on[*output] = some.to_vec();
+                on[*output].clone_from(&moved);
             }
             return Influence { on };
         }
-        try_columns(part, some, |row, changed, column| {
-            let [mut before, mut after] = [row.to_vec(), changed.to_vec()];
+        let mut draw = Draw::of(part);
+        let [mut row, mut before, mut after] = [part.row.clone(), part.row.clone(), part.row.clone()];
+        for _ in 0..TRIALS {
+            draw.fill(&mut row);
+            before.copy_from_slice(&row);
             part.model.output(&mut before);
-            part.model.output(&mut after);
-            for output in &outputs {
-                if after[*output].to_bits() != before[*output].to_bits() && !on[*output].contains(&column) {
-                    on[*output].push(column);
+            for column in &moved {
+                after.copy_from_slice(&row);
+                after[*column] = draw.value(*column);
+                part.model.output(&mut after);
+                for output in &outputs {
+                    if after[*output].to_bits() != before[*output].to_bits() && !on[*output].contains(column) {
+                        on[*output].push(*column);
+                    }
                 }
             }
-            false
-        });
+        }
         Influence { on }
     }
 
@@ -154,25 +148,50 @@ impl Influence {
     }
 }
 
-/// A small generator of random numbers (xorshift), so that the order of a system is the same in every run.
-struct Random(u64);
+/// Whether something else than the parameters gives such a column its value.
+fn is_moved(role: Role) -> bool {
+    role == Role::Input || role.is_state()
+}
 
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+/// Random values of inputs and states, by a small generator (xorshift), so that the order of a system is the same in every
+/// run.
+struct Draw {
+    variables: Vec<Option<Variable>>,
+    random: u64,
+}
+
+impl Draw {
+    fn of(part: &Part) -> Draw {
+        let table = &part.model.table;
+        let variable = |column| Some(table.at(column)).filter(|variable| is_moved(variable.role));
+        Draw { variables: (0..part.row.len()).map(variable).collect(), random: 0x2545_f491_4f6c_dd1d }
     }
 
-    /// A value of either sign, of any size around the usual one.
-    fn value(&mut self, variable: &Variable) -> f64 {
-        if let Kind::Enumeration(choices) = variable.kind {
-            return 1.0 + (self.unit() * choices.items.len() as f64).floor();
+    /// Gives all inputs and states values.
+    fn fill(&mut self, row: &mut [f64]) {
+        for (column, value) in row.iter_mut().enumerate() {
+            if self.variables[column].is_some() {
+                *value = self.value(column);
+            }
         }
-        let size = pow(10.0, 4.0 * self.unit() - 3.0) * variable.nominal.max(variable.start.abs());
-        let value = if self.unit() < 0.5 { size } else { -size };
-        let value = variable.bound.nearest(value);
+    }
+
+    fn unit(&mut self) -> f64 {
+        self.random ^= self.random << 13;
+        self.random ^= self.random >> 7;
+        self.random ^= self.random << 17;
+        (self.random >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// A value of an input or state, of either sign, of any size around the usual one.
+    fn value(&mut self, column: usize) -> f64 {
+        let [first, second] = [self.unit(), self.unit()];
+        let Some(variable) = &self.variables[column] else { return 0.0 };
+        if let Kind::Enumeration(choices) = variable.kind {
+            return 1.0 + (first * choices.items.len() as f64).floor();
+        }
+        let size = exp((4.0 * first - 3.0) * std::f64::consts::LN_10) * variable.nominal.max(variable.start.abs());
+        let value = variable.bound.nearest(if second < 0.5 { size } else { -size });
         if matches!(variable.kind, Kind::Real(_)) { value } else { value.round() }
     }
 }
