@@ -13,6 +13,7 @@
     python3 tasks.py trust    everything in docs/trust.md, with its figures: the tasks below, one after another
     python3 tasks.py faults   importers and faults of the host, in full
     python3 tasks.py platforms  the FMUs for Linux, Windows and macOS, run under wine and qemu
+    python3 tasks.py wheels   the Python package for Linux, Windows and macOS into dist/wheels/, run under qemu
     python3 tasks.py fuzz     new inputs for interfaces and file readers, two minutes for each target
     python3 tasks.py coverage the branches covered by the tests
     python3 tasks.py broken   deliberately broken copies, and the tests that fail
@@ -66,7 +67,7 @@ LAWS_OF_BENCHMARK = [
 # The parts of the library that contain code.
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
 RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "python", "ssp", "web", "examples"]
-PYTHON_FOLDERS = ["tasks.py", "examples", "fuzz", "python", "tests", "web/tests"]
+PYTHON_FOLDERS = ["tasks.py", "benches", "examples", "fuzz", "python", "tests", "web/tests"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "tests/platforms", "benches"]
 
 
@@ -314,13 +315,21 @@ def wheel() -> None:
     """Builds the Python package from the packed FMUs into dist/, as one file, and tests it by itself."""
     need_rust()
     setup()
-    if not any((ROOT / "dist").glob("*.fmu")):
-        pack()
+    pack()
     for old in (ROOT / "dist").glob("stribeck-*.whl"):
         old.unlink()
     run(PYTHON, "python/fmus.py", "dist", "python/stribeck/fmus")
     run(PYTHON, "-m", "maturin", "build", "--release", "--manifest-path", "python/Cargo.toml", "--out", "dist")
     run(PYTHON, "-m", "pytest", "tests/wheel")
+
+
+def wheels() -> None:
+    """Builds the Python package for all platforms into dist/wheels/, and examines and runs what can be run here."""
+    need_rust()
+    setup_platforms()
+    shutil.rmtree(ROOT / "dist" / "wheels", ignore_errors=True)
+    run(PYTHON, "python/wheels.py", "dist/wheels")
+    run(PYTHON, "-m", "pytest", "-rP", "tests/wheels")
 
 
 def setup_page() -> None:
@@ -381,7 +390,6 @@ def demo() -> None:
     """Packs the FMUs and runs each of them from Python, identifies a law, and compares solvers on the belt of the
     thesis."""
     setup()
-    pack()
     wheel()
     run(PYTHON, "examples/fmpy/demo.py")
     stribeck = ["cargo", "run", "--release", "--package", "lab", "--bin", "stribeck", "--"]
@@ -473,6 +481,7 @@ def faults() -> None:
         ["cargo", "run", "--package", "fmu-build", "--", "check"],
         *([PYTHON, "-m", "pytest", "-s", "-q", test] for test in python_tests),
         [PYTHON, "tests/c/run.py", "--thorough"],
+        [PYTHON, "tests/sanitized.py"],
         ["cargo", "+nightly", "miri", "test", *CRATES, "--lib", "--", *UNDER_MIRI],
         ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--test", "life"],
     ]
@@ -507,7 +516,7 @@ def formats() -> None:
 
 def trust() -> None:
     """Everything in docs/trust.md, one task after another, with the figures at the end."""
-    parts = [wheel, page, faults, platforms, fuzz, coverage, broken, mutants, identified, formats, supply]
+    parts = [wheel, wheels, page, faults, platforms, fuzz, coverage, broken, mutants, identified, formats, supply]
     summarise([[sys.executable, "tasks.py", part.__name__] for part in parts])
 
 
@@ -605,7 +614,9 @@ TASKS = {
     test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 12",
     bench: "build and run the benchmarks: 3 to 7 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
-    wheel: "build the Python package into dist/ as one file, test it with numpy alone: 3 to 5 minutes",
+    wheel: "pack the FMUs, build the Python package into dist/ as one file, test it with numpy alone: 4 to 8 minutes",
+    wheels: "build the Python package for Linux, Windows and macOS, five files, run that for ARM under qemu; as root "
+    "it installs what it needs with apt: 20 to 40 minutes",
     page: "build the page as one file into dist/ and test it in Chromium: 3 to 6 minutes",
     setup: "install the Python packages of requirements.txt into .venv: about a minute",
     clean: "remove .venv, dist, out and target",

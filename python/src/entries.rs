@@ -2,15 +2,31 @@
 
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyInt, PyList, PyTuple};
+use serde::de::DeserializeOwned;
+
+use crate::refused;
+
+/// Levels of dictionaries and lists (chosen): far more than any file has, and far fewer than the stack holds. A dictionary
+/// may contain itself.
+const DEEPEST: usize = 32;
+
+/// What a dictionary describes, as a file with its entries would.
+pub fn described<T: DeserializeOwned>(value: &Bound<PyAny>) -> PyResult<T> {
+    let lines = |error: toml::de::Error| refused(error.to_string().trim().replace('\n', " "));
+    as_toml(value, DEEPEST)?.try_into().map_err(lines)
+}
 
 /// A value as an entry of a TOML file.
-pub fn as_toml(value: &Bound<PyAny>) -> PyResult<toml::Value> {
+fn as_toml(value: &Bound<PyAny>, levels: usize) -> PyResult<toml::Value> {
+    let Some(levels) = levels.checked_sub(1) else {
+        return Err(refused(format_args!("dictionaries and lists in more than {DEEPEST} levels")));
+    };
     if let Ok(dict) = value.cast::<PyDict>() {
-        let entries = dict.iter().map(|(name, value)| Ok((name.extract::<String>()?, as_toml(&value)?)));
+        let entries = dict.iter().map(|(name, value)| Ok((name.extract::<String>()?, as_toml(&value, levels)?)));
         return Ok(toml::Value::Table(entries.collect::<PyResult<_>>()?));
     }
     if value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>() {
-        let items = value.try_iter()?.map(|item| as_toml(&item?));
+        let items = value.try_iter()?.map(|item| as_toml(&item?, levels));
         return Ok(toml::Value::Array(items.collect::<PyResult<_>>()?));
     }
     if value.is_instance_of::<PyBool>() {
@@ -18,6 +34,10 @@ pub fn as_toml(value: &Bound<PyAny>) -> PyResult<toml::Value> {
     }
     if value.is_instance_of::<PyInt>() {
         return Ok(toml::Value::Integer(value.extract()?));
+    }
+    // Numbers and arrays of numpy.
+    if let Some(plain) = value.getattr_opt("tolist")? {
+        return as_toml(&plain.call0()?, levels);
     }
     match value.extract::<String>() {
         Ok(text) => Ok(toml::Value::String(text)),

@@ -10,7 +10,7 @@ use crate::catalogue::{self, column, find};
 use crate::refused;
 
 /// An instance of a model.
-#[pyclass(frozen)]
+#[pyclass(frozen, module = "stribeck._stribeck")]
 pub struct Instance {
     model: &'static ModelType,
     row: Mutex<Row>,

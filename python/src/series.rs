@@ -121,7 +121,8 @@ impl Common<'_> {
         };
         thread::scope(|scope| {
             for _ in 1..self.threads {
-                scope.spawn(work);
+                // Where the system has no more threads, those that there are do the work.
+                let _ = thread::Builder::new().spawn_scoped(scope, work);
             }
             work();
         });

@@ -6,7 +6,7 @@ use lab::study::{Description, Shard, Study};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::entries::as_toml;
+use crate::entries::described;
 use crate::refused;
 use crate::work::{interruptible, threads};
 
@@ -18,7 +18,7 @@ fn read(study: &Bound<PyAny>) -> PyResult<Study> {
         let description = lab::system::read(&path).map_err(refused)?;
         return Study::new(description, &folder).map_err(refused);
     }
-    let description: Description = as_toml(study)?.try_into().map_err(refused)?;
+    let description: Description = described(study)?;
     Study::new(description, &PathBuf::new()).map_err(refused)
 }
 

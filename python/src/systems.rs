@@ -8,7 +8,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::entries::as_toml;
+use crate::entries::described;
 use crate::refused;
 use crate::work::interruptible;
 
@@ -32,7 +32,7 @@ pub fn solvers() -> Vec<(String, String)> {
 /// `stribeck run`.
 #[pyfunction]
 pub fn solve<'py>(py: Python<'py>, entries: &Bound<'py, PyDict>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-    let chosen: Configuration = as_toml(entries)?.try_into().map_err(refused)?;
+    let chosen: Configuration = described(entries)?;
     if chosen.vary.is_some() {
         return Err(refused("vary: use stribeck.study"));
     }

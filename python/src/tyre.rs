@@ -10,7 +10,7 @@ use stribeck::model::{Columns, row_of_mut, start};
 use crate::refused;
 
 /// A tyre that is read once and asked many times.
-#[pyclass(frozen)]
+#[pyclass(frozen, module = "stribeck._stribeck")]
 pub struct Tyre {
     formula: MagicFormula,
     stiffness: f64,

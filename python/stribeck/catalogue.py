@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import html
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cache
 
@@ -91,6 +92,9 @@ class Description:
     def __str__(self) -> str:
         return self.name
 
+    def __hash__(self) -> int:
+        return hash(self.name)
+
     def of_role(self, *roles: str) -> dict[str, Variable]:
         """The variables of these roles."""
         return {name: variable for name, variable in self.variables.items() if variable.role in roles}
@@ -158,9 +162,9 @@ class Description:
         )
 
 
-def hint(name: str, known: object) -> str:
+def hint(name: object, known: Iterable[str]) -> str:
     """A hint with the name that the user may have meant."""
-    closest = difflib.get_close_matches(name, list(known), 1)  # type: ignore[call-overload]
+    closest = difflib.get_close_matches(str(name), list(known), 1)
     return f" (did you mean '{closest[0]}'?)" if closest else ""
 
 

@@ -5,9 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from stribeck import _stribeck
+from stribeck._stribeck import Refused
 from stribeck.catalogue import Description, model
 from stribeck.results import Result
 from stribeck.series import simulate
+
+
+class _Missing(Refused, AttributeError):
+    """An attribute that does not exist, so that `hasattr` is false."""
 
 
 class Part:
@@ -21,17 +26,29 @@ class Part:
         object.__setattr__(self, "_prefix", prefix)
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("__"):
+        if name.startswith("_"):
             raise AttributeError(name)
-        return self._model._get(self._prefix + name)
+        try:
+            return self._model._get(self._prefix + name)
+        except Refused as refused:
+            raise _Missing(*refused.args) from None
 
     def __setattr__(self, name: str, value: Any) -> None:
         self._model.set(**{self._prefix + name: value})
+
+    def __repr__(self) -> str:
+        names = [name for name in self.__dir__() if self._prefix + name in self._model.description.variables]
+        values = ", ".join(f"{name} = {_shown(getattr(self, name))}" for name in names)
+        return f"<{self._prefix[:-1]} of {self._model.description.name}: {values}>"
 
     def __dir__(self) -> list[str]:
         known = self._model.description.variables
         length = len(self._prefix)
         return sorted({name[length:].split(".")[0] for name in known if name.startswith(self._prefix)})
+
+
+def _shown(value: Any) -> str:
+    return f"{value:g}" if isinstance(value, float) else str(value)
 
 
 class Model(Part):
@@ -88,7 +105,7 @@ class Model(Part):
         self.set(**{name: value})
 
     def __repr__(self) -> str:
-        inputs = ", ".join(f"{name} = {self._get(name):g}" for name in self.description.inputs)
+        inputs = ", ".join(f"{name} = {_shown(self._get(name))}" for name in self.description.inputs)
         return f"<{self.description.name} at {self.time:g} s: {inputs}>"
 
     def _get(self, name: str) -> Any:

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from stribeck.catalogue import hint
+
 if TYPE_CHECKING:
     import pandas
     import xarray
@@ -39,7 +41,11 @@ class Result(Mapping[str, NDArray[np.float64]]):
         """Inputs as they were given, for pictures of results over them."""
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
-        return self.time if name == "time" else self.columns[name]
+        if name == "time":
+            return self.time
+        if name not in self.columns:
+            raise KeyError(f"{name!r} is not among the results of {self.title}{hint(name, self)}")
+        return self.columns[name]
 
     def __iter__(self) -> Iterator[str]:
         yield "time"

@@ -12,6 +12,7 @@ from stribeck import _stribeck
 from stribeck._stribeck import Refused
 from stribeck.catalogue import Description, Variable, law, model
 from stribeck.results import Result
+from stribeck.threads import checked
 
 # Inputs that may be left out, with the value that is taken for them and shown with the result.
 UNLOADED = {"external_force": 0.0}
@@ -59,7 +60,7 @@ def force(
         inputs=inputs,
         results=["friction_force"],
         points=points,
-        threads_asked=threads,
+        threads_asked=checked(threads),
     )
     # Indexing by () turns a single number into a scalar.
     return forces.reshape(shape)[()]
@@ -117,7 +118,7 @@ def simulate(
         results=results,
         runs=runs,
         samples=samples,
-        threads_asked=threads,
+        threads_asked=checked(threads),
     )
     shape = (samples,) if single else (runs, samples)
     columns = {key: column.reshape(shape) for key, column in zip(results, flat, strict=True)}
@@ -132,6 +133,8 @@ def _numbers(variable: Variable, value: Any) -> NDArray[np.float64]:
         raise Refused(f"{variable.name} is computed and cannot be set")
     if isinstance(value, str):
         return np.asarray(variable.number(value))
+    if np.ma.is_masked(value):
+        raise TypeError(f"{variable.name}: some of its numbers are masked")
     array = np.asarray(value)
     if array.dtype.kind == "U" and variable.kind == "choice":
         return np.array([variable.number(str(one)) for one in array.ravel()]).reshape(array.shape)
@@ -159,7 +162,10 @@ def _assumed(described: Description, given: Mapping[str, object]) -> dict[str, f
 
 
 def _times(time: ArrayLike) -> NDArray[np.float64]:
-    times = np.ascontiguousarray(time, dtype=np.float64)
+    given = np.asarray(time)
+    if given.dtype.kind not in "iuf":
+        raise TypeError(f"time: must be numbers, in s, not {given.dtype}")
+    times = np.ascontiguousarray(given, dtype=np.float64)
     if times.ndim != 1:
         raise Refused(f"time has the shape {times.shape}: must have one dimension")
     late = np.flatnonzero(~(np.diff(times) > 0.0))
@@ -170,7 +176,10 @@ def _times(time: ArrayLike) -> NDArray[np.float64]:
 
 
 def _step(dt: float | None) -> float:
-    step = float(dt)  # type: ignore[arg-type]
+    try:
+        step = float(dt)  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        raise TypeError(f"dt = {dt!r}: must be a number") from None
     if not 0.0 < step < np.inf:
         raise Refused(f"dt = {step} s: must be > 0 and finite")
     return step

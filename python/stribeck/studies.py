@@ -14,6 +14,8 @@ from numpy.typing import NDArray
 
 from stribeck import _stribeck
 from stribeck._stribeck import Refused
+from stribeck.catalogue import hint
+from stribeck.threads import checked
 
 if TYPE_CHECKING:
     import distributed
@@ -33,6 +35,8 @@ class Table(Mapping[str, NDArray[Any]]):
         self.columns = {name: _column(name, values) for name, values in texts.items()}
 
     def __getitem__(self, name: str) -> NDArray[Any]:
+        if name not in self.columns:
+            raise KeyError(f"{name!r} is not a column of the study{hint(name, self)}")
         return self.columns[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -109,7 +113,7 @@ def study(
         _send_out(spec, Path(folder), client, max_failures)
     # What is there is not made again.
     _stribeck.make_study(
-        spec, os.fspath(folder), shard=shard or "1/1", threads_asked=threads, max_failures=max_failures
+        spec, os.fspath(folder), shard=shard or "1/1", threads_asked=checked(threads), max_failures=max_failures
     )
     return None if shard else Table(Path(_stribeck.merge_study(spec, os.fspath(folder))))
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from stribeck import _stribeck
 from stribeck._stribeck import Refused
-from stribeck.catalogue import Description, laws
+from stribeck.catalogue import Description, hint, laws
 from stribeck.results import Result
 
 if TYPE_CHECKING:
@@ -58,6 +58,8 @@ class Comparison(Mapping[str, Solution]):
     def __getitem__(self, law: str) -> Solution:
         if law in self.failed:
             raise NotConverged(self.failed[law])
+        if law not in self.solutions:
+            raise KeyError(f"{law!r} is not among the laws that were compared{hint(law, self)}")
         return self.solutions[law]
 
     def __contains__(self, law: object) -> bool:
@@ -121,14 +123,17 @@ def solve(system: str = "belt", law: str | Description | None = None, **options:
     return solution
 
 
-def compare(system: str = "belt", law: Sequence[str | Description] | None = None, **options: Any) -> Comparison:
+def compare(
+    system: str = "belt", law: str | Description | Sequence[str | Description] | None = None, **options: Any
+) -> Comparison:
     """Motions of a system with several laws, or with all of them. Options as for `solve`.
 
     >>> both = compare("belt", ["LuGre", "Dahl"], until=5.0)
     >>> sorted(both)
     ['Dahl', 'LuGre']
     """
-    names = [str(one) for one in (laws() if law is None else law)]
+    chosen = [law] if isinstance(law, (str, Description)) else law
+    names = [str(one) for one in (laws() if chosen is None else chosen)]
     if not names:
         raise Refused("law names no friction law")
     solutions = dict(zip(names, _solutions(system, names, options), strict=True))

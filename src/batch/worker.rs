@@ -12,6 +12,10 @@ use crate::series::{self, Between, Course, Ended, Input, PATIENCE, Times};
 /// Runs that are made together (chosen): a few groups in any registers, whose rows fit into the nearest cache.
 const TOGETHER: usize = 16;
 
+/// Beyond this, and its inverse, a step may fail although the outputs before and after it are finite (chosen): of no
+/// product of the laws do that many factors occur.
+const LARGE: f64 = 1e20;
+
 /// A variable with its values: a row of them for each run, or one for all runs.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<'a> {
@@ -194,7 +198,8 @@ impl<'a> Worker<'a> {
         series::check(instance, &runs.course(&self.course)).map_err(|_| Not::Together)?;
         let is_output = |column: &usize| !matches!(role(column), Role::State | Role::StateOutput);
         let fit = (kernels.fit)(instance.row());
-        let is_memoryless = fit == Fit::Outputs && runs.results.iter().all(is_output);
+        let is_memoryless =
+            fit == Fit::Outputs && runs.results.iter().all(is_output) && no_step_fails(instance, runs, &self.course);
         let are_held = runs.between == Between::Held || runs.inputs.iter().all(|rows| rows.width == 1);
         if is_memoryless || fit != Fit::Alone && are_held && times_fit(runs) {
             Ok(is_memoryless)
@@ -219,6 +224,23 @@ fn times_fit(runs: &Runs) -> bool {
         Times::At(_) => (0..last).all(|sample| fits(runs.times.step(sample))),
     };
     all_fit && runs.times.at(last).is_finite()
+}
+
+/// Whether a run that is made without its steps would not have ended in one of them: no slope and no energy comes near the
+/// largest number, if no input, parameter or time does.
+fn no_step_fails(instance: &Instance, runs: &Runs, course: &[Input]) -> bool {
+    let is_small = |value: &f64| value.abs() <= LARGE;
+    let is_usual = |value: f64| value == 0.0 || (1.0 / LARGE..=LARGE).contains(&value.abs());
+    let is_parameter = |column: usize| matches!(instance.model().table.role(column), Role::Fixed | Role::Tunable);
+    let mut parameters = instance.row().iter().enumerate().filter(|(column, _)| is_parameter(*column));
+    let steps_are_usual = match runs.times {
+        Times::Every(dt) => is_usual(dt),
+        Times::At(times) => times.windows(2).all(|pair| is_usual(pair[1] - pair[0])),
+    };
+    steps_are_usual
+        && is_small(&runs.times.at(runs.samples.saturating_sub(1)))
+        && parameters.all(|(_, value)| is_usual(*value))
+        && course.iter().all(|input| input.samples.iter().all(is_small))
 }
 
 /// Makes runs in lanes.

@@ -5,11 +5,11 @@
     allow(dead_code, reason = "other processors have no registers for it")
 )]
 
-use super::model_type::first_result;
 use super::row::view;
 use super::{Fit, InLanes, Law, Steps, model_in};
 use crate::number::register::For;
 use crate::number::{Lanes, Register};
+use crate::table::{Role, Variable};
 
 #[cfg(target_arch = "aarch64")]
 use crate::number::register::neon::Two;
@@ -90,29 +90,47 @@ const ADVANCE: usize = 1;
 
 #[inline(always)]
 fn output<M: InLanes, R: Register>(groups: Groups<R>) -> bool {
-    let first = const { first_result(M::TABLE) };
+    let outputs = const { columns(M::TABLE, Role::Output, Role::Output) };
     let mut found = Lanes::from(0.0);
     for row in For::<OUTPUT, R>::groups(groups).chunks_exact_mut(M::TABLE.len()) {
         model_in::<M, Lanes<For<OUTPUT, R>>>(row).output();
-        found = not_finite(found, &row[first..]);
+        found += not_finite(&row[outputs.0..outputs.1]);
     }
     found == Lanes::from(0.0)
 }
 
 #[inline(always)]
 fn advance<M: InLanes, R: Register>(groups: Groups<R>, dt: f64) -> bool {
-    let first = const { first_result(M::TABLE) };
+    let states = const { columns(M::TABLE, Role::State, Role::StateOutput) };
     let mut found = Lanes::from(0.0);
     for row in For::<ADVANCE, R>::groups(groups).chunks_exact_mut(M::TABLE.len()) {
         model_in::<M, Lanes<For<ADVANCE, R>>>(row).advance(Lanes::from(dt));
-        found = not_finite(found, &row[first..]);
+        found += not_finite(&row[states.0..states.1]);
     }
     found == Lanes::from(0.0)
 }
 
-/// NaN from the first number on that is not finite: x 0 is 0 for the others.
+/// The columns from the first to the last one with one of two roles, as a range: all others keep their numbers.
+const fn columns(table: &[Variable], one: Role, other: Role) -> (usize, usize) {
+    let (mut first, mut end, mut column) = (table.len(), table.len(), 0);
+    while column < table.len() {
+        let role = table[column].role as u8;
+        if role == one as u8 || role == other as u8 {
+            if first == table.len() {
+                first = column;
+            }
+            end = column + 1;
+        }
+        column += 1;
+    }
+    (first, end)
+}
+
+/// NaN if one of the numbers is not finite: x 0 is 0 for the others. They are added to each other first, so that no row
+/// waits for the one before.
 #[inline(always)]
-fn not_finite<R: Register>(mut found: Lanes<R>, numbers: &[Lanes<R>]) -> Lanes<R> {
+fn not_finite<R: Register>(numbers: &[Lanes<R>]) -> Lanes<R> {
+    let mut found = Lanes::from(0.0);
     for number in numbers {
         found += *number * Lanes::from(0.0);
     }

@@ -323,7 +323,7 @@ fn advise<M: Model>(row: &mut [f64], room: Room) -> bool {
 }
 
 /// The first column that a step or the outputs may change: those before it are inputs and parameters.
-pub(super) const fn first_result(table: &[Variable]) -> usize {
+const fn first_result(table: &[Variable]) -> usize {
     let mut first = 0;
     while first < table.len() && (table[first].role.is_parameter() || matches!(table[first].role, Role::Input)) {
         first += 1;

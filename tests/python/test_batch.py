@@ -91,6 +91,30 @@ def test_a_step_of_bristles_is_that_of_50_digits():
         assert abs(mpf(float(force)) - exact) / (mpf(MU_S) * mpf(LOAD)) < ALLOWED, speed
 
 
+HUGE = [0.0, 1.0, -1e-3, 1e155, -1e155, 1.7e308, -1.7e308]
+MEMORYLESS = [law.name for law in stribeck.laws() if "external_force" in law.inputs]
+
+
+@pytest.mark.parametrize("law", MEMORYLESS)
+def test_numbers_near_the_largest_one_are_refused_as_in_steps(law):
+    """Forces without the energy are made side by side, without steps; with it step by step, as in the FMU."""
+    draw = numpy.random.default_rng(4)
+    refused = 0
+    for held, dt in [(False, 1e-3), (True, 1e-3), (False, 1e300), (True, 1e-300)] * 8:
+        inputs = {name: draw.choice(HUGE, 20) for name in stribeck.law(law).inputs}
+        inputs["normal_force"] = numpy.abs(inputs["normal_force"])
+        found = []
+        for record in (["friction_force"], ["friction_force", "dissipated_energy"]):
+            try:
+                result = stribeck.simulate(law, dt=dt, held=held, record=record, **inputs)
+                found.append(result["friction_force"].tobytes())
+            except stribeck.Refused as reason:
+                found.append(str(reason))
+        assert found[0] == found[1]
+        refused += isinstance(found[0], str)
+    assert refused > 0
+
+
 CODE = """
 import hashlib, numpy, stribeck
 draw = numpy.random.default_rng(3)

@@ -153,6 +153,13 @@ def test_steady_forces_are_closed_forms():
         stribeck.force("Bristle", 0.1, 10.0)
 
 
+def within_itself():
+    """A dictionary without an end."""
+    values = {}
+    values["mu_s"] = values
+    return values
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
@@ -193,6 +200,11 @@ def test_steady_forces_are_closed_forms():
         (lambda: stribeck.solve("belt", vary="mu_s=0.1:0.2:3"), "vary: use stribeck.study"),
         (lambda: stribeck.compare("belt", []), "law names no friction law"),
         (lambda: stribeck.force("LuGre", [1.0], 1.0, threads=0), "threads = 0: must be >= 1"),
+        (lambda: stribeck.force("LuGre", [1.0], 1.0, threads=-1), "threads = -1: must be >= 1"),
+        (lambda: stribeck.solve("belt", until="soon"), 'invalid type: string "soon", expected f64 in `until`$'),
+        (lambda: stribeck.solve("belt", set=within_itself()), "dictionaries and lists in more than 32 levels"),
+        (lambda: stribeck.compare("belt", "LuGr"), "did you mean 'LuGre'"),
+        (lambda: stribeck.ShockAbsorber().friction.mu_q, "did you mean 'friction.mu_"),
         (
             lambda: stribeck.simulate("LuGre", velocity=[], normal_force=1.0, dt=1.0),
             "samples: velocity 0: must be >= 1",
@@ -210,6 +222,45 @@ def test_refusals_name_variable_value_and_limit(call, message):
     with pytest.raises(stribeck.Refused, match=message):
         call()
     assert issubclass(stribeck.Refused, ValueError)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: stribeck.force("Coulomb", numpy.ma.masked_equal([1.0, 2.0], 2.0), 1.0), "velocity: some .* masked"),
+        (lambda: stribeck.simulate("Coulomb", velocity=0.0, normal_force=1.0, dt="x"), "dt = 'x': must be a number"),
+        (
+            lambda: stribeck.simulate(
+                "Coulomb", velocity=0.0, normal_force=1.0, time=numpy.array(["2026-11-24"], "M8[s]")
+            ),
+            "time: must be numbers, in s, not datetime64",
+        ),
+    ],
+)
+def test_what_is_no_number_is_a_type_error(call, message):
+    with pytest.raises(TypeError, match=message):
+        call()
+
+
+def test_names_that_do_not_exist_are_told_as_python_tells_them():
+    assert not hasattr(stribeck.Model("LuGre"), "velocit")
+    result = stribeck.simulate("LuGre", velocity=[0.0, 1e-3], normal_force=1.0, dt=1e-3)
+    with pytest.raises(KeyError, match="'friction' is not among the results of LuGre .did you mean 'friction_force'"):
+        result["friction"]
+    with pytest.raises(KeyError, match="'Dahl' is not among the laws"):
+        stribeck.compare("belt", "LuGre", until=0.1)["Dahl"]
+    assert len({stribeck.law("LuGre"), stribeck.law("LuGre")}) == 1
+    assert repr(stribeck.ShockAbsorber().bump).startswith("<bump of ShockAbsorber: ")
+
+
+def test_numbers_and_arrays_of_numpy_describe_a_study(tmp_path):
+    spec = {
+        "samples": numpy.int64(3),
+        "keep": ["max rig.position"],
+        "vary": {"mu_s": {"uniform": numpy.array([0.12, 0.2])}},
+        "run": {"until": numpy.float64(1.0)},
+    }
+    assert repr(stribeck.study(spec, tmp_path)).startswith("<study of 3 rows, 0 failed")
 
 
 def test_a_thousand_bad_calls_raise_and_nothing_else():

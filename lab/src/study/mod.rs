@@ -270,7 +270,8 @@ impl Study {
         };
         std::thread::scope(|scope| {
             for _ in 1..threads.get() {
-                scope.spawn(work);
+                // Where the system has no more threads, those that there are do the work.
+                let _ = std::thread::Builder::new().spawn_scoped(scope, work);
             }
             work();
         });

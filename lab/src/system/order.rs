@@ -32,9 +32,9 @@ pub(super) fn tasks(system: &System, influences: &[Influence]) -> Result<Vec<Tas
     let mut tasks = Vec::new();
     while !open.is_empty() {
         let waits = |from: &Place| {
-            influences[from.part].on[from.column]
-                .iter()
-                .any(|column| open.iter().any(|(wire, _)| wire.to == Place { part: from.part, column: *column }))
+            influences[from.part]
+                .of_column(from.column)
+                .any(|column| open.iter().any(|(wire, _)| wire.to == Place { part: from.part, column }))
         };
         let ready: Vec<(Wire, Place)> = open.iter().filter(|(_, from)| !waits(from)).copied().collect();
         if ready.is_empty() {
@@ -66,8 +66,8 @@ pub(super) fn moving(system: &System, influences: &[Influence], states: &[Place]
     loop {
         let moves = |from: WireSource| match from {
             WireSource::Variable(Place { part, column }) => {
-                let on = &influences[part].on[column];
-                moving[part].contains(&column) || on.iter().any(|column| moving[part].contains(column))
+                moving[part].contains(&column)
+                    || influences[part].of_column(column).any(|other| moving[part].contains(&other))
             }
             WireSource::Derivative(_) => true,
         };
@@ -85,47 +85,23 @@ pub(super) fn indicators_move(part: &Part, moving: &[usize]) -> bool {
     if !is_law || part.model.memory_in_use(&part.row) > 0 {
         return count > 0;
     }
-    let indicators = |row: &mut Vec<f64>| {
-        let mut values = vec![0.0; count];
-        part.model.indicate(row, &mut values);
-        *row = values;
-    };
-    let mut found = false;
-    try_columns(part, moving, indicators, |_, _| found = true);
-    found
+    let mut draw = Draw::of(part);
+    let mut row = part.row.clone();
+    let [mut before, mut after] = [vec![0.0; count], vec![0.0; count]];
+    (0..TRIALS).any(|_| {
+        draw.fill(&mut row);
+        part.model.indicate(&row, &mut before);
+        moving.iter().any(|column| {
+            let mut changed = row.clone();
+            changed[*column] = draw.value(*column);
+            part.model.indicate(&changed, &mut after);
+            before.iter().zip(&after).any(|(before, after)| before.to_bits() != after.to_bits())
+        })
+    })
 }
 
 fn columns(part: &Part, wanted: impl Fn(Role) -> bool) -> Vec<usize> {
     (0..part.row.len()).filter(|column| wanted(part.model.table.at(*column).role)).collect()
-}
-
-/// Inputs and states.
-fn free(part: &Part) -> Vec<usize> {
-    columns(part, |role| role == Role::Input || role.is_state())
-}
-
-/// Changes one of some columns after the other in random rows; `answer` replaces a row by values that follow from it, and
-/// `differs` hears of each value that a column changes.
-fn try_columns(part: &Part, some: &[usize], answer: impl Fn(&mut Vec<f64>), mut differs: impl FnMut(usize, usize)) {
-    let table = &part.model.table;
-    let of_column = |column: usize| (column, table.at(column));
-    let variables: Vec<(usize, Variable)> = free(part).into_iter().map(of_column).collect();
-    let some: Vec<(usize, Variable)> = some.iter().copied().map(of_column).collect();
-    let mut random = Random(0x2545_f491_4f6c_dd1d);
-    for _ in 0..TRIALS {
-        let mut row = part.row.clone();
-        variables.iter().for_each(|(column, variable)| row[*column] = random.value(variable));
-        let mut before = row.clone();
-        answer(&mut before);
-        for (column, variable) in &some {
-            let mut after = row.clone();
-            after[*column] = random.value(variable);
-            answer(&mut after);
-            let values = before.iter().zip(&after).enumerate();
-            let others = values.filter(|(_, (before, after))| before.to_bits() != after.to_bits());
-            others.for_each(|(value, _)| differs(value, *column));
-        }
-    }
 }
 
 /// The inputs and states on which each output of a model depends.
@@ -135,48 +111,87 @@ pub(super) struct Influence {
 }
 
 impl Influence {
-    /// Looks for dependencies by changing one column after the other, at random states.
+    /// Looks for dependencies by changing one input or state after the other, in random rows.
     pub fn of(part: &Part) -> Influence {
-        let (outputs, some) = (columns(part, Role::is_computed), free(part));
+        let outputs = columns(part, Role::is_computed);
+        let moved = columns(part, is_moved);
         let mut on = vec![Vec::new(); part.row.len()];
         if part.model.memory_in_use(&part.row) > 0 {
             // A model whose memory is beside the row: take every output to depend on all of them.
             for output in &outputs {
-                on[*output] = some.clone();
+                on[*output].clone_from(&moved);
             }
             return Influence { on };
         }
-        let output = |row: &mut Vec<f64>| {
-            part.model.output(row);
-        };
-        try_columns(part, &some, output, |value, column| {
-            if outputs.contains(&value) && !on[value].contains(&column) {
-                on[value].push(column);
+        let mut draw = Draw::of(part);
+        let [mut row, mut before, mut after] = [part.row.clone(), part.row.clone(), part.row.clone()];
+        for _ in 0..TRIALS {
+            draw.fill(&mut row);
+            before.copy_from_slice(&row);
+            part.model.output(&mut before);
+            for column in &moved {
+                after.copy_from_slice(&row);
+                after[*column] = draw.value(*column);
+                part.model.output(&mut after);
+                for output in &outputs {
+                    if after[*output].to_bits() != before[*output].to_bits() && !on[*output].contains(column) {
+                        on[*output].push(*column);
+                    }
+                }
             }
-        });
+        }
         Influence { on }
+    }
+
+    fn of_column(&self, column: usize) -> impl Iterator<Item = usize> + '_ {
+        self.on[column].iter().copied()
     }
 }
 
-/// A small generator of random numbers (xorshift), so that the order of a system is the same in every run.
-struct Random(u64);
+/// Whether something else than the parameters gives such a column its value.
+fn is_moved(role: Role) -> bool {
+    role == Role::Input || role.is_state()
+}
 
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+/// Random values of inputs and states, by a small generator (xorshift), so that the order of a system is the same in every
+/// run.
+struct Draw {
+    variables: Vec<Option<Variable>>,
+    random: u64,
+}
+
+impl Draw {
+    fn of(part: &Part) -> Draw {
+        let table = &part.model.table;
+        let variable = |column| Some(table.at(column)).filter(|variable| is_moved(variable.role));
+        Draw { variables: (0..part.row.len()).map(variable).collect(), random: 0x2545_f491_4f6c_dd1d }
     }
 
-    /// A value of either sign, of any size around the usual one.
-    fn value(&mut self, variable: &Variable) -> f64 {
-        if let Kind::Enumeration(choices) = variable.kind {
-            return 1.0 + (self.unit() * choices.items.len() as f64).floor();
+    /// Gives all inputs and states values.
+    fn fill(&mut self, row: &mut [f64]) {
+        for (column, value) in row.iter_mut().enumerate() {
+            if self.variables[column].is_some() {
+                *value = self.value(column);
+            }
         }
-        let size = exp(9.0 * self.unit() - 7.0) * variable.nominal.max(variable.start.abs());
-        let value = if self.unit() < 0.5 { size } else { -size };
-        let value = variable.bound.nearest(value);
+    }
+
+    fn unit(&mut self) -> f64 {
+        self.random ^= self.random << 13;
+        self.random ^= self.random >> 7;
+        self.random ^= self.random << 17;
+        (self.random >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// A value of an input or state, of either sign, of any size around the usual one.
+    fn value(&mut self, column: usize) -> f64 {
+        let [first, second] = [self.unit(), self.unit()];
+        let Some(variable) = &self.variables[column] else { return 0.0 };
+        if let Kind::Enumeration(choices) = variable.kind {
+            return 1.0 + (first * choices.items.len() as f64).floor();
+        }
+        let size = exp((4.0 * first - 3.0) * std::f64::consts::LN_10) * variable.nominal.max(variable.start.abs());
+        let value = variable.bound.nearest(if second < 0.5 { size } else { -size });
         if matches!(variable.kind, Kind::Real(_)) { value } else { value.round() }
     }
 }

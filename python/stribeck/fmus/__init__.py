@@ -1,6 +1,6 @@
 """FMUs of all models.
 
-They hold the same library: the wheel has its packed bytes once, and for each model what stands before and after them.
+They hold the same library and the same licences: the wheel has their packed bytes once, and for each model the rest.
 """
 
 from __future__ import annotations
@@ -42,11 +42,12 @@ def fmu(name: str | Description, folder: str | os.PathLike[str] | None = None) -
 
 def _content(name: str) -> bytes:
     here = files("stribeck.fmus")
-    try:
-        parts = [here.joinpath(part).read_bytes() for part in (f"{name}.head", "library", f"{name}.tail")]
-    except FileNotFoundError:
-        raise Refused(f"this build of the package has no FMU of {name}") from None
-    return b"".join(parts)
+    if not here.joinpath(f"{name}.0").is_file():
+        raise Refused(f"this build of the package has no FMU of {name}")
+    content = [here.joinpath(f"{name}.0").read_bytes()]
+    for number, shared in enumerate(here.joinpath("order").read_text(encoding="utf-8").split(), 1):
+        content += [here.joinpath(part).read_bytes() for part in (shared, f"{name}.{number}")]
+    return b"".join(content)
 
 
 def _cache() -> Path:
