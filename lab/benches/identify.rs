@@ -2,7 +2,8 @@
 //!
 //! * `trust [SEEDS [RANKED [LAWS]]]`: for each law and seed (200) a record of the virtual rig with 1 % noise; for each
 //!   unknown that the fit calls determined, whether its interval holds the truth. Then the records of some laws (all)
-//!   against all laws.
+//!   against all laws. What is found is kept in the file that `IDENTIFIED` names, if it does, and not computed again:
+//!   hours of work can be spread over days.
 //! * `ranking`: time to rank all laws by a record of 10,001 samples.
 //! * `methods`: evaluations to 1.02 of the noise with the search of the program and with a genetic algorithm as in the
 //!   thesis, over eight seeds.
@@ -10,7 +11,9 @@
 //!
 //! Without arguments all of them.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
+use std::fs::File;
+use std::io::Write;
 use std::slice;
 use std::sync::Mutex;
 use std::sync::atomic::AtomicBool;
@@ -51,14 +54,13 @@ fn trust(arguments: &[String]) {
     let named = arguments.get(2..).unwrap_or(&[]);
     let chosen: Vec<&'static ModelType> =
         laws().filter(|law| named.is_empty() || named.iter().any(|name| name == law.name)).collect();
+    let found = Kept::open().collect(&chosen, seeds);
     println!("{:<18} {:<22} {:>10} {:>8} {:>10}", "law", "unknown", "determined", "held", "share, %");
     let (mut all, mut held) = (0, 0);
-    for law in &chosen {
-        for (name, told, hits) in coverage(law, seeds) {
-            let share = if told > 0 { format!("{:.1}", 100.0 * hits as f64 / told as f64) } else { String::new() };
-            println!("{:<18} {name:<22} {told:>10} {hits:>8} {share:>10}", law.name);
-            (all, held) = (all + told, held + hits);
-        }
+    for ((law, name), (told, hits)) in in_order(&found) {
+        let share = if told > 0 { format!("{:.1}", 100.0 * f64::from(hits) / f64::from(told)) } else { String::new() };
+        println!("{law:<18} {name:<22} {told:>10} {hits:>8} {share:>10}");
+        (all, held) = (all + told, held + hits);
     }
     let share = 100.0 * f64::from(held) / f64::from(all.max(1));
     println!("figure: {held} of {all} intervals hold the truth ({share:.1} %), with {seeds} records of each law");
@@ -187,6 +189,33 @@ fn camera() {
         }
     }
     println!("figure: camera: {held} of {told} intervals hold the truth; {warned} of {runs} fits warn of the bias");
+    blur();
+}
+
+/// Bias of the values against the error of the velocity as a part of the speed at which friction falls.
+fn blur() {
+    println!("{:>10} {:>10} {:>8} {:>8} {:>8} {:>8}", "v_S, mm/s", "error/v_S", "mu_s", "v_S", "sigma_1", "warned");
+    for speed in [0.002, 0.004, 0.008, 0.012, 0.016] {
+        let mut rig = slider(4.0, Faults { camera: true, ..Faults::NOISE }, 1);
+        rig.values.retain(|(name, _)| name != "stribeck_velocity");
+        rig.values.push(("stribeck_velocity".to_owned(), speed));
+        let experiment = read(&rig, Some(Delay::Find(0.05)));
+        let task = Task { repetitions: 0, profiles: false, mass: MASS, ..Task::default() };
+        let (fit, _) = logged(rig.law, &experiment, &task);
+        let off = |name: &str, truth: f64| {
+            let one = fit.estimates.iter().find(|one| one.name == name);
+            one.map_or(f64::NAN, |one| 100.0 * (one.value / truth - 1.0))
+        };
+        println!(
+            "{:>10.1} {:>10.3} {:>6.0} % {:>6.0} % {:>6.0} % {:>8}",
+            1e3 * speed,
+            experiment.velocity_error / speed,
+            off("mu_s", 0.28),
+            off("stribeck_velocity", speed),
+            off("sigma_1", 60.0),
+            fit.warnings.iter().any(|text| text.contains("found too low"))
+        );
+    }
 }
 
 fn show(name: &str, seed: u64, one: &Estimate, truth: f64, is_warned: bool) -> (bool, bool) {
@@ -233,25 +262,80 @@ fn fitted(law: &'static ModelType, experiment: &Experiment) -> Option<Fit> {
     fit(law, slice::from_ref(experiment), &task(true), watch).ok()
 }
 
-/// For each unknown how often it was determined, and how often its interval held the truth.
-fn coverage(law: &'static ModelType, seeds: u64) -> Vec<(String, u32, u32)> {
+/// An unknown in a fit to a record: law, seed of the record, name; whether it was determined, and whether its interval
+/// held the truth.
+#[derive(Clone)]
+struct Seen {
+    law: String,
+    seed: u64,
+    name: String,
+    is_told: bool,
+    is_held: bool,
+}
+
+/// What was found before, and the file that keeps it.
+struct Kept(Vec<Seen>, Option<File>);
+
+impl Kept {
+    fn open() -> Kept {
+        let Some(path) = std::env::var_os("IDENTIFIED") else { return Kept(Vec::new(), None) };
+        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        let file = File::options().create(true).append(true).open(&path).expect("a file that can be written");
+        Kept(text.lines().filter_map(seen_before).collect(), Some(file))
+    }
+
+    /// All laws with a seed before the next seed, so that an early end leaves as many records of each law.
+    fn collect(mut self, laws: &[&'static ModelType], seeds: u64) -> Vec<Seen> {
+        for (seed, law) in (0..seeds).flat_map(|seed| laws.iter().map(move |law| (seed, *law))) {
+            if self.0.iter().any(|one| one.law == law.name && one.seed == seed) {
+                continue;
+            }
+            let found = look(law, seed);
+            if let Some(file) = &mut self.1 {
+                let line =
+                    |one: &Seen| format!("{},{},{},{},{}\n", one.law, one.seed, one.name, one.is_told, one.is_held);
+                let text: String = found.iter().map(line).collect();
+                file.write_all(text.as_bytes()).expect("a file that can be written");
+            }
+            self.0.extend(found);
+        }
+        let is_chosen = |one: &Seen| one.seed < seeds && laws.iter().any(|law| law.name == one.law);
+        self.0.into_iter().filter(is_chosen).collect()
+    }
+}
+
+fn seen_before(line: &str) -> Option<Seen> {
+    let mut cells = line.split(',');
+    let mut next = || cells.next();
+    let (law, seed, name) = (next()?.to_owned(), next()?.parse().ok()?, next()?.to_owned());
+    Some(Seen { law, seed, name, is_told: next()?.parse().ok()?, is_held: next()?.parse().ok()? })
+}
+
+/// The unknowns of a law in a fit to a record of it; one without a name if it cannot be fitted.
+fn look(law: &'static ModelType, seed: u64) -> Vec<Seen> {
     let start = |name: &str| law.find(name).map(|column| law.table.at(column).start);
     let truth = |name: &str| match name {
         "mu_s - mu_k" => Some(start("mu_s")? - start("mu_k")?),
         _ => start(name),
     };
-    let mut counts: Vec<(String, u32, u32)> = Vec::new();
-    for seed in 0..seeds {
-        let Some(fit) = fitted(law, &experiment(law, 1000 + seed)) else { continue };
-        counts.resize_with(fit.estimates.len(), Default::default);
-        for (count, one) in counts.iter_mut().zip(&fit.estimates) {
-            count.0.clone_from(&one.name);
-            if let (Verdict::Determined, Some(truth)) = (&one.verdict, truth(&one.name)) {
-                let [low, high] = one.interval();
-                count.1 += 1;
-                count.2 += u32::from((low..=high).contains(&truth));
-            }
-        }
+    let none = Seen { law: law.name.to_owned(), seed, name: String::new(), is_told: false, is_held: false };
+    let Some(fit) = fitted(law, &experiment(law, 1000 + seed)) else { return vec![none] };
+    let seen = |one: &Estimate| {
+        let truth = truth(&one.name).filter(|_| one.verdict == Verdict::Determined);
+        let [low, high] = one.interval();
+        let is_held = truth.is_some_and(|truth| (low..=high).contains(&truth));
+        Seen { name: one.name.clone(), is_told: truth.is_some(), is_held, ..none.clone() }
+    };
+    fit.estimates.iter().map(seen).collect()
+}
+
+/// For each unknown of each law how often it was determined, and how often its interval held the truth.
+fn in_order(found: &[Seen]) -> BTreeMap<(&str, &str), (u32, u32)> {
+    let mut counts = BTreeMap::new();
+    for one in found.iter().filter(|one| !one.name.is_empty()) {
+        let count: &mut (u32, u32) = counts.entry((one.law.as_str(), one.name.as_str())).or_default();
+        count.0 += u32::from(one.is_told);
+        count.1 += u32::from(one.is_held);
     }
     counts
 }

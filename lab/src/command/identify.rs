@@ -54,7 +54,7 @@ pub struct Arguments {
     /// Start of the record that is left out, in s
     #[arg(long, default_value_t = 0.0)]
     skip: f64,
-    /// Speed in m/s below which samples are left out (default: 0; with --axis three times the error of the velocity)
+    /// Speed in m/s below which samples are left out (default: three times the error of the velocity; 0 for none)
     #[arg(long)]
     rest: Option<f64>,
     /// Parameter that is held: sigma_1=0; also mass and offset of the rig

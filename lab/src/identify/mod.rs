@@ -37,7 +37,7 @@ use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 
 pub use estimate::Estimate;
-pub use experiment::Experiment;
+pub use experiment::{Experiment, Rest};
 pub use output::{Difference, EARLY, Reference, as_json, difference, preset, respond};
 pub use rank::{APART, Rank, rank};
 pub use search::{Method, Searches, Watch};
@@ -55,7 +55,7 @@ use response::{Exact, Ports};
 use search::{Found, best, first_look, polish};
 use trust::{Trust, residuals, trust};
 use unknown::OF_RIG;
-use unseen::folds;
+use unseen::{check_folds, folds};
 
 /// How a law is fitted.
 #[derive(Clone, Debug, PartialEq)]
@@ -99,15 +99,13 @@ impl Default for Task {
 
 /// Quantities fitted to the records of an axis, M a = F - f - offset (the model `Axis`).
 pub mod axis {
+    use super::experiment::UNKNOWN_DIRECTION;
     use super::{Experiment, Fault, Wishes};
 
     /// Law of its guides, unless another one is given.
     pub const LAW: &str = "CoulombViscous";
     /// Normal force in N, if none is known: a coefficient of friction is then the friction force in N.
     pub const NORMAL_FORCE: f64 = 1.0;
-
-    /// Errors of the velocity below which an axis is taken to be at rest (chosen).
-    const REST: f64 = 3.0;
 
     /// Adds mass and offset to the unknowns, unless they are held.
     pub fn fitted(wishes: &mut Wishes) {
@@ -121,7 +119,7 @@ pub mod axis {
     /// An experiment without its samples at rest: there the guides carry whatever force there is, and the sign of the
     /// velocity is noise.
     pub fn in_motion(experiment: Experiment) -> Result<Experiment, Fault> {
-        let rest = REST * experiment.velocity_error;
+        let rest = UNKNOWN_DIRECTION * experiment.velocity_error;
         experiment.without_rest(rest)
     }
 }
@@ -322,12 +320,28 @@ fn fit_from(
     if !best.cost.is_finite() {
         return Err(Fault::value(format_args!("{}: the law is refused everywhere in the ranges", law.name)));
     }
-    let (best, shift) = refine(&mut problem, best, task, watch);
+    let settled;
+    let (mut best, mut shift) = refine(&mut problem, best, task, watch);
+    if let Some(experiments) = at_rest_anew(&problem, &best.places) {
+        settled = experiments;
+        problem.experiments = &settled;
+        best = polish(&problem, &problem.judge(best));
+        (best, shift) = refine(&mut problem, best, task, watch);
+    }
     let mut fit = finish(&problem, task, watch, &best, searches, shift)?;
     if task.folds > 0 && !fit.is_cancelled && !is_far {
         fit.saw(folds(law, experiments, task.folds, task, watch)?);
     }
     Ok(fit)
+}
+
+/// The experiments with the samples left out that are at rest with the delay that was found; None if they are the same.
+fn at_rest_anew(problem: &Problem, places: &[f64]) -> Option<Vec<Experiment>> {
+    let delay = problem.point(places).delay?;
+    let doubted = |one: &Experiment| if one.delay_doubt > 0.0 { one.at_delay(delay) } else { one.clone() };
+    let anew: Vec<Experiment> = problem.experiments.iter().map(doubted).collect();
+    let are_others = anew.iter().zip(problem.experiments).any(|(anew, before)| anew.left_out != before.left_out);
+    are_others.then_some(anew)
 }
 
 /// Most parts of an interval, and the shift of the unknowns, in standard deviations, that may be left (chosen).
@@ -368,6 +382,9 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
     }
     if !(task.mass >= 0.0 && task.mass.is_finite()) {
         return Err(Fault::value(format_args!("mass = {}: must be >= 0 and finite", task.mass)));
+    }
+    if task.folds > 0 {
+        check_folds(task.folds, experiments.len())?;
     }
     experiments.iter().try_for_each(Experiment::check)?;
     let unknowns = unknown::unknowns(law, experiments, &task.wishes)?;
@@ -499,10 +516,12 @@ fn warnings(
         ));
     }
     if seen.correlation > SYSTEMATIC {
+        let is_delay_known = problem.experiments.iter().all(|one| one.delay_doubt == 0.0);
         list.push(format!(
             "the residuals are not noise ({:.0} samples count as one): law, clocks or mass are not those of the rig, \
-             and the intervals may not hold",
-            seen.correlation
+             and the intervals may not hold{}",
+            seen.correlation,
+            if is_delay_known { "; have a delay between force and motion looked for (delay find)" } else { "" }
         ));
     }
     for estimate in estimates {
@@ -524,10 +543,11 @@ fn blurred(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
     let speed =
         estimates.iter().find(|one| ["stribeck_velocity", "transition_velocity"].contains(&one.name.as_str()))?;
     let error = experiment.velocity_error;
+    let damping = if estimates.iter().any(|one| one.name == "sigma_1") { ", sigma_1 far from the truth" } else { "" };
     (error > BLURRED * speed.value).then(|| {
         format!(
             "{}: the velocity around rest is known to {error:.1e} m/s only, with {} = {:.1e} m/s: the static level is \
-             found too low and {} too high; measure the velocity, or sample the motion faster",
+             found too low and {} too high{damping}; measure the velocity, or sample the motion faster",
             experiment.name, speed.name, speed.value, speed.name
         )
     })

@@ -109,6 +109,7 @@ fn experiment(stroke: &Stroke, load: f64, asymmetry: f64) -> Experiment {
         delay: 0.0,
         delay_doubt: 0.0,
         left_out: Vec::new(),
+        rest: super::experiment::Rest::default(),
         reach: 0.0,
     }
 }

@@ -53,10 +53,21 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Unseen>, Fa
         let friction = friction.map_err(|reason| refused(name, reason.to_string()))?;
         let left =
             |at: usize| friction[at] + fit.mass * experiment.acceleration[at] + fit.offset - experiment.force[at];
-        let square: f64 = (0..friction.len()).map(|at| left(at).powi(2)).sum();
-        Ok(Unseen { name: name.clone(), rms: (square / friction.len() as f64).sqrt(), fitted: fit.residuals.rms })
+        let counting: Vec<f64> = (0..friction.len()).filter(|at| experiment.counts(*at)).map(left).collect();
+        let square: f64 = counting.iter().map(|one| one * one).sum();
+        let rms = (square / counting.len().max(1) as f64).sqrt();
+        Ok(Unseen { name: name.clone(), rms, fitted: fit.residuals.rms })
     };
     experiments.iter().map(one).collect()
+}
+
+/// Refuses a number of parts that experiments cannot be divided into.
+pub(super) fn check_folds(parts: usize, count: usize) -> Result<(), Fault> {
+    if (2..=count).contains(&parts) {
+        return Ok(());
+    }
+    let text = format_args!("folds = {parts}: must be from 2 to the number of records, {count}");
+    Err(Fault::value(text))
 }
 
 /// Fits a law to all parts but one, in turn, and holds the fit against that part: k-fold cross-validation by
@@ -69,10 +80,7 @@ pub(super) fn folds(
     watch: Watch,
 ) -> Result<Vec<Unseen>, Fault> {
     let count = experiments.len();
-    if !(2..=count).contains(&parts) {
-        let text = format_args!("folds = {parts}: must be from 2 to the number of records, {count}");
-        return Err(Fault::value(text));
-    }
+    check_folds(parts, count)?;
     let quick = Task { folds: 0, profiles: false, repetitions: 0, ..task.clone() };
     let mut found = Vec::with_capacity(count);
     for part in 0..parts {

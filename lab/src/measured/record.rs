@@ -2,7 +2,7 @@
 
 use super::clock::{Clocks, Pair};
 use super::polynomial::Local;
-use super::quality::{Quality, median, quality};
+use super::quality::{Quality, median, noise, quality};
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, SheetError, TIME, VELOCITY, text};
 
 /// Properties of a rig.
@@ -156,8 +156,8 @@ pub struct Record {
     pub window: f64,
     /// Whether the velocity comes from the displacement.
     pub is_differentiated: bool,
-    /// Error of the velocity around rest, m/s: how much it changes (root mean square) with a window of half the length;
-    /// 0 if it was measured.
+    /// Error of the velocity around rest, m/s: its noise if it was measured; otherwise how much it changes (root mean
+    /// square) with a window of half the length, or twice the change with one half as long again if it has five samples.
     pub velocity_error: f64,
     /// Median interval between samples of the motion, s.
     pub motion_interval: f64,
@@ -352,21 +352,23 @@ impl Motion {
             friction_force,
             clocks,
         };
-        if record.is_differentiated {
-            record.velocity_error = self.velocity_error(&record);
-        }
+        record.velocity_error =
+            self.velocity.as_ref().map_or_else(|| self.velocity_error(&record), |velocity| noise(velocity));
         record.quality = quality(&record);
         Ok(record)
     }
 
-    /// Noise and what the filter swallows, together: the change of the velocity with half the window, where it is below
-    /// a tenth of the largest one.
+    /// Noise and what the filter swallows, together: the change of the velocity with another window, where it is below a
+    /// tenth of the largest one.
     fn velocity_error(&self, record: &Record) -> f64 {
-        let narrow = Local::new(&self.time, &self.displacement, 0.5 * record.window);
+        // Half of a window of five samples is no window; half as many again change the noise about half as much.
+        let least = (WINDOWS[0] + 0.5) * record.motion_interval;
+        let (length, factor) = if record.window > least { (0.5 * record.window, 1.0) } else { (1.5 * least, 2.0) };
+        let other = Local::new(&self.time, &self.displacement, length);
         let fastest = record.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
         let slow = record.time.iter().zip(&record.velocity).filter(|(_, v)| v.abs() < 0.1 * fastest);
-        let changes: Vec<f64> = slow.map(|(t, v)| narrow.at(record.clocks.of_motion(*t))[1] - v).collect();
-        (changes.iter().map(|one| one * one).sum::<f64>() / changes.len().max(1) as f64).sqrt()
+        let changes: Vec<f64> = slow.map(|(t, v)| other.at(record.clocks.of_motion(*t))[1] - v).collect();
+        factor * (changes.iter().map(|one| one * one).sum::<f64>() / changes.len().max(1) as f64).sqrt()
     }
 
     /// Displacement, velocity and acceleration at a time. A velocity that was measured is not smoothed.

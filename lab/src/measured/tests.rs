@@ -58,6 +58,22 @@ fn friction_is_the_force_without_inertia_in_both_strokes() {
     assert!(quality.findings[0].starts_with("one normal force (20 N)"), "{quality:?}");
 }
 
+/// A measured velocity has its noise, and one from five samples an error too, although half of them make no window.
+#[test]
+fn the_error_of_the_velocity_around_rest_is_known() {
+    let mut random = fastrand::Rng::with_seed(4);
+    let spread = |random: &mut fastrand::Rng| (0..12).map(|_| random.f64()).sum::<f64>() - 6.0;
+    let noisy: Vec<f64> = (0..8000).map(|_| 1e-4 * spread(&mut random)).collect();
+    let at = |t: f64| noisy[(t * 1000.0).round() as usize];
+    let text = file(|t| format!("{t},{},{}", force(t), motion(t)[1] + at(t)));
+    let measured = record(&text.replace("displacement", "velocity"), &rig()).unwrap();
+    assert!((0.9..1.1).contains(&(measured.velocity_error / 1e-4)), "{}", measured.velocity_error);
+    // Noise of 1e-7 m: the slope of a cubic through five samples of 1 ms has sqrt(130 / 144) of it per ms.
+    let text = file(|t| format!("{t},{},{}", force(t), motion(t)[0] + 1e-3 * at(t)));
+    let short = record(&text, &Rig { window: Some(0.0045), ..rig() }).unwrap();
+    assert!((0.5..2.0).contains(&(short.velocity_error / 0.95e-4)), "{}", short.velocity_error);
+}
+
 #[test]
 fn a_measured_velocity_is_taken_as_it_is() {
     let text = file(|t| format!("{t},{},{}", force(t), motion(t)[1])).replace("displacement", "velocity");

@@ -74,7 +74,7 @@ fn mat(path: &Path) -> Result<Vec<Sheet>, SheetError> {
     super::not_too_large(path)?;
     let bytes = std::fs::read(path).map_err(|error| refused(path, error))?;
     // The reader counts on some lengths being what they should be.
-    let file = std::panic::catch_unwind(|| variables(&bytes)).map_err(|_| refused(path, "the file is damaged"))?;
+    let file = silently(|| variables(&bytes)).ok_or_else(|| refused(path, "the file is damaged"))?;
     let file = file.map_err(|why| refused(path, why))?;
     let vector = |(name, variable): (String, MatVariable)| {
         let MatVariable::NumericArray(array) = variable else { return None };
@@ -101,6 +101,30 @@ fn mat(path: &Path) -> Result<Vec<Sheet>, SheetError> {
         return Err(refused(path, "the file has no vectors"));
     }
     Ok(vec![Sheet::of_channels(channels)])
+}
+
+/// The outcome of a function that may panic, without the report that Rust prints for a panic; None if it did.
+#[cfg(feature = "mat")]
+fn silently<T>(read: impl FnOnce() -> T + std::panic::UnwindSafe) -> Option<T> {
+    use std::cell::Cell;
+    use std::panic::{catch_unwind, set_hook, take_hook};
+    use std::sync::Once;
+
+    thread_local!(static IS_SILENT: Cell<bool> = const { Cell::new(false) });
+    static ONCE: Once = Once::new();
+    // Panics of other threads, and of this one at other times, keep their report.
+    ONCE.call_once(|| {
+        let report = take_hook();
+        set_hook(Box::new(move |info| {
+            if !IS_SILENT.get() {
+                report(info);
+            }
+        }));
+    });
+    IS_SILENT.set(true);
+    let outcome = catch_unwind(read);
+    IS_SILENT.set(false);
+    outcome.ok()
 }
 
 /// The variables of a MAT 5 file. Of its header only the kind and the order of bytes count: programs other than MATLAB,
