@@ -10,6 +10,8 @@
 //! thesis, University of Minho (2024). Differential evolution: R. Storn, K. Price, Journal of Global Optimization 11
 //! (1997), doi:10.1023/A:1008202821328.
 
+#[cfg(test)]
+mod ended_tests;
 mod estimate;
 mod experiment;
 mod interval;
@@ -369,11 +371,8 @@ fn refine(problem: &mut Problem, mut best: Found, task: &Task, watch: Watch) -> 
     }
 }
 
-/// Problem of a fit, with everything checked.
-fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Task) -> Result<Problem<'a>, Fault> {
-    let Some(ports) = Ports::of(law) else {
-        return Err(Fault::value(format_args!("{}: only laws of one sliding direction can be fitted", law.name)));
-    };
+/// Refuses experiments and tasks with which nothing can be fitted.
+fn check(experiments: &[Experiment], task: &Task) -> Result<(), Fault> {
     if experiments.is_empty() {
         return Err(Fault::value("no experiment was given"));
     }
@@ -386,7 +385,15 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
     if task.folds > 0 {
         check_folds(task.folds, experiments.len())?;
     }
-    experiments.iter().try_for_each(Experiment::check)?;
+    experiments.iter().try_for_each(Experiment::check)
+}
+
+/// Problem of a fit, with everything checked.
+fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Task) -> Result<Problem<'a>, Fault> {
+    let Some(ports) = Ports::of(law) else {
+        return Err(Fault::value(format_args!("{}: only laws of one sliding direction can be fitted", law.name)));
+    };
+    check(experiments, task)?;
     let unknowns = unknown::unknowns(law, experiments, &task.wishes)?;
     let count = |one: &Experiment| (0..one.time.len()).filter(|at| one.counts(*at)).count();
     let samples: usize = experiments.iter().map(count).sum();

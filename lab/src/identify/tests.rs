@@ -16,7 +16,7 @@ fn quiet() -> Watch<'static> {
 }
 
 /// Strokes with slow and fast reversals under a load that changes, over 4 s at 1 kHz.
-fn standard(samples: u32) -> Experiment {
+pub(super) fn standard(samples: u32) -> Experiment {
     let time: Vec<f64> = (0..samples).map(|k| f64::from(k) / f64::from(samples) * 4.0).collect();
     let wave = |amplitude: f64, frequency: f64, t: f64| amplitude * (TAU * frequency * t).sin();
     let velocity = |t: f64| wave(0.02, 0.5, t) + wave(0.004, 3.7, t) + wave(0.001, 11.0, t);
@@ -45,7 +45,7 @@ fn noise(seed: u64, count: usize) -> Vec<f64> {
 }
 
 /// The experiment with the force of a law and noise of a part of the largest force.
-fn measured(law: &str, values: &[(&str, f64)], experiment: &Experiment, part: f64, seed: u64) -> Experiment {
+pub(super) fn measured(law: &str, values: &[(&str, f64)], experiment: &Experiment, part: f64, seed: u64) -> Experiment {
     let law = by_name(law).unwrap();
     let columns: Vec<(usize, f64)> = values.iter().map(|(name, value)| (law.find(name).unwrap(), *value)).collect();
     let mut instance = Instance::new(law);
@@ -60,7 +60,7 @@ fn white_noise(rms: f64) -> Residuals {
     Residuals { rms, loss: rms, noise: rms, softness: 1.0, neighbours: 0.0, correlation: 1.0 }
 }
 
-fn quick() -> Task {
+pub(super) fn quick() -> Task {
     Task { budget: 1500, profiles: false, repetitions: 0, ..Task::default() }
 }
 
@@ -81,7 +81,7 @@ fn whole_problem<'a>(law: &str, experiments: &'a [Experiment]) -> Problem<'a> {
 }
 
 /// Truth of reference data: a slider of 20 N.
-const SLIDER: [(&str, f64); 6] = [
+pub(super) const SLIDER: [(&str, f64); 6] = [
     ("mu_k", 0.21),
     ("mu_s", 0.28),
     ("sigma_0", 2e4),
@@ -610,49 +610,6 @@ fn data_without_noise_give_the_truth() {
         let one = estimate(&fit, name);
         assert!((one.value / truth - 1.0).abs() < 1e-3, "{one:?}");
         assert!(one.verdict == Verdict::Determined && one.interval().iter().all(|end| end.is_finite()), "{one:?}");
-    }
-}
-
-#[test]
-fn a_search_that_is_ended_keeps_its_best() {
-    let data = [measured("LuGre", &SLIDER, &standard(500), 0.01, 2)];
-    let (stop, best) = (AtomicBool::new(false), std::sync::Mutex::new(f64::INFINITY));
-    let progress = |rms: f64, _| {
-        let mut best = best.lock().unwrap();
-        *best = best.min(rms);
-        stop.store(true, Ordering::Relaxed);
-    };
-    let watch = Watch { cancel: &stop, progress: &progress };
-    let fit = fit(by_name("LuGre").unwrap(), &data, &Task::default(), watch).unwrap();
-    assert!(fit.is_cancelled && fit.residuals.rms.is_finite() && best.lock().unwrap().is_finite());
-    assert!(fit.estimates.iter().all(|one| one.profile.is_none() && one.repeated.is_none()));
-}
-
-/// Its values are those of an undisturbed fit; what was repeated before the end does not make an interval.
-#[test]
-fn a_fit_that_is_ended_while_it_is_repeated_says_so() {
-    const REPETITIONS: usize = 8;
-    let data = [measured("Dahl", &[], &standard(300), 0.01, 1)];
-    let task = Task { budget: 200, repetitions: REPETITIONS, ..quick() };
-    let calls = std::sync::Mutex::new(0);
-    let run = |last: usize| {
-        let stop = AtomicBool::new(false);
-        *calls.lock().unwrap() = 0;
-        let progress = |_, _| {
-            let mut calls = calls.lock().unwrap();
-            *calls += 1;
-            stop.store(*calls >= last, Ordering::Relaxed);
-        };
-        fit(by_name("Dahl").unwrap(), &data, &task, Watch { cancel: &stop, progress: &progress }).unwrap()
-    };
-    let whole = run(usize::MAX);
-    let count = *calls.lock().unwrap();
-    let ended = run(count - REPETITIONS / 2);
-    assert_eq!(*calls.lock().unwrap(), count - REPETITIONS / 2);
-    assert!(!whole.is_cancelled && ended.is_cancelled);
-    for (whole, ended) in whole.estimates.iter().zip(&ended.estimates) {
-        assert_eq!(whole.value.to_bits(), ended.value.to_bits());
-        assert!(whole.repeated.is_some() && ended.repeated.is_none() && ended.profile.is_none());
     }
 }
 
