@@ -523,12 +523,10 @@ fn warnings(
         ));
     }
     if seen.correlation > SYSTEMATIC {
-        let is_delay_known = problem.experiments.iter().all(|one| one.delay_doubt == 0.0);
         list.push(format!(
             "the residuals are not noise ({:.0} samples count as one): law, clocks or mass are not those of the rig, \
-             and the intervals may not hold{}",
-            seen.correlation,
-            if is_delay_known { "; have a delay between force and motion looked for (delay find)" } else { "" }
+             and the intervals may not hold",
+            seen.correlation
         ));
     }
     for estimate in estimates {
