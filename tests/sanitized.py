@@ -31,7 +31,7 @@ stribeck.simulate("LuGre", velocity=short, normal_force=1.0, dt=1e-3)
 
 
 def build() -> None:
-    """Puts the package together, with an instrumented extension module and without FMUs."""
+    """Puts the package together from the packed FMUs, with an instrumented extension module."""
     settings = {
         **os.environ,
         "RUSTFLAGS": "-Zsanitizer=address -Cunsafe-allow-abi-mismatch=sanitizer",
@@ -44,6 +44,7 @@ def build() -> None:
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(ROOT / "python" / "stribeck", folder, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copyfile(BUILD / TARGET / "debug" / "lib_stribeck.so", folder / "_stribeck.abi3.so")
+    subprocess.run([sys.executable, "python/fmus.py", "dist", folder / "fmus"], cwd=ROOT, check=True)
 
 
 def main() -> int:
