@@ -39,6 +39,8 @@ pub struct Line {
     pub points: Vec<Point>,
     /// Whether its run ended early: the curve ends with a cross.
     pub is_cut: bool,
+    /// Number of its colour and dashes; that of the curve in the picture if there is none.
+    pub look: Option<usize>,
 }
 
 /// A diagram.
@@ -153,14 +155,16 @@ impl Drawing<'_> {
         for (number, line) in self.lines.iter().enumerate() {
             let points = line.points.iter().map(place);
             let data = if is_over_time { curve::over_time(points) } else { curve::going_round(points) };
-            push(svg, format_args!("<path class=\"law law-{}\" {} d=\"{data}\"/>\n", number + 1, self.stroke(number)));
+            let look = line.look.unwrap_or(number);
+            push(svg, format_args!("<path class=\"law law-{}\" {} d=\"{data}\"/>\n", look + 1, self.stroke(look)));
         }
         for (number, line) in self.lines.iter().enumerate().filter(|(_, line)| line.is_cut) {
             let is_finite = |point: &&Point| point.iter().all(|value| value.is_finite());
             if let Some([x, y]) = line.points.iter().rev().find(is_finite).map(place) {
-                let colour = self.theme.colours().laws[number];
+                let look = line.look.unwrap_or(number);
+                let colour = self.theme.colours().laws[look];
                 let start = format!("M{:.2} {:.2}", x - 4.5, y - 4.5);
-                push(svg, format_args!("<path class=\"stop law-{}\" stroke=\"{colour}\" d=\"{start}", number + 1));
+                push(svg, format_args!("<path class=\"stop law-{}\" stroke=\"{colour}\" d=\"{start}", look + 1));
                 *svg += "l9 9m0 -9l-9 9\"/>\n";
             }
         }
@@ -168,9 +172,9 @@ impl Drawing<'_> {
     }
 
     /// Colour and dashes of a law.
-    fn stroke(&self, number: usize) -> String {
-        let colour = self.theme.colours().laws[number];
-        match DASHES[number] {
+    fn stroke(&self, look: usize) -> String {
+        let colour = self.theme.colours().laws[look];
+        match DASHES[look] {
             "" => format!("stroke=\"{colour}\""),
             dashes => format!("stroke=\"{colour}\" stroke-dasharray=\"{dashes}\""),
         }
@@ -182,8 +186,9 @@ impl Drawing<'_> {
             let x = frame.left + legend.column * (number % legend.columns) as f64;
             let y = frame.bottom + LEGEND + ROW * (number / legend.columns) as f64;
             let (end, middle, text) = (x + SAMPLE, y - 4.2, x + SAMPLE + BEHIND);
-            let stroke = self.stroke(number);
-            push(svg, format_args!("<g class=\"entry\"><path class=\"law-{}\" {stroke} ", number + 1));
+            let look = line.look.unwrap_or(number);
+            let stroke = self.stroke(look);
+            push(svg, format_args!("<g class=\"entry\"><path class=\"law-{}\" {stroke} ", look + 1));
             push(svg, format_args!("d=\"M{x:.2} {middle:.2}H{end:.2}\"/>"));
             let name = escape(&fitted(&line.name, TICK_SIZE, legend.column - SAMPLE - BEHIND));
             let ink = self.theme.colours().ink;

@@ -141,7 +141,8 @@ pub type Named = (String, Vec<[f64; 2]>);
 
 /// A picture of friction forces from elsewhere, in SI units, as a diagram of this kind. None without a finite point.
 pub fn curves(kind: Kind, title: &str, curves: Vec<Named>, theme: Theme) -> Option<Picture> {
-    let lines = curves.into_iter().take(MOST_LAWS).map(|(name, points)| Line { name, points, is_cut: false });
+    let lines =
+        curves.into_iter().take(MOST_LAWS).map(|(name, points)| Line { name, points, is_cut: false, look: None });
     let lines: Vec<Line> = lines.collect();
     let is_finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
     lines.iter().flat_map(|line| &line.points).find(|point| is_finite(point))?;
@@ -242,10 +243,10 @@ fn line(system: &System, quantities: [Quantity; 2], name: &str, outcome: &Outcom
         }
     };
     match zoom {
-        None => Line { name, points: points.collect(), is_cut: end.is_some() },
+        None => Line { name, points: points.collect(), is_cut: end.is_some(), look: None },
         Some(Range { from, to, .. }) => {
             let is_cut = end.is_some_and(|end| (*from..*to).contains(&end));
-            Line { name, points: within(points.collect(), *from, *to), is_cut }
+            Line { name, points: within(points.collect(), *from, *to), is_cut, look: None }
         }
     }
 }

@@ -29,14 +29,16 @@ pub fn work_precision(
 ) -> Option<String> {
     let of_law: Vec<&Measurement> =
         measurements.iter().filter(|one| one.law == law && one.trial.events == events).collect();
+    // A solver looks alike in all diagrams, whichever of them a law can be run with.
     let mut solvers: Vec<Solver> = Vec::new();
-    of_law.iter().for_each(|one| {
-        if !solvers.contains(&one.trial.solver) {
-            solvers.push(one.trial.solver);
+    for Measurement { trial, .. } in measurements.iter().filter(|one| one.trial.solver != Solver::Steps) {
+        if !solvers.contains(&trial.solver) {
+            solvers.push(trial.solver);
         }
-    });
-    let lines = solvers.iter().map(|solver| line(&of_law, *solver, precision));
-    let lines: Vec<Line> = lines.filter(|line| line.points.len() > 1).take(MOST_LAWS).collect();
+    }
+    let lines =
+        solvers.iter().take(MOST_LAWS).enumerate().map(|(look, solver)| line(&of_law, *solver, precision, look));
+    let lines: Vec<Line> = lines.filter(|line| line.points.len() > 1).collect();
     let points = || lines.iter().flat_map(|line| &line.points);
     let range = |axis: usize| {
         let ends = (f64::INFINITY, f64::NEG_INFINITY);
@@ -54,7 +56,7 @@ pub fn work_precision(
 }
 
 /// The trials of a solver, from the loosest tolerance on.
-fn line(measurements: &[&Measurement], solver: Solver, precision: Precision) -> Line {
+fn line(measurements: &[&Measurement], solver: Solver, precision: Precision, look: usize) -> Line {
     let mut trials: Vec<&&Measurement> = measurements.iter().filter(|one| one.trial.solver == solver).collect();
     trials.sort_by(|a, b| b.trial.tolerance.total_cmp(&a.trial.tolerance));
     let point = |one: &&Measurement| {
@@ -65,7 +67,7 @@ fn line(measurements: &[&Measurement], solver: Solver, precision: Precision) -> 
         Some([one.counts[2] as f64, error?.max(LEAST)])
     };
     let points = trials.into_iter().filter_map(point).collect();
-    Line { name: solver.to_string(), points, is_cut: false }
+    Line { name: solver.to_string(), points, is_cut: false, look: Some(look) }
 }
 
 #[cfg(test)]
@@ -98,10 +100,18 @@ mod tests {
             trial(Solver::Dopri5, 1e-4, 800, 1e-4),
         ];
         let of_law = trials.each_ref();
-        assert_eq!(line(&of_law, Solver::Bdf, Precision::Motion).points, [[90.0, 2e-3], [300.0, 1e-5]]);
+        assert_eq!(line(&of_law, Solver::Bdf, Precision::Motion, 0).points, [[90.0, 2e-3], [300.0, 1e-5]]);
         let draw = |law, events, precision| work_precision(&trials, law, events, precision, Theme::Light);
         let svg = draw("LuGre", true, Precision::Motion).expect("a picture");
         assert!(svg.contains("bdf") && svg.contains("rodas5p") && !svg.contains("dopri5"), "{svg}");
+        // The first solver of all has the first look, here and where the second one has no line.
+        assert!(svg.contains("law-1") && svg.contains("law-2") && !svg.contains("law-3"), "{svg}");
+        let others = trials[1..].iter().filter(|one| one.trial.solver != Solver::Bdf);
+        let others = others.map(|one| Measurement { law: "Dahl".to_owned(), ..one.clone() });
+        let both: Vec<Measurement> = trials.iter().cloned().chain(others).collect();
+        let svg = work_precision(&both, "Dahl", true, Precision::Motion, Theme::Light).expect("a picture");
+        assert!(svg.contains("law-2") && !svg.contains("law-1"), "{svg}");
+        let svg = draw("LuGre", true, Precision::Motion).expect("a picture");
         assert!(svg.contains("10⁻⁶") && svg.contains("10³"), "{svg}");
         let absent = [("Dahl", true, Precision::Motion), ("LuGre", false, Precision::Motion)];
         assert!(absent.into_iter().all(|(law, events, precision)| draw(law, events, precision).is_none()));
