@@ -12,8 +12,8 @@ use crate::series::{self, Between, Course, Ended, Input, PATIENCE, Times};
 /// Runs that are made together (chosen): a few groups in any registers, whose rows fit into the nearest cache.
 const TOGETHER: usize = 16;
 
-/// Beyond this, and its inverse, a step may fail although the outputs before and after it are finite (chosen): of no
-/// product of the laws do that many factors occur.
+/// Beyond this, or below its inverse, a step may fail although the outputs before and after it are finite (chosen): no law
+/// multiplies so many numbers within these bounds that the product comes near the largest number.
 const LARGE: f64 = 1e20;
 
 /// A variable with its values: a row of them for each run, or one for all runs.
