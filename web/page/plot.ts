@@ -77,6 +77,8 @@ export abstract class Plot implements Touched {
     heedTouch(this.area, this);
     new ResizeObserver(() => this.resize()).observe(this.area);
     new IntersectionObserver(([entry]) => this.seen(entry!.isIntersecting), { rootMargin: "100px" }).observe(this.area);
+    // A print has what is out of sight too.
+    addEventListener("beforeprint", () => this.seen(true));
   }
 
   /** What is out of sight is drawn when it comes into view. */

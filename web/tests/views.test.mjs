@@ -36,6 +36,20 @@ test("every view opens without a message, a request or a barrier, light and dark
   }
 });
 
+test("a print has the plots out of sight", async () => {
+  const { page } = await opened("#v=1&view=strut", { viewport: { width: 1300, height: 500 } });
+  const last = () => page.locator("figure.plot canvas").last().evaluate((canvas) => {
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    return data.some((value) => value !== 0);
+  });
+  const count = await page.locator("figure.plot").count();
+  const drawnPlots = () => page.evaluate(() => [...document.querySelectorAll("figure.plot")].filter((plot) => plot.querySelector("canvas")).length);
+  assert.ok((await drawnPlots()) < count);
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  assert.equal(await drawnPlots(), count);
+  assert.ok(await last());
+});
+
 test("views keep what was set in them, and undo goes back through them", async () => {
   const { page } = await opened("#v=1&rig.mass=2");
   await page.locator("#to-strut").click();
