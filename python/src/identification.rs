@@ -104,15 +104,20 @@ pub fn identify<'py>(
             let found = held_out(fit, &unseen)?;
             fit.saw(found);
         }
-        Ok::<_, Fault>((as_json(&ranking).to_string(), ranking.best().explained.clone()))
+        Ok::<_, Fault>((as_json(&ranking).to_string(), ranking.best().clone()))
     })?;
-    let (text, explained) = outcome.map_err(refused)?;
-    let tables = experiments.into_iter().zip(explained).map(|(one, explained)| table(py, one, explained));
+    let (text, best) = outcome.map_err(refused)?;
+    let found = best.explained.into_iter().zip(best.fitted);
+    let tables = experiments.into_iter().zip(found).map(|(one, found)| table(py, one, found));
     Ok((text, tables.collect::<PyResult<_>>()?))
 }
 
-/// Part of an experiment that the best law explains.
-fn table(py: Python<'_>, experiment: Experiment, explained: Vec<f64>) -> PyResult<Bound<'_, PyDict>> {
+/// An experiment with what the best law explains, and whether each sample was fitted.
+fn table(
+    py: Python<'_>,
+    experiment: Experiment,
+    (explained, fitted): (Vec<f64>, Vec<bool>),
+) -> PyResult<Bound<'_, PyDict>> {
     let table = PyDict::new(py);
     for (name, values) in [
         ("time", experiment.time),
@@ -123,5 +128,6 @@ fn table(py: Python<'_>, experiment: Experiment, explained: Vec<f64>) -> PyResul
     ] {
         table.set_item(name, PyArray1::from_vec(py, values))?;
     }
+    table.set_item("fitted", PyArray1::from_vec(py, fitted))?;
     Ok(table)
 }

@@ -61,14 +61,15 @@ class Fit:
 class Identification:
     """Laws fitted to records, the best first."""
 
-    def __init__(self, text: str, records: dict[str, dict[str, NDArray[np.float64]]]) -> None:
+    def __init__(self, text: str, records: dict[str, dict[str, NDArray[np.float64 | np.bool_]]]) -> None:
         found = json.loads(text)
         self.fits = [_fit(one) for one in found["laws"]]
         """The fits."""
         self.refused: dict[str, str] = {one["law"]: one["reason"] for one in found["refused"]}
         """Laws that cannot be fitted, with the reason."""
         self.records = records
-        """For each record the arrays `time`, `velocity`, `normal_force`, `force`, and `explained` by the best law."""
+        """For each record the arrays `time`, `velocity`, `normal_force`, `force`, `explained` by the best law, and whether
+        each sample was `fitted`: those at rest are not."""
 
     @property
     def best(self) -> Fit:

@@ -111,6 +111,11 @@ impl Experiment {
         self.left_out.get(at).is_none_or(|is_left_out| !is_left_out)
     }
 
+    /// Whether each sample counts.
+    pub(super) fn fitted(&self) -> Vec<bool> {
+        (0..self.time.len()).map(|at| self.counts(at)).collect()
+    }
+
     /// The same with the motion taken from this much later.
     pub(super) fn shifted(&self, by: f64) -> Experiment {
         let last = self.time.len() - 1;

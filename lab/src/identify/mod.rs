@@ -153,6 +153,8 @@ pub struct Fit {
     pub is_exact: bool,
     /// Forces that the law explains, for each experiment.
     pub explained: Vec<Vec<f64>>,
+    /// Whether each sample of each experiment was fitted.
+    pub fitted: Vec<Vec<bool>>,
     /// Values of the columns of the law.
     pub columns: Vec<(usize, f64)>,
     /// The columns among them that were held.
@@ -464,6 +466,7 @@ fn finish(
         unseen: Vec::new(),
         columns: point.columns,
         held: problem.held.clone(),
+        fitted: problem.experiments.iter().map(Experiment::fitted).collect(),
         explained: split(&explained, &problem.experiments.iter().map(|one| one.time.len()).collect::<Vec<usize>>()),
         warnings: warnings(problem, &seen, &estimates, searches, shift),
         estimates,

@@ -74,7 +74,7 @@ impl Problem<'_> {
         if self.experiments.iter().all(|one| one.left_out.is_empty()) {
             return all;
         }
-        let counts = self.experiments.iter().flat_map(|one| (0..one.time.len()).map(|at| one.counts(at)));
+        let counts = self.experiments.iter().flat_map(Experiment::fitted);
         all.into_iter().zip(counts).filter(|(_, counts)| *counts).map(|(value, _)| value).collect()
     }
 
