@@ -273,7 +273,7 @@ struct Seen {
     is_held: bool,
 }
 
-/// What was found before, and the file that keeps it.
+/// Counts of earlier runs, and the file that keeps them.
 struct Kept(Vec<Seen>, Option<File>);
 
 impl Kept {

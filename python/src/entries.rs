@@ -10,7 +10,7 @@ use crate::refused;
 /// may contain itself.
 const DEEPEST: usize = 32;
 
-/// What a dictionary describes, as a file with its entries would.
+/// The value that a dictionary describes, as a file with its entries would.
 pub fn described<T: DeserializeOwned>(value: &Bound<PyAny>) -> PyResult<T> {
     let lines = |error: toml::de::Error| refused(error.to_string().trim().replace('\n', " "));
     as_toml(value, DEEPEST)?.try_into().map_err(lines)
