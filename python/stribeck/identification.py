@@ -68,8 +68,8 @@ class Identification:
         self.refused: dict[str, str] = {one["law"]: one["reason"] for one in found["refused"]}
         """Laws that cannot be fitted, with the reason."""
         self.records = records
-        """For each record the arrays `time`, `velocity`, `normal_force`, `force`, `explained` by the best law, and whether
-        each sample was `fitted`: those at rest are not."""
+        """For each record the arrays `time`, `velocity`, `normal_force`, `force`, `explained` by the best law, and
+        whether each sample was `fitted`: those at rest are not."""
 
     @property
     def best(self) -> Fit:
