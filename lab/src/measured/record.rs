@@ -361,7 +361,7 @@ impl Motion {
     /// Noise and what the filter swallows, together: the change of the velocity with another window, where it is below a
     /// tenth of the largest one.
     fn velocity_error(&self, record: &Record) -> f64 {
-        // Half of a window of five samples is no window; half as many again change the noise about half as much.
+        // A window of five samples cannot be halved. One half as long again changes the noise about half as much.
         let least = (WINDOWS[0] + 0.5) * record.motion_interval;
         let (length, factor) = if record.window > least { (0.5 * record.window, 1.0) } else { (1.5 * least, 2.0) };
         let other = Local::new(&self.time, &self.displacement, length);

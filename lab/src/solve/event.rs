@@ -110,7 +110,7 @@ impl Watch {
             return None;
         }
         let mut places = [f64::NAN, f64::NAN, 0.0];
-        self.recent.iter_mut().zip(&self.at_beginning).for_each(|(recent, beginning)| recent[2] = *beginning);
+        self.look_back();
         // An indicator that begins at zero shows its sign at once.
         let early = self.at_beginning.contains(&0.0).then_some(EARLY);
         for look in early.into_iter().chain(LOOKS) {
@@ -136,7 +136,7 @@ impl Watch {
 
     /// Whether no indicator comes near zero in the middle of a step and at its end.
     fn is_calm(&mut self, equations: &mut dyn Equations, piece: &Piece) -> bool {
-        self.recent.iter_mut().zip(&self.at_beginning).for_each(|(recent, beginning)| recent[2] = *beginning);
+        self.look_back();
         for look in [0.5, 1.0] {
             if self.changed_within(equations, piece, look).is_some() {
                 return false;
@@ -144,6 +144,11 @@ impl Watch {
             self.keep();
         }
         self.recent.iter().all(|recent| is_far(recent.map(f64::abs)))
+    }
+
+    /// Takes the beginning of the step as the last look.
+    fn look_back(&mut self) {
+        self.recent.iter_mut().zip(&self.at_beginning).for_each(|(recent, beginning)| recent[2] = *beginning);
     }
 
     /// Keeps the indicators of the last look.

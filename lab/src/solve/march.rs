@@ -11,7 +11,7 @@ const SAFETY: f64 = 0.9;
 const SHRINK: f64 = 0.1;
 const GROW: f64 = 6.0;
 
-/// Least error from which a growth of errors is told, in parts of the tolerance, as in the code Radau5.
+/// Error, in parts of the tolerance, below which growth is not judged; the value of the code Radau5.
 const LEAST_ERROR: f64 = 1e-2;
 
 /// Part of a step at which a rejected step that meets an event is tried again, beyond the event (chosen).
