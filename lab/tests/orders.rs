@@ -163,7 +163,12 @@ fn errors_fall_with_the_order_where_events_are_located() {
         assert_order(solver, "oscillator", order, &points(0.0, None));
         assert_order(solver, "preload", order, &points(PRELOAD, Some(1.0)));
         let belt: Vec<(f64, f64)> = lengths(longest).map(|h| stick_slip(solver, &fixed(h, 40.0, true))).collect();
-        assert_order(solver, "stick-slip", order, &belt);
+        if solver == RODAS5P {
+            // Exact: what is left is that the law holds up to a force that is 1e-11 above its limit.
+            assert!(belt.iter().all(|(_, error)| *error < 1e-10), "{belt:?}");
+        } else {
+            assert_order(solver, "stick-slip", order, &belt);
+        }
     }
     for (solver, order) in [(TR_BDF2, 2.0), (ESDIRK34, 3.0)] {
         let points = |preload: f64, side: Option<f64>| -> Vec<(f64, f64)> {

@@ -116,6 +116,7 @@ impl<T: Real> Curve<T> for Ambrosio<T> {
 memoryless!(Ambrosio);
 
 impl Model for Ambrosio {
+    const PIECEWISE_LINEAR: bool = true;
     const PRESETS: &'static [Preset] =
         &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2 (the start values)", values: &[] }];
 

@@ -102,6 +102,7 @@ impl<T: Real> Curve<T> for Bernard<T> {
 memoryless!(Bernard);
 
 impl Model for Bernard {
+    const PIECEWISE_LINEAR: bool = true;
     const PRESETS: &'static [Preset] =
         &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2 (the start values)", values: &[] }];
 

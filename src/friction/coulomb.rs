@@ -101,6 +101,7 @@ impl<T: Real> Curve<T> for Coulomb<T> {
 memoryless!(Coulomb);
 
 impl Model for Coulomb {
+    const PIECEWISE_LINEAR: bool = true;
     memoryless!();
 }
 

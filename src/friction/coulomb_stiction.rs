@@ -85,6 +85,7 @@ crate::model! {
 two_levels!(CoulombStiction, |_law| T::zero());
 
 impl Model for CoulombStiction {
+    const PIECEWISE_LINEAR: bool = true;
     two_levels!();
 }
 

@@ -130,6 +130,7 @@ impl<T: Real> Curve<T> for CoulombViscous<T> {
 memoryless!(CoulombViscous);
 
 impl Model for CoulombViscous {
+    const PIECEWISE_LINEAR: bool = true;
     memoryless!();
 }
 

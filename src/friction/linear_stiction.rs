@@ -122,6 +122,7 @@ impl<T: Real> Curve<T> for LinearStiction<T> {
 memoryless!(LinearStiction);
 
 impl Model for LinearStiction {
+    const PIECEWISE_LINEAR: bool = true;
     fn check(&self) -> Result<(), Fault> {
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)?;
         if self.sliding_velocity <= self.transition_velocity {

@@ -116,6 +116,7 @@ impl<T: Real> Curve<T> for RollingResistance<T> {
 memoryless!(RollingResistance, |law| law.resisting_moment = law.friction_force * law.wheel_radius);
 
 impl Model for RollingResistance {
+    const PIECEWISE_LINEAR: bool = true;
     memoryless!();
 }
 

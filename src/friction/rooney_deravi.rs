@@ -133,6 +133,7 @@ impl<T: Real> Curve<T> for RooneyDeravi<T> {
 memoryless!(RooneyDeravi);
 
 impl Model for RooneyDeravi {
+    const PIECEWISE_LINEAR: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
         source: "Novais (2024), Tables 6.1 and 6.2 (the start values), in the form of (6.5)",

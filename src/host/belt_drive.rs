@@ -120,6 +120,7 @@ impl BeltDrive {
 }
 
 impl Model for BeltDrive {
+    const PIECEWISE_LINEAR: bool = true;
     fn step(&mut self, dt: f64) {
         self.advance(0.0, dt);
     }

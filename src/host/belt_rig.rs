@@ -114,6 +114,7 @@ impl BeltRig {
 }
 
 impl Model for BeltRig {
+    const PIECEWISE_LINEAR: bool = true;
     fn step(&mut self, dt: f64) {
         self.advance(0.0, dt);
     }

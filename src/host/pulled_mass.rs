@@ -132,6 +132,7 @@ impl PulledMass {
 }
 
 impl Model for PulledMass {
+    const PIECEWISE_LINEAR: bool = true;
     fn step(&mut self, dt: f64) {
         self.advance([0.0; 2], dt);
     }

@@ -145,6 +145,7 @@ impl TwoBlocks {
 }
 
 impl Model for TwoBlocks {
+    const PIECEWISE_LINEAR: bool = true;
     fn step(&mut self, dt: f64) {
         self.advance([0.0; 2], dt);
     }

@@ -182,6 +182,10 @@ pub trait Model: Described + Law<Number = f64> {
     /// Whether each rate is linear in its own state, and the power in all of them: ramps then need fewer of them.
     const LINEAR: bool = false;
 
+    /// Whether rates and outputs, energy and power apart, are linear in states and inputs between events, as long as a
+    /// normal force does not move. For a solver that makes use of it and checks it.
+    const PIECEWISE_LINEAR: bool = false;
+
     /// Named parameter sets.
     const PRESETS: &'static [Preset] = &[];
 

@@ -35,6 +35,8 @@ pub struct ModelType {
     pub model_exchange: bool,
     /// Number of its event indicators.
     pub event_indicators: usize,
+    /// [`Model::PIECEWISE_LINEAR`].
+    pub piecewise_linear: bool,
     /// Number of values that an instance keeps beside the row: [`Model::MEMORY`].
     pub memory: usize,
     /// Its functions over several rows at once, if it runs in lanes.
@@ -71,6 +73,7 @@ impl ModelType {
             presets: M::PRESETS,
             model_exchange: is_for_exchange::<M>(),
             event_indicators: M::EVENT_INDICATORS,
+            piecewise_linear: M::PIECEWISE_LINEAR,
             memory: M::MEMORY,
             kernels: M::KERNELS,
             guid: guid::fingerprint(

@@ -21,9 +21,6 @@ const CLOSER: usize = 2;
 /// Part of a step after which an indicator that begins at zero has a sign (chosen).
 const EARLY: f64 = 1e-6;
 
-/// Parts of a step to which the polynomial's crossing is found (chosen): the steps made after it find the rest.
-const PRECISION: f64 = 1e-9;
-
 /// Part of a distance to an event by which it is passed, so that it lies between the last two steps (chosen).
 const BEYOND: f64 = 1.01;
 
@@ -58,10 +55,11 @@ fn least([a, b, c]: [f64; 3], [at_a, at_b, at_c]: [f64; 3]) -> Option<f64> {
 }
 
 impl Watch {
-    pub fn new(equations: &dyn Equations) -> Watch {
+    /// For steps with this number of states.
+    pub fn new(equations: &dyn Equations, states: usize) -> Watch {
         let indicators = vec![0.0; equations.indicators()];
         let recent = vec![[0.0; 3]; indicators.len()];
-        Watch { at_beginning: indicators.clone(), now: indicators, recent, states: Vec::new() }
+        Watch { at_beginning: indicators.clone(), now: indicators, recent, states: vec![0.0; states] }
     }
 
     /// Whether there is anything to watch.
@@ -97,8 +95,7 @@ impl Watch {
 
     fn changed_within(&mut self, equations: &mut dyn Equations, piece: &Piece, fraction: f64) -> Option<usize> {
         let mut states = std::mem::take(&mut self.states);
-        states.resize(piece.coefficients.len(), 0.0);
-        piece.at(fraction, &mut states);
+        piece.course.at(fraction, &mut states);
         let changed = self.changed(equations, piece.begin + fraction * piece.length, &states);
         self.states = states;
         changed
@@ -197,7 +194,7 @@ impl Watch {
     ) -> Crossing {
         let after = self.remaining(indicator);
         self.changed_within(equations, piece, low);
-        let mut bracket = Bracket::new((low, self.remaining(indicator)), high, PRECISION);
+        let mut bracket = Bracket::new((low, self.remaining(indicator)), high, piece.precision);
         bracket.after(high, after);
         while bracket.closed().is_none() {
             let middle = bracket.next();

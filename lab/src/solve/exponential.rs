@@ -13,7 +13,9 @@
 //! compared with. The estimate of the error is their difference, and what the rates have that their linearisation has not.
 
 use super::Equations;
+use super::matrix::{Matrix, apply, from, product, with_diagonal};
 use super::method::{Beginning, Step};
+use super::recorder::Polynomials;
 
 /// Largest norm of a matrix whose phi functions are summed up (chosen): ten terms are then exact.
 const SMALL: f64 = 0.125;
@@ -30,8 +32,6 @@ const SERIES: [f64; 11] = {
 };
 
 const QUARTERS: usize = 4;
-
-type Matrix<const N: usize> = [[f64; N]; N];
 
 /// A step of the method.
 pub(super) struct Exponential<const N: usize> {
@@ -89,8 +89,8 @@ impl<const N: usize> Exponential<N> {
 }
 
 impl<const N: usize> Step<N> for Exponential<N> {
+    type Course = Polynomials<N>;
     const ERROR_ORDER: i32 = 5;
-    const EVALUATIONS: u64 = 2;
 
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool {
         let linear = self.solve(begin, h);
@@ -120,7 +120,11 @@ impl<const N: usize> Step<N> for Exponential<N> {
         &self.error
     }
 
-    fn dense(&self, begin: &Beginning<N>) -> [[f64; 5]; N] {
+    fn evaluations(&self) -> u64 {
+        2
+    }
+
+    fn course(&self, begin: &Beginning<N>) -> Polynomials<N> {
         std::array::from_fn(|state| self.polynomial(begin, state))
     }
 }
@@ -136,10 +140,10 @@ fn phi<const N: usize>(jacobian: &Matrix<N>, t: f64) -> [Matrix<N>; 2] {
     let z = jacobian.map(|row| row.map(|value| value * scale));
     let mut phi_2 = [[0.0; N]; N];
     for coefficient in SERIES.iter().rev() {
-        phi_2 = plus(&product(&z, &phi_2), *coefficient);
+        phi_2 = with_diagonal(&product(&z, &phi_2), *coefficient);
     }
-    let mut phi_1 = plus(&product(&z, &phi_2), 1.0);
-    let mut power = plus(&product(&z, &phi_1), 1.0);
+    let mut phi_1 = with_diagonal(&product(&z, &phi_2), 1.0);
+    let mut power = with_diagonal(&product(&z, &phi_1), 1.0);
     for _ in 0..doublings {
         let [times_1, times_2] = [product(&power, &phi_1), product(&power, &phi_2)];
         phi_2 = from(|i, j| 0.25 * (times_2[i][j] + phi_1[i][j] + phi_2[i][j]));
@@ -147,25 +151,4 @@ fn phi<const N: usize>(jacobian: &Matrix<N>, t: f64) -> [Matrix<N>; 2] {
         power = product(&power, &power);
     }
     [phi_1, phi_2]
-}
-
-#[inline(always)]
-fn from<const N: usize>(value: impl Fn(usize, usize) -> f64) -> Matrix<N> {
-    std::array::from_fn(|i| std::array::from_fn(|j| value(i, j)))
-}
-
-#[inline(always)]
-fn product<const N: usize>(a: &Matrix<N>, b: &Matrix<N>) -> Matrix<N> {
-    from(|i, j| (0..N).map(|k| a[i][k] * b[k][j]).sum())
-}
-
-/// Adds a multiple of the unit matrix.
-#[inline(always)]
-fn plus<const N: usize>(a: &Matrix<N>, diagonal: f64) -> Matrix<N> {
-    from(|i, j| if i == j { a[i][j] + diagonal } else { a[i][j] })
-}
-
-#[inline(always)]
-fn apply<const N: usize>(a: &Matrix<N>, x: &[f64; N]) -> [f64; N] {
-    std::array::from_fn(|i| a[i].iter().zip(x).map(|(a, x)| a * x).sum())
 }

@@ -17,6 +17,9 @@ const LEAST_ERROR: f64 = 1e-2;
 /// Part of a step at which a rejected step that meets an event is tried again, beyond the event (chosen).
 const BEYOND: f64 = 1.0 + 1e-3;
 
+/// Parts of a step to which the polynomial's crossing is found (chosen): the steps made after it find the rest.
+const PRECISION: f64 = 1e-9;
+
 /// Largest number of steps made to end at an event (chosen).
 const MOST_TRIALS: u32 = 100;
 
@@ -24,7 +27,7 @@ const MOST_TRIALS: u32 = 100;
 const LOOK: u64 = 256;
 
 /// A run under way.
-struct March<'a, S, const N: usize> {
+struct March<'a, S: Step<N>, const N: usize> {
     equations: &'a mut dyn Equations,
     options: &'a Options<'a>,
     recorder: &'a mut Recorder,
@@ -33,7 +36,7 @@ struct March<'a, S, const N: usize> {
     step: S,
     watch: Watch,
     /// The motion within the step made last, once it was asked for.
-    dense: Option<[[f64; 5]; N]>,
+    course: Option<S::Course>,
     statistics: Statistics,
     /// Length and error of the step before, since the last event.
     last: Option<(f64, f64)>,
@@ -83,14 +86,14 @@ pub(super) fn run<S: Step<N>, const N: usize>(
 ) -> (End, Statistics) {
     let mut scales = [1.0; N];
     scales.copy_from_slice(equations.scales());
-    let watch = Watch::new(equations);
+    let watch = Watch::new(equations, N);
     let zero = [0.0; N];
     let mut begin = Beginning { time: options.begin, states: zero, rates: zero, jacobian: [zero; N], by_time: zero };
     let count = states.len();
     begin.states[..count].copy_from_slice(states);
     let statistics = Statistics::default();
-    let (step, dense) = (S::default(), None);
-    let mut march = March { equations, options, recorder, scales, begin, step, watch, dense, statistics, last: None };
+    let (step, course) = (S::default(), None);
+    let mut march = March { equations, options, recorder, scales, begin, step, watch, course, statistics, last: None };
     let end = match march.go() {
         Ok(end) => end,
         Err(reason) => End::Failed { time: march.begin.time, reason },
@@ -130,19 +133,22 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
         // What was before an event says nothing about what comes after it.
         self.last = None;
         self.equations.at_event(time, &mut self.begin.states)?;
+        self.step.begin(self.equations, self.options);
         if self.options.events && self.watch.is_needed() {
             self.watch.begin(self.equations, time, &self.begin.states);
         }
         self.look()
     }
 
-    /// Evaluates rates and Jacobian at the beginning of a step.
+    /// Evaluates rates and Jacobian at the beginning of a step. After an exact one the Jacobian is that before it.
     fn look(&mut self) -> Result<(), String> {
         let Beginning { time, states, rates, jacobian, by_time } = &mut self.begin;
         self.equations.rates(*time, states, rates);
-        self.equations.jacobian(*time, states, jacobian.as_flattened_mut(), by_time);
         self.statistics.evaluations += 1;
-        self.statistics.jacobians += 1;
+        if !self.step.is_exact() {
+            self.equations.jacobian(*time, states, jacobian.as_flattened_mut(), by_time);
+            self.statistics.jacobians += 1;
+        }
         match rates.iter().chain(jacobian.as_flattened()).position(|number| !number.is_finite()) {
             None => Ok(()),
             Some(at) => Err(format!("the rate of {} is not finite", self.equations.state_name(at % N))),
@@ -175,13 +181,19 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
     }
 
     fn attempt(&mut self, h: f64) -> bool {
-        self.statistics.evaluations += S::EVALUATIONS;
-        self.dense = None;
-        self.step.attempt(self.equations, &self.begin, h)
+        self.course = None;
+        let is_made = self.step.attempt(self.equations, &self.begin, h);
+        self.statistics.evaluations += self.step.evaluations();
+        is_made
     }
 
-    fn dense(&mut self) -> [[f64; 5]; N] {
-        *self.dense.get_or_insert_with(|| self.step.dense(&self.begin))
+    /// Whether the equations are what the step takes them for.
+    fn is_confirmed(&mut self, to_event: bool) -> bool {
+        self.step.is_confirmed(self.equations, &self.begin, to_event, &mut self.statistics)
+    }
+
+    fn course(&mut self) -> S::Course {
+        *self.course.get_or_insert_with(|| self.step.course(&self.begin))
     }
 
     /// Makes the next step, of length h or shorter.
@@ -196,19 +208,20 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             // A remainder hardly longer than the step is made in one.
             let is_last = h >= room / 1.01;
             let length = if is_last { room } else { h };
-            let error = if self.attempt(length) { self.norm(self.step.error(), self.step.end()) } else { f64::NAN };
+            let error = if self.attempt(length) { self.step.excess(|of, end| self.norm(of, end)) } else { f64::NAN };
             let factor = change(error, S::ERROR_ORDER);
             let crossing = if error.is_nan() { None } else { self.first_change(length) };
             if error <= 1.0 {
-                let next = length * factor.min(self.predicted(length, error, factor));
-                let Some(crossing) = crossing else {
-                    let end = if is_last { wall } else { self.begin.time + length };
-                    return Ok(Made { end, event: None, next });
-                };
-                if let Some((length, event)) = self.locate(length, crossing) {
-                    return Ok(Made { end: self.begin.time + length, event: Some(event), next });
+                let next = length * self.growth(length, error, factor);
+                let located = crossing.map(|crossing| self.locate(length, crossing));
+                let is_made = located != Some(None);
+                if is_made && self.is_confirmed(located.is_some()) {
+                    return Ok(match located.flatten() {
+                        Some((length, event)) => Made { end: self.begin.time + length, event: Some(event), next },
+                        None => Made { end: if is_last { wall } else { self.begin.time + length }, event: None, next },
+                    });
                 }
-                h = 0.5 * length;
+                h = if is_made { length } else { 0.5 * length };
             } else {
                 h = length * crossing.map_or(factor, |crossing| factor.max(crossing.fraction * BEYOND).min(0.9));
             }
@@ -216,6 +229,16 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             if h < self.shortest() {
                 return Err(self.too_short(h));
             }
+        }
+    }
+
+    /// Factor by which the next step is longer.
+    fn growth(&mut self, length: f64, error: f64, factor: f64) -> f64 {
+        if self.step.is_exact() {
+            // An attempt that turns out to be too long costs little.
+            if factor == GROW { GROW * GROW } else { factor }
+        } else {
+            factor.min(self.predicted(length, error, factor))
         }
     }
 
@@ -239,8 +262,9 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
         if !(self.options.events && self.watch.is_needed()) {
             return None;
         }
-        let coefficients = self.dense();
-        let piece = Piece { begin: self.begin.time, length, coefficients: &coefficients };
+        let course = self.course();
+        let precision = if self.step.is_exact() { self.precision(length) / length } else { PRECISION };
+        let piece = Piece { begin: self.begin.time, length, course: &course, precision };
         self.watch.first_change(self.equations, &piece)
     }
 
@@ -248,16 +272,17 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
     /// themselves: those that end before it lie on one branch of the equations. None if no such step can be made.
     fn locate(&mut self, length: f64, crossing: Crossing) -> Option<(f64, usize)> {
         let Crossing { fraction, indicator: mut event, slope } = crossing;
-        let precision = 4.0 * f64::EPSILON * (self.begin.time + length).abs();
+        let precision = self.precision(length);
         let mut bracket = Bracket::new((0.0, self.watch.size(event)), length, precision).with_slope(slope);
         let mut h = fraction * length;
-        for _ in 0..MOST_TRIALS {
+        for trial in 0..MOST_TRIALS {
             self.statistics.rejected += 1;
             if !self.attempt(h) {
                 return None;
             }
             let end = *self.step.end();
             match self.watch.changed(self.equations, self.begin.time + h, &end) {
+                Some(indicator) if trial == 0 && self.step.is_exact() => return Some((h, indicator)),
                 Some(indicator) => {
                     event = indicator;
                     bracket.after(h, self.watch.remaining(indicator));
@@ -275,10 +300,15 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
         None
     }
 
+    /// How precisely the time of an event in a step of this length can be told.
+    fn precision(&self, length: f64) -> f64 {
+        4.0 * f64::EPSILON * (self.begin.time + length).abs()
+    }
+
     fn accept(&mut self, made: &Made) -> Result<(), String> {
-        let coefficients = self.dense();
+        let course = self.course();
         let length = made.end - self.begin.time;
-        let piece = Piece { begin: self.begin.time, length, coefficients: &coefficients };
+        let piece = Piece { begin: self.begin.time, length, course: &course, precision: PRECISION };
         self.recorder.piece(self.equations, &piece)?;
         self.begin.time = made.end;
         self.begin.states = *self.step.end();

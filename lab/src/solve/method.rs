@@ -1,11 +1,13 @@
 //! The methods of this library.
 
+use super::piecewise::Piecewise;
+use super::recorder::Course;
 use super::{End, Equations, Options, Recorder, Statistics, exponential, march, rodas5p, rosenbrock23};
 
 /// A one-step method with exact Jacobian, dense output and located events.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// Rosenbrock method of order 5 (Rodas5P).
+    /// Rosenbrock method of order 5 (Rodas5P); exact steps where the equations are linear.
     Rodas5P,
     /// Modified Rosenbrock method of orders 2 and 3.
     Rosenbrock23,
@@ -15,14 +17,37 @@ pub enum Method {
 
 /// A step of a method: from the states at its beginning to those at its end, with an estimate of the error.
 pub(super) trait Step<const N: usize>: Default {
+    /// Motion within a step.
+    type Course: Course + Copy;
+
     /// Power of the step size with which the estimate of the error grows.
     const ERROR_ORDER: i32;
 
-    /// Evaluations of the rates in an attempt whose beginning is known.
-    const EVALUATIONS: u64;
+    /// Takes note of an event, such as the beginning of a run.
+    fn begin(&mut self, _equations: &dyn Equations, _options: &Options) {}
 
     /// Makes a step of length h. False if it is impossible, because a matrix is singular or a number not finite.
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool;
+
+    /// Evaluations of the rates in an attempt.
+    fn evaluations(&self) -> u64;
+
+    /// Whether the equations are what the attempt made last takes them for, up to the end of the step or to an event there.
+    /// If they are not, the next attempt does without.
+    fn is_confirmed(
+        &mut self,
+        _equations: &mut dyn Equations,
+        _begin: &Beginning<N>,
+        _to_event: bool,
+        _statistics: &mut Statistics,
+    ) -> bool {
+        true
+    }
+
+    /// Whether the motion in the attempt made last is as exact as numbers are, if it is confirmed.
+    fn is_exact(&self) -> bool {
+        false
+    }
 
     /// The states at the end of the step.
     fn end(&self) -> &[f64; N];
@@ -30,8 +55,13 @@ pub(super) trait Step<const N: usize>: Default {
     /// Estimate of the error of the states at the end of the step.
     fn error(&self) -> &[f64; N];
 
+    /// The error in parts of what is allowed, by a norm of errors beside the states at the end.
+    fn excess(&self, norm: impl Fn(&[f64; N], &[f64; N]) -> f64) -> f64 {
+        norm(self.error(), self.end())
+    }
+
     /// The motion within the step.
-    fn dense(&self, begin: &Beginning<N>) -> [[f64; 5]; N];
+    fn course(&self, begin: &Beginning<N>) -> Self::Course;
 }
 
 /// Beginning of a step.
@@ -55,9 +85,9 @@ impl Method {
         recorder: &mut Recorder,
     ) -> (End, Statistics) {
         macro_rules! run {
-            ($equations:expr, $n:literal) => {
+            ($equations:expr, $n:literal, $Rodas5P:ty) => {
                 match self {
-                    Method::Rodas5P => march::run::<rodas5p::Rodas5P<$n>, $n>($equations, states, options, recorder),
+                    Method::Rodas5P => march::run::<$Rodas5P, $n>($equations, states, options, recorder),
                     Method::Rosenbrock23 => {
                         march::run::<rosenbrock23::Rosenbrock23<$n>, $n>($equations, states, options, recorder)
                     }
@@ -67,11 +97,13 @@ impl Method {
                 }
             };
         }
+        use rodas5p::Rodas5P;
         macro_rules! sizes {
-            (exactly: $($n:literal)+; up to: $($most:literal)+) => {
+            (few: $($few:literal)+; exactly: $($n:literal)+; up to: $($most:literal)+) => {
                 match states.len() {
-                    $($n => run!(equations, $n),)+
-                    $(count if count <= $most => run!(&mut Padded::new(equations, $most), $most),)+
+                    $($few => run!(equations, $few, Piecewise<Rodas5P<$few>, $few>),)+
+                    $($n => run!(equations, $n, Rodas5P<$n>),)+
+                    $(count if count <= $most => run!(&mut Padded::new(equations, $most), $most, Rodas5P<$most>),)+
                     count => {
                         let reason = format!("{count} states; the limit is 64");
                         (End::Failed { time: options.begin, reason }, Statistics::default())
@@ -79,7 +111,7 @@ impl Method {
                 }
             };
         }
-        sizes!(exactly: 1 2 3 4 5 6 8; up to: 12 16 24 32 48 64)
+        sizes!(few: 1 2 3 4; exactly: 5 6 8; up to: 12 16 24 32 48 64)
     }
 }
 

@@ -6,10 +6,13 @@
 mod elimination;
 mod event;
 mod exponential;
+mod flow;
 #[cfg(feature = "workbench")]
 mod foreign;
 mod march;
+mod matrix;
 mod method;
+mod piecewise;
 mod recorder;
 mod rodas5p;
 mod rosenbrock23;
@@ -20,7 +23,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[cfg(feature = "workbench")]
 pub use foreign::{Foreign, solve_foreign};
 pub use method::Method;
-pub use recorder::{Grid, Piece, Recorder};
+pub use recorder::{Grid, Recorder};
 pub use statistics::{End, Event, Statistics};
 
 /// Equations of motion dx/dt = f(t, x), whose course may change at events.
@@ -51,6 +54,11 @@ pub trait Equations {
 
     /// Makes what changes at events change; may move states. A run begins with an event.
     fn at_event(&mut self, time: f64, states: &mut [f64]) -> Result<(), String>;
+
+    /// Whether the rates are linear in the states between events. Solvers check it in every step.
+    fn is_piecewise_linear(&self) -> bool {
+        false
+    }
 
     /// The next time after `time` at which an input has a kink; infinite if there is none. No step extends across it.
     fn next_break(&self, _time: f64) -> f64 {

@@ -37,22 +37,72 @@ impl Grid {
 /// Output times whose states are computed together (chosen).
 const BLOCK: usize = 128;
 
-/// Motion within a step: each state is a polynomial in the fraction of the step, lowest power first.
-#[derive(Clone, Copy, Debug)]
-pub struct Piece<'a> {
+/// The states within a step.
+pub(super) trait Course {
+    /// The states at a fraction of the step.
+    fn at(&self, fraction: f64, states: &mut [f64]);
+
+    /// Writes the states at output times into their columns.
+    fn fill(&self, times: &Times, columns: &mut [Vec<f64>]);
+}
+
+/// Output times within a step, as fractions of it.
+pub(super) struct Times {
+    /// Number of the first one.
+    pub first: usize,
+    /// Number of the one after the last.
+    pub past: usize,
+    /// Fraction between two of them.
+    pub spacing: f64,
+    /// Fraction of number 0.
+    pub offset: f64,
+}
+
+impl Times {
+    /// The fraction of a number.
+    #[inline(always)]
+    pub fn fraction(&self, number: usize) -> f64 {
+        self.offset + self.spacing * number as f64
+    }
+}
+
+/// A step and the motion within it.
+pub(super) struct Piece<'a> {
     /// Time at which the step begins.
     pub begin: f64,
     /// Its length.
     pub length: f64,
-    /// Coefficients of each state.
-    pub coefficients: &'a [[f64; 5]],
+    /// The states.
+    pub course: &'a dyn Course,
+    /// Fraction of the step to which the states at an event are to be found by the course.
+    pub precision: f64,
 }
 
-impl Piece<'_> {
-    /// The states at a fraction of the step.
-    pub fn at(&self, fraction: f64, states: &mut [f64]) {
-        for (state, coefficients) in states.iter_mut().zip(self.coefficients) {
+/// States that are polynomials in the fraction of the step, lowest power first.
+pub(super) type Polynomials<const N: usize> = [[f64; 5]; N];
+
+impl<const N: usize> Course for Polynomials<N> {
+    fn at(&self, fraction: f64, states: &mut [f64]) {
+        for (state, coefficients) in states.iter_mut().zip(self) {
             *state = horner(coefficients, fraction);
+        }
+    }
+
+    /// In blocks, one array after the other, so that the loops run in vector registers.
+    fn fill(&self, times: &Times, columns: &mut [Vec<f64>]) {
+        let mut fractions = [0.0; BLOCK];
+        for from in (times.first..times.past).step_by(BLOCK) {
+            let to = times.past.min(from + BLOCK);
+            let fractions = &mut fractions[..to - from];
+            for (number, fraction) in fractions.iter_mut().enumerate() {
+                // Processors convert integers of 32 bits at once.
+                *fraction = times.offset + times.spacing * (from as f64 + f64::from(number as u8));
+            }
+            for (column, coefficients) in columns.iter_mut().zip(self) {
+                for (value, fraction) in column[from..to].iter_mut().zip(&*fractions) {
+                    *value = horner(coefficients, *fraction);
+                }
+            }
         }
     }
 }
@@ -157,20 +207,24 @@ impl Recorder {
     }
 
     /// Records the output times up to the end of a piece.
-    pub fn piece(&mut self, equations: &mut dyn Equations, piece: &Piece) -> Result<(), String> {
-        let (first, end) = (self.filled, piece.begin + piece.length);
-        let past = self.first_after(end);
+    pub(super) fn piece(&mut self, equations: &mut dyn Equations, piece: &Piece) -> Result<(), String> {
+        let Grid { begin, end, intervals } = self.grid;
+        let (first, past) = (self.filled, self.first_after(piece.begin + piece.length));
         if past <= first {
             return Ok(());
         }
+        let spacing = (end - begin) / intervals as f64 / piece.length;
+        let offset = (begin - piece.begin) / piece.length;
+        piece.course.fill(&Times { first, past, spacing, offset }, &mut self.states);
         if self.values.is_empty() {
-            self.fill(piece, first, past);
+            self.filled = past;
             return Ok(());
         }
         for number in first..past {
-            let fraction = (self.grid.time(number) - piece.begin) / piece.length;
             let mut at = std::mem::take(&mut self.at);
-            piece.at(fraction, &mut at);
+            for (value, column) in at.iter_mut().zip(&self.states) {
+                *value = column[number];
+            }
             let done = self.point(equations, &at);
             self.at = at;
             done?;
@@ -191,27 +245,5 @@ impl Recorder {
             number += 1;
         }
         number
-    }
-
-    /// In blocks, one array after the other, so that the loops run in vector registers.
-    fn fill(&mut self, piece: &Piece, first: usize, past: usize) {
-        let Grid { begin, end, intervals } = self.grid;
-        let spacing = (end - begin) / intervals as f64 / piece.length;
-        let offset = (begin - piece.begin) / piece.length;
-        let mut fractions = [0.0; BLOCK];
-        for from in (first..past).step_by(BLOCK) {
-            let to = past.min(from + BLOCK);
-            let fractions = &mut fractions[..to - from];
-            for (number, fraction) in fractions.iter_mut().enumerate() {
-                // Processors convert integers of 32 bits at once.
-                *fraction = offset + spacing * (from as f64 + f64::from(number as u8));
-            }
-            for (column, coefficients) in self.states.iter_mut().zip(piece.coefficients) {
-                for (value, fraction) in column[from..to].iter_mut().zip(&*fractions) {
-                    *value = horner(coefficients, *fraction);
-                }
-            }
-        }
-        self.filled = past;
     }
 }

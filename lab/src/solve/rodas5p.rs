@@ -11,6 +11,7 @@
 use super::Equations;
 use super::elimination::Factors;
 use super::method::{Beginning, Step};
+use super::recorder::Polynomials;
 
 const STAGES: usize = 8;
 
@@ -163,8 +164,8 @@ impl<const N: usize> Rodas5P<N> {
 }
 
 impl<const N: usize> Step<N> for Rodas5P<N> {
+    type Course = Polynomials<N>;
     const ERROR_ORDER: i32 = 5;
-    const EVALUATIONS: u64 = STAGES as u64 - 1;
 
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool {
         let diagonal = 1.0 / h / GAMMA;
@@ -179,6 +180,10 @@ impl<const N: usize> Step<N> for Rodas5P<N> {
         self.end.iter().all(|x| x.is_finite())
     }
 
+    fn evaluations(&self) -> u64 {
+        STAGES as u64 - 1
+    }
+
     fn end(&self) -> &[f64; N] {
         &self.end
     }
@@ -188,7 +193,7 @@ impl<const N: usize> Step<N> for Rodas5P<N> {
     }
 
     /// x(s) = (1 - s) x_0 + s (x_1 + (1 - s) (b_1 + s (b_2 + s b_3))), b = H k.
-    fn dense(&self, begin: &Beginning<N>) -> [[f64; 5]; N] {
+    fn course(&self, begin: &Beginning<N>) -> Polynomials<N> {
         std::array::from_fn(|i| {
             let b = H.map(|row| row.iter().zip(&self.k[i]).map(|(h, k)| h * k).sum::<f64>());
             let (from, to) = (begin.states[i], self.end[i]);

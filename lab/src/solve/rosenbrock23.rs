@@ -15,6 +15,7 @@
 use super::Equations;
 use super::elimination::Factors;
 use super::method::{Beginning, Step};
+use super::recorder::Polynomials;
 
 /// A step of the method.
 pub(super) struct Rosenbrock23<const N: usize> {
@@ -31,8 +32,8 @@ impl<const N: usize> Default for Rosenbrock23<N> {
 }
 
 impl<const N: usize> Step<N> for Rosenbrock23<N> {
+    type Course = Polynomials<N>;
     const ERROR_ORDER: i32 = 3;
-    const EVALUATIONS: u64 = 2;
 
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool {
         let d = 1.0 / (2.0 + 2f64.sqrt());
@@ -59,6 +60,10 @@ impl<const N: usize> Step<N> for Rosenbrock23<N> {
         self.end.iter().chain(&self.error).all(|x| x.is_finite())
     }
 
+    fn evaluations(&self) -> u64 {
+        2
+    }
+
     fn end(&self) -> &[f64; N] {
         &self.end
     }
@@ -68,7 +73,7 @@ impl<const N: usize> Step<N> for Rosenbrock23<N> {
     }
 
     /// x(s) = x + h (s (1 - s) k_1 + s (s - 2 d) k_2) / (1 - 2 d).
-    fn dense(&self, begin: &Beginning<N>) -> [[f64; 5]; N] {
+    fn course(&self, begin: &Beginning<N>) -> Polynomials<N> {
         let d = 1.0 / (2.0 + 2f64.sqrt());
         let scale = self.h / (1.0 - 2.0 * d);
         std::array::from_fn(|i| {

@@ -5,6 +5,8 @@ use super::*;
 /// x'' = -x, or a ball that is thrown up again at each landing.
 struct Analytic {
     kind: Kind,
+    /// Whether they say that they are linear between events.
+    linear: bool,
     scales: Vec<f64>,
 }
 
@@ -93,6 +95,10 @@ impl Equations for Analytic {
         }
     }
 
+    fn is_piecewise_linear(&self) -> bool {
+        self.linear
+    }
+
     fn at_event(&mut self, _time: f64, x: &mut [f64]) -> Result<(), String> {
         if self.kind == Kind::Ball && x[0] <= 0.0 {
             (x[0], x[1]) = (0.0, x[1].abs());
@@ -102,7 +108,22 @@ impl Equations for Analytic {
 }
 
 fn run(kind: Kind, method: Method, tolerance: f64, end: f64, start: &[f64]) -> (Vec<f64>, Statistics, Recorder) {
-    let mut equations = Analytic { kind, scales: vec![1.0; start.len()] };
+    let equations = Analytic { kind, linear: false, scales: vec![1.0; start.len()] };
+    run_equations(equations, method, tolerance, end, start)
+}
+
+/// Equations that say that they are linear between events.
+fn run_linear(kind: Kind, end: f64, start: &[f64]) -> (Vec<f64>, Statistics, Recorder) {
+    run_equations(Analytic { kind, linear: true, scales: vec![1.0; start.len()] }, Method::Rodas5P, 1e-3, end, start)
+}
+
+fn run_equations(
+    mut equations: Analytic,
+    method: Method,
+    tolerance: f64,
+    end: f64,
+    start: &[f64],
+) -> (Vec<f64>, Statistics, Recorder) {
     let mut states = start.to_vec();
     let mut recorder = Recorder::new(Grid { begin: 0.0, end, intervals: 1000 }, &equations);
     let (end, statistics) = solve(method, &mut equations, &mut states, &Options::new(end, tolerance), &mut recorder);
@@ -172,6 +193,54 @@ fn a_wall_that_is_only_touched_is_noticed() {
     }
 }
 
+/// A coarse tolerance says nothing about them.
+#[test]
+fn equations_that_are_linear_between_events_are_solved_exactly() {
+    let (_, statistics, recorder) = run_linear(Kind::Oscillator, 20.0, &[1.0, 0.0]);
+    assert!(statistics.steps < 40 && statistics.jacobians == 1, "{statistics:?}");
+    for (number, time) in recorder.times().enumerate() {
+        let errors = [recorder.states[0][number] - time.cos(), recorder.states[1][number] + time.sin()];
+        assert!(errors.iter().all(|error| error.abs() < 3e-14), "{errors:?} at {time}");
+    }
+    let (_, statistics, _) = run_linear(Kind::Ball, 1.05, &[0.0, 1.0]);
+    let times = statistics.events.iter().map(|event| event.time);
+    let worst = times.enumerate().map(|(number, time)| (time - 0.2 * (number + 1) as f64).abs()).fold(0.0, f64::max);
+    assert!(statistics.events.len() == 5 && worst < 2e-14, "{worst}: {:?}", statistics.events);
+}
+
+#[test]
+fn a_wall_that_is_only_touched_is_noticed_in_exact_steps() {
+    for depth in [1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+        for side in [1.0, -1.0] {
+            let (_, statistics, _) = run_linear(Kind::Wall(side * (depth - 1.0)), 20.0, &[side, 0.0]);
+            let half = f64::acos(1.0 - depth);
+            let turns = [1.0, 3.0, 5.0].map(|turn| turn * std::f64::consts::PI);
+            let expected = turns.iter().flat_map(|turn| [turn - half, turn + half]);
+            assert_eq!(statistics.events.len(), 6, "{depth}: {:?}", statistics.events);
+            for (event, expected) in statistics.events.iter().zip(expected) {
+                // The position, to 1e-14, says when.
+                assert!((event.time - expected).abs() < 1e-14 / half + 1e-14, "{depth}: {event:?} {expected}");
+            }
+        }
+    }
+}
+
+/// A pendulum that says that it is linear is found out in its first step.
+#[test]
+fn equations_that_only_say_that_they_are_linear_are_solved_otherwise() {
+    let solved = |linear: bool, tolerance: f64| {
+        let equations = Analytic { kind: Kind::Pendulum, linear, scales: vec![1.0; 2] };
+        run_equations(equations, Method::Rodas5P, tolerance, 10.0, &[2.0, 0.0])
+    };
+    let (exact, _, _) = solved(false, 1e-12);
+    for tolerance in [1e-4, 1e-8] {
+        let [(said, statistics, _), (plain, others, _)] = [true, false].map(|linear| solved(linear, tolerance));
+        let [error, usual] = [&said, &plain].map(|states| (states[0] - exact[0]).abs());
+        assert!(error < 2.0 * usual + tolerance, "{error:e} {usual:e}");
+        assert!(statistics.rejected <= others.rejected + 4, "{statistics:?} {others:?}");
+    }
+}
+
 /// The steps of the exponential method are exact, whatever the tolerance; between their ends it holds.
 #[test]
 fn linear_equations_are_solved_exactly() {
@@ -195,7 +264,7 @@ fn linear_equations_are_solved_exactly() {
 #[test]
 fn the_exponential_method_is_of_order_two() {
     let at_end = |method: Method, tolerance: f64, longest: f64| {
-        let mut equations = Analytic { kind: Kind::Pendulum, scales: vec![1.0; 2] };
+        let mut equations = Analytic { kind: Kind::Pendulum, linear: false, scales: vec![1.0; 2] };
         let (mut states, options) = ([2.0, 0.0], Options { longest, ..Options::new(10.0, tolerance) });
         let mut recorder = Recorder::new(Grid { begin: 0.0, end: 10.0, intervals: 10 }, &equations);
         let (end, statistics) = solve(method, &mut equations, &mut states, &options, &mut recorder);

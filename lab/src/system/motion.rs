@@ -367,6 +367,10 @@ impl Equations for Motion {
         Ok(())
     }
 
+    fn is_piecewise_linear(&self) -> bool {
+        self.movers.iter().all(|mover| mover.model.piecewise_linear)
+    }
+
     fn next_break(&self, time: f64) -> f64 {
         self.signals.iter().map(|(_, signal)| signal.next_break(time)).fold(f64::INFINITY, f64::min)
     }

@@ -1,7 +1,9 @@
 //! Systems against closed forms and published figures.
 
+use stribeck::catalogue::{Family, documented};
+
 use super::*;
-use crate::solve::{End, Grid, Method, Options, Recorder, Statistics, solve};
+use crate::solve::{End, Equations, Grid, Method, Options, Recorder, Statistics, solve};
 
 #[path = "../../tests/common/stick_slip.rs"]
 mod stick_slip;
@@ -81,6 +83,55 @@ fn kinks_that_are_only_touched_are_not_missed() {
     for (events, end) in ends {
         assert!(events == ends[0].0 && (end - ends[3].1).abs() < 5e-8, "{ends:?}");
     }
+}
+
+/// Whether the Jacobian of the belt with a law is the same at all velocities between which no event indicator changes its
+/// sign.
+fn is_made_of_straight_lines(system: &System) -> bool {
+    let mut branches: Vec<(Vec<bool>, [f64; 4])> = Vec::new();
+    for number in 0..240 {
+        let speed = 10f64.powf(-5.5 + 5.0 * (0.5 + f64::from(number / 2)) / 120.0);
+        let velocity = if number % 2 == 0 { speed } else { -speed };
+        let mut motion = Motion::new(system, &[]).unwrap();
+        let mut states = [0.3 + 1e-3 * f64::from(number), BELT + velocity];
+        motion.at_event(0.0, &mut states).unwrap();
+        let mut indicators = vec![0.0; motion.indicators()];
+        motion.indicate(0.0, &states, &mut indicators);
+        let (mut rates, mut jacobian, mut by_time) = ([0.0; 2], [0.0; 4], [0.0; 2]);
+        motion.rates(0.0, &states, &mut rates);
+        motion.jacobian(0.0, &states, &mut jacobian, &mut by_time);
+        let mut branch: Vec<bool> = indicators.iter().map(|indicator| *indicator > 0.0).collect();
+        branch.push(velocity > 0.0);
+        match branches.iter().find(|(known, _)| *known == branch) {
+            None => branches.push((branch, jacobian)),
+            Some((_, known)) => {
+                if known.iter().zip(&jacobian).any(|(a, b)| (a - b).abs() > 1e-9 * a.abs().max(1.0)) {
+                    return false;
+                }
+            }
+        }
+    }
+    true
+}
+
+/// Of the laws without further states, those whose curves are made of straight lines, and no others, say so.
+#[test]
+fn laws_made_of_straight_lines_say_so() {
+    let source = Source::open("belt").unwrap();
+    let (mut counts, mut wrong) = ([0; 2], Vec::new());
+    for (law, _) in documented(Family::Friction) {
+        let system = System::assemble(&source, Some(law.name), &[]).unwrap();
+        let Ok(motion) = Motion::new(&system, &[]) else { continue };
+        if motion.places().len() == 2 {
+            if is_made_of_straight_lines(&system) != motion.is_piecewise_linear() {
+                wrong.push(law.name);
+            }
+            counts[usize::from(motion.is_piecewise_linear())] += 1;
+        } else {
+            assert!(!motion.is_piecewise_linear(), "{}", law.name);
+        }
+    }
+    assert!(wrong.is_empty() && counts[0] > 5 && counts[1] > 5, "{counts:?} {wrong:?}");
 }
 
 fn refused(text: &str) -> String {

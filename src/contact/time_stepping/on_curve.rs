@@ -71,8 +71,10 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     #[inline(always)]
     fn extended(&self) -> T {
         let direction = self.phase.direction();
-        let is_beyond = (direction * self.velocity).at_most(T::zero());
-        is_beyond.select(direction * T::from(f64::MIN_POSITIVE), self.velocity)
+        let least = direction * T::from(f64::MIN_POSITIVE);
+        let is_beyond = (direction * self.velocity).below(T::zero());
+        // At rest itself the curve has the slope with which it leaves it.
+        is_beyond.select(least, self.velocity + least)
     }
 
     /// Whether a set-valued law is at rest and the external force is within its level.

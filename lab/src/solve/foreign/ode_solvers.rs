@@ -170,7 +170,7 @@ impl Run<'_, '_> {
     fn seen(&self, stretch: Stretch) -> RefCell<Seen> {
         let watch = self.has_events().then(|| {
             self.bridge.with(|equations| {
-                let mut watch = Watch::new(equations);
+                let mut watch = Watch::new(equations, equations.states());
                 watch.begin(equations, self.time, &self.states);
                 watch
             })
