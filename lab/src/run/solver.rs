@@ -12,14 +12,11 @@ use crate::system::{Motion, System};
 pub enum Solver {
     /// Rodas5P, or steps for systems with a law that has no rates.
     Auto,
-    /// Rosenbrock method of order 5 with located events.
+    /// Rosenbrock method of order 5 with located events; exact for laws made of straight lines.
     #[value(name = "rodas5p")]
     Rodas5P,
     /// Modified Rosenbrock method 2(3), the class of ode23s.
     Rosenbrock23,
-    /// Exponential Rosenbrock-Euler method with located events: exact for laws made of straight lines, otherwise of
-    /// order 2.
-    Exponential,
     /// Explicit Runge-Kutta method of order 5, of the crate ode_solvers, the class of ode45.
     #[cfg(feature = "workbench")]
     Dopri5,
@@ -70,7 +67,6 @@ impl Solver {
         match self {
             Solver::Auto | Solver::Rodas5P => Kind::Own(Method::Rodas5P),
             Solver::Rosenbrock23 => Kind::Own(Method::Rosenbrock23),
-            Solver::Exponential => Kind::Own(Method::Exponential),
             #[cfg(feature = "workbench")]
             Solver::Dopri5 => Kind::Foreign(Foreign::Dopri5),
             #[cfg(feature = "workbench")]

@@ -7,7 +7,6 @@
 
 use stribeck::number::elementary::{exp, exp_m1};
 
-use super::matrix::{Matrix, apply, from, plus, product, with_diagonal};
 use super::method::Beginning;
 use super::recorder::{Course, Times};
 
@@ -36,6 +35,9 @@ const MOST: f64 = 300.0;
 
 /// Parts of a step at whose ends the motion is kept.
 pub(super) const QUARTERS: usize = 4;
+
+/// Row by row.
+type Matrix<const N: usize> = [[f64; N]; N];
 
 /// The motion within a step.
 #[derive(Clone, Copy)]
@@ -274,6 +276,36 @@ impl<const N: usize> Transition<N> {
         let of = |[a, b]: [f64; 2]| with_diagonal(&from(|i, j| b * jacobian[i][j]), a);
         Transition { power: of([1.0 + rise[0], rise[1]]), gain: of(gain) }
     }
+}
+
+/// A matrix of these elements.
+#[inline(always)]
+fn from<const N: usize>(value: impl Fn(usize, usize) -> f64) -> Matrix<N> {
+    std::array::from_fn(|i| std::array::from_fn(|j| value(i, j)))
+}
+
+/// A product.
+#[inline(always)]
+fn product<const N: usize>(a: &Matrix<N>, b: &Matrix<N>) -> Matrix<N> {
+    from(|i, j| (0..N).map(|k| a[i][k] * b[k][j]).sum())
+}
+
+/// Adds a multiple of the unit matrix.
+#[inline(always)]
+fn with_diagonal<const N: usize>(a: &Matrix<N>, diagonal: f64) -> Matrix<N> {
+    from(|i, j| if i == j { a[i][j] + diagonal } else { a[i][j] })
+}
+
+/// Product with a column.
+#[inline(always)]
+fn apply<const N: usize>(a: &Matrix<N>, x: &[f64; N]) -> [f64; N] {
+    std::array::from_fn(|i| a[i].iter().zip(x).map(|(a, x)| a * x).sum())
+}
+
+/// A sum.
+#[inline(always)]
+fn plus<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
+    std::array::from_fn(|i| a[i] + b[i])
 }
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 
 use super::piecewise::Piecewise;
 use super::recorder::Course;
-use super::{End, Equations, Options, Recorder, Statistics, exponential, march, rodas5p, rosenbrock23};
+use super::rodas5p::Rodas5P;
+use super::{End, Equations, Options, Recorder, Statistics, march, rosenbrock23};
 
 /// A one-step method with exact Jacobian, dense output and located events.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,8 +12,6 @@ pub enum Method {
     Rodas5P,
     /// Modified Rosenbrock method of orders 2 and 3.
     Rosenbrock23,
-    /// Exponential Rosenbrock-Euler method of order 2, exact where the equations are linear.
-    Exponential,
 }
 
 /// A step of a method: from the states at its beginning to those at its end, with an estimate of the error.
@@ -91,13 +90,9 @@ impl Method {
                     Method::Rosenbrock23 => {
                         march::run::<rosenbrock23::Rosenbrock23<$n>, $n>($equations, states, options, recorder)
                     }
-                    Method::Exponential => {
-                        march::run::<exponential::Exponential<$n>, $n>($equations, states, options, recorder)
-                    }
                 }
             };
         }
-        use rodas5p::Rodas5P;
         macro_rules! sizes {
             (few: $($few:literal)+; exactly: $($n:literal)+; up to: $($most:literal)+) => {
                 match states.len() {

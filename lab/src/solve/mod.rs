@@ -5,12 +5,10 @@
 
 mod elimination;
 mod event;
-mod exponential;
 mod flow;
 #[cfg(feature = "workbench")]
 mod foreign;
 mod march;
-mod matrix;
 mod method;
 mod piecewise;
 mod recorder;
