@@ -598,7 +598,8 @@ def fuzz() -> None:
     """Coverage-guided fuzzing under the address sanitizer. Findings are in target/fuzz/found."""
     need_rust()
     need_c_compiler()
-    run(sys.executable, "fuzz/run.py", "--long", "120")
+    # A report names the lines.
+    run(sys.executable, "fuzz/run.py", "--long", "120", CARGO_PROFILE_RELEASE_DEBUG="line-tables-only")
 
 
 def bench() -> None:
