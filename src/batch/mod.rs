@@ -20,6 +20,8 @@ pub use worker::{Begin, Rows, Runs, Worker};
 #[cfg(target_arch = "aarch64")]
 use crate::number::register::neon::Two;
 #[cfg(target_arch = "x86_64")]
+use crate::number::register::pair::Pair;
+#[cfg(target_arch = "x86_64")]
 use crate::number::register::x86::{Eight, Four};
 
 /// Rows of one law, which are worked on together.
@@ -47,7 +49,7 @@ pub struct Batch {
 /// Rows in one kind of registers.
 enum Kind {
     #[cfg(target_arch = "x86_64")]
-    Four(Groups<Four>),
+    Fours(Groups<Pair<Four>>),
     #[cfg(target_arch = "x86_64")]
     Eight(Groups<Eight>),
     #[cfg(target_arch = "aarch64")]
@@ -63,7 +65,7 @@ macro_rules! on_groups {
     ($kind:expr, $groups:ident => $work:expr) => {
         match $kind {
             #[cfg(target_arch = "x86_64")]
-            Kind::Four($groups) => $work,
+            Kind::Fours($groups) => $work,
             #[cfg(target_arch = "x86_64")]
             Kind::Eight($groups) => $work,
             #[cfg(target_arch = "aarch64")]
@@ -90,7 +92,7 @@ impl Batch {
         let Some(kernels) = model.kernels.as_ref().filter(|_| registers.are_here()) else { return Ok(None) };
         let groups = match registers {
             #[cfg(target_arch = "x86_64")]
-            Registers::Avx2 => Kind::Four(Groups::new(kernels.four, model.table.len(), rows)?),
+            Registers::Avx2 => Kind::Fours(Groups::new(kernels.four, model.table.len(), rows)?),
             #[cfg(target_arch = "x86_64")]
             Registers::Avx512 => Kind::Eight(Groups::new(kernels.eight, model.table.len(), rows)?),
             #[cfg(target_arch = "aarch64")]

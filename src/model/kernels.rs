@@ -14,6 +14,8 @@ use crate::table::{Role, Variable};
 #[cfg(target_arch = "aarch64")]
 use crate::number::register::neon::Two;
 #[cfg(target_arch = "x86_64")]
+use crate::number::register::pair::Pair;
+#[cfg(target_arch = "x86_64")]
 use crate::number::register::x86::{Eight, Four};
 
 /// The functions of a law that runs in lanes, for each kind of register that a processor may have. A law's own text is
@@ -21,7 +23,7 @@ use crate::number::register::x86::{Eight, Four};
 pub struct Kernels {
     /// For processors with AVX2.
     #[cfg(target_arch = "x86_64")]
-    pub(crate) four: Kernel<Four>,
+    pub(crate) four: Kernel<Pair<Four>>,
     /// For processors with AVX-512.
     #[cfg(target_arch = "x86_64")]
     pub(crate) eight: Kernel<Eight>,
@@ -62,14 +64,14 @@ impl Kernels {
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn output_with_avx2<M: InLanes>(groups: Groups<Four>) -> bool {
-    output::<M, Four>(groups)
+fn output_with_avx2<M: InLanes>(groups: Groups<Pair<Four>>) -> bool {
+    output::<M, Pair<Four>>(groups)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn advance_with_avx2<M: InLanes>(groups: Groups<Four>, dt: f64) -> bool {
-    advance::<M, Four>(groups, dt)
+fn advance_with_avx2<M: InLanes>(groups: Groups<Pair<Four>>, dt: f64) -> bool {
+    advance::<M, Pair<Four>>(groups, dt)
 }
 
 #[cfg(target_arch = "x86_64")]

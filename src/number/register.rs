@@ -10,6 +10,9 @@
 
 #[cfg(target_arch = "aarch64")]
 pub(crate) mod neon;
+// Elsewhere it was not measured.
+#[cfg(any(target_arch = "x86_64", test))]
+pub(crate) mod pair;
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod x86;
 
