@@ -256,7 +256,7 @@ impl Instance {
     #[inline(never)]
     fn step_with_care(&mut self, dt: f64) -> Result<(), Fault> {
         if !(dt > 0.0 && dt.is_finite()) {
-            return Err(Fault::new(format_args!("a step of {dt} s: must be > 0 and finite")));
+            return Err(Fault::new(format_args!("a step of {} s: must be > 0 and finite", Brief(dt))));
         }
         if !(self.time + dt).is_finite() {
             let time = self.time;

@@ -14,7 +14,6 @@ pub(crate) mod ramp;
 mod row;
 mod steps;
 
-pub(crate) use crate::table::Brief;
 pub use crate::table::*;
 pub use declare::{list, start};
 pub use equations::{

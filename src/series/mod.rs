@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::instance::{Instance, Phase, Refused};
 use crate::memory::OutOfMemory;
-use crate::model::Fault;
+use crate::model::{Brief, Fault};
 
 pub use settled::settle;
 
@@ -106,7 +106,7 @@ impl fmt::Display for Ended {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Ended::Setup(reason) => reason.fmt(f),
-            Ended::At { sample, time, reason } => write!(f, "sample {sample} (t = {time} s): {reason}"),
+            Ended::At { sample, time, reason } => write!(f, "sample {sample} (t = {} s): {reason}", Brief(*time)),
             Ended::Unsettled(reason) => reason.fmt(f),
             Ended::Cancelled => write!(f, "cancelled"),
             Ended::OutOfMemory => OutOfMemory.fmt(f),

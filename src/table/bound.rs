@@ -70,7 +70,8 @@ impl fmt::Display for Bound {
 }
 
 /// A number as messages show it: with an exponent if it would have many zeros.
-pub(crate) struct Brief(pub f64);
+#[derive(Clone, Copy, Debug)]
+pub struct Brief(pub f64);
 
 impl fmt::Display for Brief {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {

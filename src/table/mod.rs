@@ -9,8 +9,7 @@ mod port;
 mod variable;
 
 pub use assemble::{BLANK, Starts, graft, graft_all, graft_one_with, graft_with, inline, place, place_all};
-pub use bound::Bound;
-pub(crate) use bound::Brief;
+pub use bound::{Bound, Brief};
 pub use fault::Fault;
 pub use packed::{Packed, Parts, Pool, Table, Variables};
 pub use path::{Path, Segment};

@@ -11,6 +11,7 @@ use crate::guard::pointer::{Null, array, array_mut};
 use stribeck::batch::{Registers, Rows, Runs, Worker};
 use stribeck::instance::{Instance, Refused, Snapshot};
 use stribeck::memory::{self, OutOfMemory};
+use stribeck::model::Brief;
 use stribeck::series::{self, Between, Ended, Times};
 
 /// Nobody ends a call from C early.
@@ -128,7 +129,7 @@ impl Way {
     /// Checks the numbers of a call.
     fn of(model: &mut stribeck_model, dt: f64, samples: usize, runs: usize, held: c_int) -> Result<Way, Refusal> {
         if !(dt > 0.0 && dt.is_finite()) {
-            return refuse(STRIBECK_REFUSED_VALUE, format_args!("dt = {dt}: must be > 0 and finite"));
+            return refuse(STRIBECK_REFUSED_VALUE, format_args!("dt = {}: must be > 0 and finite", Brief(dt)));
         }
         model.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
         let most = isize::MAX as usize / size_of::<f64>();

@@ -6,6 +6,8 @@ mod solver;
 
 use std::time::{Duration, Instant};
 
+use stribeck::model::Brief;
+
 pub use configuration::Configuration;
 pub use outcome::{Column, Outcome, Passed};
 pub use solver::{Kind, Solver};
@@ -55,7 +57,7 @@ impl Settings<'_> {
             [("until", self.until, " s"), ("every", self.every, " s"), ("tolerance", self.tolerance, "")]
         {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(Fault::value(format_args!("{name} = {value}{unit}: must be > 0 and finite")));
+                return Err(Fault::value(format_args!("{name} = {}{unit}: must be > 0 and finite", Brief(value))));
             }
         }
         if self.tolerance < 1e-14 || self.tolerance > 0.1 {
@@ -64,8 +66,8 @@ impl Settings<'_> {
         }
         let rows = self.until / self.every;
         if rows > MOST_ROWS {
-            let rows = if rows < 1e15 { format!("{rows:.0}") } else { format!("{rows:e}") };
-            return Err(Fault::value(format_args!("every = {} s gives {rows} rows: at most {MOST_ROWS}", self.every)));
+            let (every, rows) = (Brief(self.every), Brief(rows.round()));
+            return Err(Fault::value(format_args!("every = {every} s gives {rows} rows: at most {MOST_ROWS}")));
         }
         Ok(())
     }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use stribeck::model::Brief;
 
 use super::{Fault, Signal};
 
@@ -144,7 +145,7 @@ impl Description {
             toml::from_str(text).map_err(|error| Fault::File(error.to_string().trim_end().to_owned()))?;
         for (name, value) in [("until", description.until), ("every", description.every)] {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(Fault::value(format_args!("{name} = {value} s: must be > 0 and finite")));
+                return Err(Fault::value(format_args!("{name} = {} s: must be > 0 and finite", Brief(value))));
             }
         }
         Ok(description)
