@@ -25,36 +25,56 @@ STUDY = {
     "vary": {"mu_s": {"uniform": [0.12, 0.2]}, "rig.mass": {"log": [0.5, 2.0]}},
     "run": {"law": ["CoulombStiction"], "until": 3.0, "tol": 1e-6},
 }
-# In a process of its own, on one thread.
-CODE = "import stribeck, sys; stribeck.study({study!r}, sys.argv[1], shard=sys.argv[2], threads=1)"
+CHUNKS = 6
+# In a process of its own, on one thread; the line says that the study begins.
+CODE = "import stribeck, sys; print(flush=True); stribeck.study({study!r}, sys.argv[1], shard=sys.argv[2], threads=1)"
 
 
 @pytest.fixture(scope="module")
-def undisturbed(tmp_path_factory):
-    """The study in one piece."""
-    return stribeck.study(STUDY, tmp_path_factory.mktemp("whole"))
-
-
-def started(folder, shard, study=STUDY):
-    return subprocess.Popen([sys.executable, "-c", CODE.format(study=study), str(folder), shard], env=ELSEWHERE)
-
-
-def test_a_study_that_is_killed_at_any_moment_goes_on(undisturbed, tmp_path):
-    draw = random.Random(4)
+def timed(tmp_path_factory):
+    """The study in one piece, and how long one thread takes for a chunk, in s."""
     began = time.monotonic()
-    stribeck.study(STUDY, tmp_path / "timed", shard="1/6", threads=1)
-    chunk = time.monotonic() - began
-    killed = 0
-    for _ in range(KILLS):
-        process = started(tmp_path / "killed", "1/1")
-        # From the import to some chunks later.
-        time.sleep(draw.uniform(0.0, 0.5 + 2.0 * chunk))
+    table = stribeck.study(STUDY, tmp_path_factory.mktemp("whole"), threads=1)
+    return table, (time.monotonic() - began) / CHUNKS
+
+
+@pytest.fixture(scope="module")
+def undisturbed(timed):
+    """The study in one piece."""
+    return timed[0]
+
+
+def started(folder, shard, output=subprocess.DEVNULL):
+    code = CODE.format(study=STUDY)
+    return subprocess.Popen([sys.executable, "-c", code, folder, shard], env=ELSEWHERE, stdout=output)
+
+
+def is_killed(process, patience):
+    """Whether a study was still running after this time, in s, and ended then."""
+    try:
+        assert process.wait(patience) == 0
+    except subprocess.TimeoutExpired:
         process.kill()
-        killed += process.wait() != 0
-    assert killed > 0
-    again = stribeck.study(STUDY, tmp_path / "killed")
-    assert again.path.read_bytes() == undisturbed.path.read_bytes()
-    print(f"figure: study killed {killed} times, same table")
+        return process.wait() != 0
+    return False
+
+
+def test_a_study_that_is_killed_at_any_moment_goes_on(timed, tmp_path):
+    undisturbed, chunk = timed
+    draw = random.Random(4)
+    killed = ended = 0
+    while killed < KILLS:
+        with started(tmp_path / str(ended), "1/1", subprocess.PIPE) as process:
+            process.stdout.readline()
+            is_met = is_killed(process, draw.uniform(0.0, 2.0 * chunk))
+        killed += is_met
+        if not is_met:
+            table = stribeck.study(STUDY, tmp_path / str(ended))
+            assert table.path.read_bytes() == undisturbed.path.read_bytes()
+            ended += 1
+    table = stribeck.study(STUDY, tmp_path / str(ended))
+    assert table.path.read_bytes() == undisturbed.path.read_bytes()
+    print(f"figure: studies killed while they ran {killed} times, {ended + 1} same tables")
 
 
 def test_many_processes_make_the_same_table(undisturbed, tmp_path):
