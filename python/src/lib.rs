@@ -5,6 +5,7 @@ mod catalogue;
 mod entries;
 mod identification;
 mod model;
+mod numbers;
 mod series;
 mod study;
 mod systems;

@@ -6,7 +6,6 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
-use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use stribeck::batch::{self, Registers, Runs, Worker};
 use stribeck::instance::Instance;
@@ -14,6 +13,7 @@ use stribeck::model::ModelType;
 use stribeck::series::{Between, Ended, Times, set_up};
 
 use crate::catalogue::{column, find, preset as known_preset};
+use crate::numbers::Numbers;
 use crate::refused;
 use crate::work::{interruptible, threads};
 
@@ -25,7 +25,7 @@ struct Rows {
     column: usize,
     rows: usize,
     width: usize,
-    values: Vec<f64>,
+    values: Numbers,
 }
 
 impl Rows {
@@ -38,26 +38,14 @@ impl Rows {
 fn rows(model: &'static ModelType, named: Named) -> PyResult<Vec<Rows>> {
     let copied = named.into_iter().map(|(name, array)| {
         let [rows, width] = [array.shape()[0], array.shape()[1]];
-        let mut values = reserved(rows * width)?;
+        let mut values = Numbers::with_room(rows * width)?;
         match array.as_slice() {
-            Ok(slice) => values.extend_from_slice(slice),
-            Err(_) => values.extend(array.as_array().iter()),
+            Ok(slice) => values.extend(slice.iter().copied()),
+            Err(_) => values.extend(array.as_array().iter().copied()),
         }
         Ok(Rows { column: column(model, &name)?, rows, width, values })
     });
     copied.collect()
-}
-
-fn reserved(length: usize) -> PyResult<Vec<f64>> {
-    let mut values = Vec::new();
-    values.try_reserve_exact(length).map_err(|_| PyMemoryError::new_err(format!("no memory for {length} numbers")))?;
-    Ok(values)
-}
-
-fn filled(length: usize) -> PyResult<Vec<f64>> {
-    let mut values = reserved(length)?;
-    values.resize(length, f64::NAN);
-    Ok(values)
 }
 
 fn columns(model: &'static ModelType, names: &[String]) -> PyResult<Vec<usize>> {
@@ -145,13 +133,13 @@ impl Common<'_> {
         worker: impl Fn() -> Box<Make<'a>> + Send + Sync,
     ) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
         let length = self.count * self.samples;
-        let mut arrays = self.results.iter().map(|_| filled(length)).collect::<PyResult<Vec<_>>>()?;
+        let mut arrays = self.results.iter().map(|_| Numbers::missing(length)).collect::<PyResult<Vec<_>>>()?;
         let done = interruptible(py, |cancel| {
             let slots = cut(&mut arrays, self.count.div_ceil(self.together), self.together * self.samples);
             self.make(slots, cancel, worker)
         })?;
         done.map_err(|failure| self.text(failure))?;
-        Ok(arrays.into_iter().map(|array| PyArray1::from_vec(py, array)).collect())
+        arrays.into_iter().map(|array| array.into_array(py)).collect()
     }
 
     /// The text of a failure; it names the run if there are several.
@@ -161,7 +149,7 @@ impl Common<'_> {
 }
 
 /// Arrays of one value per result, run and sample, cut into what each call writes.
-fn cut(arrays: &mut [Vec<f64>], calls: usize, length: usize) -> Vec<Vec<&mut [f64]>> {
+fn cut(arrays: &mut [Numbers], calls: usize, length: usize) -> Vec<Vec<&mut [f64]>> {
     let mut slots: Vec<Vec<&mut [f64]>> = (0..calls).map(|_| Vec::with_capacity(arrays.len())).collect();
     for array in arrays {
         for (slot, part) in slots.iter_mut().zip(array.chunks_mut(length.max(1))) {
@@ -286,12 +274,12 @@ fn outputs<'py>(py: Python<'py>, common: &Common, inputs: &[Rows]) -> PyResult<O
     inputs.iter_mut().for_each(|rows| (rows.rows, rows.width) = (1, rows.rows));
     let (times, between, samples) = (Times::Every(1.0), Between::Held, common.count);
     let all = Runs { inputs: &inputs, times, samples, between, results: &common.results };
-    let mut arrays = common.results.iter().map(|_| filled(samples)).collect::<PyResult<Vec<_>>>()?;
+    let mut arrays = common.results.iter().map(|_| Numbers::missing(samples)).collect::<PyResult<Vec<_>>>()?;
     let is_done = interruptible(py, |cancel| {
         let Ok(mut worker) = Worker::new(common.model, &all, Registers::best()) else { return false };
-        let mut rest: Vec<&mut [f64]> = arrays.iter_mut().map(Vec::as_mut_slice).collect();
+        let mut rest: Vec<&mut [f64]> = arrays.iter_mut().map(|array| &mut **array).collect();
         let begin = |run, instance: &mut Instance| common.begin(run, instance);
         worker.make_outputs(&mut Instance::new(common.model), &all, &begin, &mut rest, cancel)
     })?;
-    Ok(is_done.then(|| arrays.into_iter().map(|array| PyArray1::from_vec(py, array)).collect()))
+    is_done.then(|| arrays.into_iter().map(|array| array.into_array(py)).collect()).transpose()
 }

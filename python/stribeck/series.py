@@ -102,7 +102,7 @@ def simulate(
     arrays |= {key: np.asarray(value) for key, value in assumed.items()}
     if (dt is None) == (time is None):
         raise TypeError("give either dt or time")
-    times = None if time is None else _times(time)
+    times, step = (None, _step(dt)) if time is None else (_times(time), 0.0)
     inputs = {key: array for key, array in arrays.items() if key in described.inputs}
     samples = _samples(inputs, times)
     runs, single = _runs(described, arrays)
@@ -112,7 +112,7 @@ def simulate(
         preset=preset,
         parameters=[(key, array.reshape(-1, 1)) for key, array in arrays.items() if key not in described.inputs],
         inputs=[(key, np.atleast_2d(array)) for key, array in inputs.items()],
-        dt=_step(dt) if times is None else 0.0,
+        dt=step,
         times=times,
         held=bool(held),
         results=results,
@@ -122,9 +122,12 @@ def simulate(
     )
     shape = (samples,) if single else (runs, samples)
     columns = {key: column.reshape(shape) for key, column in zip(results, flat, strict=True)}
-    axis = float(dt or 0.0) * np.arange(samples) if times is None else times
+    if times is None:
+        # In place: new memory takes longer than a cheap law.
+        times = np.arange(samples, dtype=np.float64)
+        times *= step
     units = {key: described.variables[key].unit for key in [*results, *inputs]}
-    return Result(described.name, axis, columns, units, assumed, inputs)
+    return Result(described.name, times, columns, units, assumed, inputs)
 
 
 def _numbers(variable: Variable, value: Any) -> NDArray[np.float64]:

@@ -1,0 +1,98 @@
+//! Memory for arrays, which is used again: a system takes longer to give a process new memory than a cheap law takes to
+//! fill it.
+
+use std::ops::{Deref, DerefMut};
+use std::sync::Mutex;
+
+use numpy::PyArray1;
+use numpy::ndarray::ArrayView1;
+use pyo3::exceptions::PyMemoryError;
+use pyo3::prelude::*;
+
+/// Fewer numbers come from memory that a process keeps anyway (chosen: 128 kB).
+const FEW: usize = 1 << 14;
+/// Memory that is kept, in numbers (chosen: 64 MB).
+const MOST: usize = 1 << 23;
+
+/// Memory that nobody uses, the last one given back at the end.
+static SPARE: Mutex<Vec<Vec<f64>>> = Mutex::new(Vec::new());
+
+/// An array of numbers whose memory is kept for another one.
+pub struct Numbers(Vec<f64>);
+
+impl Numbers {
+    /// Room for so many.
+    pub fn with_room(length: usize) -> PyResult<Numbers> {
+        if let Some(values) = spare(length) {
+            return Ok(Numbers(values));
+        }
+        let mut values = Vec::new();
+        let full = |_| PyMemoryError::new_err(format!("no memory for {length} numbers"));
+        values.try_reserve_exact(length).map_err(full)?;
+        Ok(Numbers(values))
+    }
+
+    /// So many NaN: a number that is never written is seen.
+    pub fn missing(length: usize) -> PyResult<Numbers> {
+        let mut numbers = Numbers::with_room(length)?;
+        numbers.0.resize(length, f64::NAN);
+        Ok(numbers)
+    }
+
+    /// Appends numbers, for which there must be room.
+    pub fn extend(&mut self, values: impl IntoIterator<Item = f64>) {
+        self.0.extend(values);
+    }
+
+    /// The same memory as an array of Python.
+    pub fn into_array(self, py: Python) -> PyResult<Bound<PyArray1<f64>>> {
+        let owner = Bound::new(py, Owner(self))?;
+        let view = ArrayView1::from(&*owner.get().0);
+        // SAFETY: the owner, which the array keeps, never moves or changes its numbers, and shows them to nobody else.
+        Ok(unsafe { PyArray1::borrow_from_array(&view, owner.clone().into_any()) })
+    }
+}
+
+impl Deref for Numbers {
+    type Target = [f64];
+    fn deref(&self) -> &[f64] {
+        &self.0
+    }
+}
+
+impl DerefMut for Numbers {
+    fn deref_mut(&mut self) -> &mut [f64] {
+        &mut self.0
+    }
+}
+
+impl Drop for Numbers {
+    fn drop(&mut self) {
+        let mut values = std::mem::take(&mut self.0);
+        if (FEW..=MOST).contains(&values.capacity())
+            // Nobody waits: where another thread is at it, or a copy of a process was made meanwhile, the memory is freed.
+            && let Ok(mut spare) = SPARE.try_lock()
+        {
+            values.clear();
+            spare.push(values);
+            while spare.iter().map(Vec::capacity).sum::<usize>() > MOST {
+                spare.remove(0);
+            }
+        }
+    }
+}
+
+/// Empty memory for so many numbers, and not for many more.
+fn spare(length: usize) -> Option<Vec<f64>> {
+    if length < FEW {
+        return None;
+    }
+    let mut spare = SPARE.try_lock().ok()?;
+    let fits = |values: &Vec<f64>| (length..=length + length / 4).contains(&values.capacity());
+    let last = spare.iter().rposition(fits)?;
+    Some(spare.remove(last))
+}
+
+/// Owner of the numbers of an array.
+#[pyclass(frozen)]
+struct Owner(Numbers);
