@@ -14,6 +14,7 @@ from importlib import import_module
 from pathlib import Path
 
 import numpy
+import pandas
 import pytest
 import stribeck
 from coupling import FMUS, PROJECT, laws_in, open_fmu, path_of
@@ -210,6 +211,11 @@ def within_itself():
             "samples: velocity 0: must be >= 1",
         ),
         (lambda: stribeck.simulate("LuGre", velocity=0.0, normal_force=1.0, dt=1.0, record=[]), "record names no"),
+        (lambda: stribeck.solve("belt", every=1e-300), "every = 1e-300 s gives 4e301 rows: at most 20000000"),
+        (
+            lambda: stribeck.simulate("LuGre", velocity=[0.0, 1e-3, numpy.inf], normal_force=1.0, dt=1e-300),
+            "t = 2e-300",
+        ),
         (lambda: stribeck.solve("belt", tol=0.5), "tolerance = 5e-1: must be between"),
         (lambda: stribeck.Model("LuGre", mu_k=-1.0), "mu_k = -1: must be > 0 and finite"),
         (lambda: stribeck.Model("ShockAbsorber").friction.set_model, "'friction.set_model' does not exist"),
@@ -327,9 +333,29 @@ def test_threads_of_python_share_a_model():
     assert (contact.friction_force, contact.dissipated_energy) == (alone.friction_force, alone.dissipated_energy)
 
 
+def test_results_keep_their_numbers_while_others_are_made():
+    """The memory of results that are gone is used again, that of others is not."""
+    velocity = 5e-3 * numpy.sin(0.01 * numpy.arange(20_000))
+
+    def force(law, mu_k):
+        return stribeck.simulate(law, velocity=velocity, normal_force=1.0, dt=DT, mu_k=mu_k)["friction_force"]
+
+    kept = [force("Coulomb", 0.1 + 0.01 * number) for number in range(5)]
+    for number in range(20):
+        force("Dahl", 0.2 + 0.01 * number)
+        stribeck.force("Coulomb", velocity, 2.0)
+    for number, values in enumerate(kept):
+        expected = (0.1 + 0.01 * number) * numpy.sign(velocity)
+        assert values.tobytes() == expected.tobytes(), number
+    kept[0][:] = 1.0
+    assert kept[0].flags.writeable
+    assert numpy.abs(force("Coulomb", 0.3)).max() == 0.3
+
+
 def test_calls_leave_no_memory_behind():
     resource = pytest.importorskip("resource")
-    velocity = numpy.zeros((4, 1000))
+    # Beyond what is used again without asking the system.
+    velocity = numpy.zeros((2, 10_000))
 
     def calls(count):
         for _ in range(count):
@@ -337,10 +363,10 @@ def test_calls_leave_no_memory_behind():
             with pytest.raises(stribeck.Refused):
                 stribeck.simulate("LuGre", velocity=velocity, normal_force=-1.0, dt=1e-3)
 
-    calls(20)
+    calls(5)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    calls(200)
-    # 200 results of 4,000 samples and six columns would be 38 MB.
+    calls(50)
+    # 50 results of 20,000 samples and six columns would be 48 MB.
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 8_000
 
 
@@ -443,6 +469,7 @@ except KeyboardInterrupt:
 
 def test_results_can_be_kept_and_drawn():
     result = stribeck.simulate("LuGre", dt=DT, **motion("LuGre", 1))
+    pandas.testing.assert_frame_equal(result.to_xarray().to_dataframe(), result.to_pandas())
     again = pickle.loads(pickle.dumps(result))
     assert all(again[name].tobytes() == result[name].tobytes() for name in result)
     assert "not given" not in repr(result)
