@@ -27,7 +27,7 @@ fn refusals_name_what_is_wrong_and_what_was_meant() {
         (vec!["run", "--set", "friction.velocity=1"], "friction.velocity comes from rig.velocity and cannot be set"),
         (vec!["run", "--tol", "0"], "tolerance = 0: must be > 0 and finite"),
         (vec!["run", "--every=-1"], "every = -1 s: must be > 0 and finite"),
-        (vec!["run", "--every", "1e-9"], "every = 0.000000001 s gives 40000000000 rows: at most 20000000"),
+        (vec!["run", "--every", "1e-9"], "every = 1e-9 s gives 40000000000 rows: at most 20000000"),
         (vec!["run", "--law", "LuGre", "Dahl"], "several laws: use `stribeck compare`"),
         (vec!["compare", "--law", "LuGre", "Dahl", "--set", "x=1"], "variable of the system 'x' does not exist"),
     ] {

@@ -3,8 +3,10 @@
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use stribeck::instance::{Instance as Row, Phase};
 use stribeck::model::ModelType;
+use stribeck::serial;
 
 use crate::catalogue::{self, column, find};
 use crate::refused;
@@ -65,6 +67,22 @@ impl Instance {
     /// Resets to the start values and to time 0.
     fn reset(&self) {
         self.row().reset();
+    }
+
+    /// Everything that changes in its life, for `load`.
+    fn save<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        let snapshot = self.row().save();
+        PyBytes::new_with(py, serial::size(self.model), |bytes| {
+            serial::write(self.model, &snapshot, [0.0; serial::OWNERS], bytes);
+            Ok(())
+        })
+    }
+
+    /// Goes on from what an instance of the same model has saved.
+    fn load(&self, saved: &[u8]) -> PyResult<()> {
+        let (snapshot, _) = serial::read(self.model, saved).map_err(refused)?;
+        self.row().restore(&snapshot);
+        Ok(())
     }
 
     /// Time in s.

@@ -98,6 +98,10 @@ class Model(Part):
         """Resets all variables to their start values, and the time to 0."""
         self._instance.reset()
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Copies, and models that are sent to other processes, are steered apart from this one.
+        return _restored, (type(self), self.description.name, self._instance.save())
+
     def __getitem__(self, name: str) -> Any:
         return self._get(name)
 
@@ -122,6 +126,14 @@ class Model(Part):
         """Results along inputs, from the start, with the present parameters: see `stribeck.simulate`."""
         parameters = {name: self._instance.get(name) for name in self.description.parameters}
         return simulate(self.description, **{**parameters, **inputs})
+
+
+def _restored(kind: type[Model], name: str, state: bytes) -> Model:
+    """A model as it was saved."""
+    restored = kind.__new__(kind)
+    Model.__init__(restored, name)
+    restored._instance.load(state)
+    return restored
 
 
 class ShockAbsorber(Model):

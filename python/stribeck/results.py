@@ -82,6 +82,8 @@ class Result(Mapping[str, NDArray[np.float64]]):
         import matplotlib.pyplot as plt
 
         names = names or tuple(name for name in self.columns if name != over)
+        if not names:
+            raise ValueError(f"{self.title} has no result other than {over} to draw")
         figure, axes = plt.subplots(len(names), 1, sharex=True, squeeze=False, layout="constrained")
         for name, axis in zip(names, axes[:, 0], strict=True):
             across = self.inputs[over] if over in self.inputs else self[over]

@@ -95,6 +95,8 @@ def simulate(
     with the interpreter lock released; the bits do not depend on the number of `threads`. Raises `stribeck.Refused`, a
     ValueError, naming run, sample, variable, value and bound.
     """
+    if not isinstance(held, (bool, np.bool_)):
+        raise TypeError(f"held = {held!r}: must be True or False")
     described = model(name)
     # Refuses a misspelled name before an input is found to be missing.
     arrays = {key: _numbers(described.find(key), value) for key, value in values.items()}
@@ -180,9 +182,11 @@ def _times(time: ArrayLike) -> NDArray[np.float64]:
 
 def _step(dt: float | None) -> float:
     try:
-        step = float(dt)  # type: ignore[arg-type]
+        step = None if dt is None or isinstance(dt, str) else float(dt)
     except (TypeError, ValueError):
-        raise TypeError(f"dt = {dt!r}: must be a number") from None
+        step = None
+    if step is None:
+        raise TypeError(f"dt = {dt!r}: must be a number")
     if not 0.0 < step < np.inf:
         raise Refused(f"dt = {step} s: must be > 0 and finite")
     return step

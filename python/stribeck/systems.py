@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -73,7 +74,8 @@ class Comparison(Mapping[str, Solution]):
 
     def __repr__(self) -> str:
         rows = [f"{law}: {one.end}, {len(one.events)} events" for law, one in {**self.solutions, **self.failed}.items()]
-        return "\n".join([f"<{self.system} with {len(rows)} laws>", *rows])
+        laws = "1 law" if len(rows) == 1 else f"{len(rows)} laws"
+        return "\n".join([f"<{self.system} with {laws}>", *rows])
 
     def plot(self, name: str, over: str = "time") -> Figure:
         """Draws one result of all laws over time or over another result. Returns matplotlib's Figure."""
@@ -117,6 +119,8 @@ def solve(system: str = "belt", law: str | Description | None = None, **options:
     Raises `stribeck.Refused`, a ValueError, for what cannot be run, and `stribeck.NotConverged` for a run that ends
     early.
     """
+    if law is not None and not isinstance(law, (str, Description)):
+        raise TypeError(f"law = {law!r}: must be one law; stribeck.compare takes several")
     (solution,) = _solutions(system, [] if law is None else [str(law)], options)
     if solution.end != "reached":
         raise NotConverged(solution)
@@ -143,6 +147,8 @@ def compare(
 
 
 def _solutions(system: str, names: list[str], options: dict[str, Any]) -> list[Solution]:
+    if not isinstance(system, (str, os.PathLike)):
+        raise TypeError(f"system: must be a name or a path, not {type(system).__name__}")
     entries = {name: value for name, value in options.items() if value is not None}
     if not entries.pop("events", True):
         entries["no-events"] = True

@@ -1,5 +1,6 @@
 """The Python package against the FMUs, closed forms and the command line; and what it refuses."""
 
+import copy
 import doctest
 import json
 import os
@@ -236,6 +237,16 @@ def test_refusals_name_variable_value_and_limit(call, message):
         (lambda: stribeck.force("Coulomb", numpy.ma.masked_equal([1.0, 2.0], 2.0), 1.0), "velocity: some .* masked"),
         (lambda: stribeck.simulate("Coulomb", velocity=0.0, normal_force=1.0, dt="x"), "dt = 'x': must be a number"),
         (
+            lambda: stribeck.simulate("Coulomb", velocity=0.0, normal_force=1.0, dt="1e-3"),
+            "dt = '1e-3': must be a number",
+        ),
+        (
+            lambda: stribeck.simulate("Coulomb", velocity=0.0, normal_force=1.0, dt=1.0, held="no"),
+            "held = 'no': must be",
+        ),
+        (lambda: stribeck.solve("belt", ["LuGre", "Dahl"]), "must be one law; stribeck.compare takes several"),
+        (lambda: stribeck.solve({"law": "LuGre"}), "system: must be a name or a path, not dict"),
+        (
             lambda: stribeck.simulate(
                 "Coulomb", velocity=0.0, normal_force=1.0, time=numpy.array(["2026-11-24"], "M8[s]")
             ),
@@ -313,6 +324,24 @@ def test_results_that_do_not_fit_into_memory_are_refused():
     huge = numpy.broadcast_to(numpy.float64(0.0), (2**30, 2**24))
     with pytest.raises(MemoryError):
         stribeck.simulate("LuGre", velocity=huge, normal_force=1.0, dt=1e-3)
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda model: pickle.loads(pickle.dumps(model))])
+def test_a_copy_of_a_model_goes_on_alone(copied):
+    strut = stribeck.ShockAbsorber(**{"friction.model": "LuGre", "length": 0.1775, "velocity": 0.1})
+    lag = stribeck.Model("FrictionalLag", normal_force=10.0, velocity=0.01)
+    for model, force in [(strut, "force"), (lag, "friction_force")]:
+        model.step(1e-3)
+        other = copied(model)
+        assert type(other) is type(model)
+        before = other[force]
+        for _ in range(20):
+            model.step(1e-3, velocity=0.05)
+        assert (other.time, other[force]) == (1e-3, before)
+        for _ in range(20):
+            other.step(1e-3, velocity=0.05)
+        assert (other.time, other[force], other.velocity) == (model.time, model[force], model.velocity)
+        assert model[force] != before
 
 
 def test_threads_of_python_share_a_model():

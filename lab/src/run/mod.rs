@@ -66,7 +66,8 @@ impl Settings<'_> {
         }
         let rows = self.until / self.every;
         if rows > MOST_ROWS {
-            let (every, rows) = (Brief(self.every), Brief(rows.round()));
+            let rows = if rows < 1e15 { format!("{rows:.0}") } else { format!("{rows:.0e}") };
+            let every = Brief(self.every);
             return Err(Fault::value(format_args!("every = {every} s gives {rows} rows: at most {MOST_ROWS}")));
         }
         Ok(())
