@@ -329,7 +329,7 @@ def test_results_that_do_not_fit_into_memory_are_refused():
 @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda model: pickle.loads(pickle.dumps(model))])
 def test_a_copy_of_a_model_goes_on_alone(copied):
     strut = stribeck.ShockAbsorber(**{"friction.model": "LuGre", "length": 0.1775, "velocity": 0.1})
-    lag = stribeck.Model("FrictionalLag", normal_force=10.0, velocity=0.01)
+    lag = stribeck.Model("FrictionalLag", normal_force=10.0, velocity=1e-3, mu_s=0.2)
     for model, force in [(strut, "force"), (lag, "friction_force")]:
         model.step(1e-3)
         other = copied(model)
