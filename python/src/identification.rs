@@ -55,7 +55,7 @@ impl Known {
             folds: self.folds,
             ..usual
         };
-        (Rig { mass, normal_force, window, delay, skip }, task)
+        (Rig { mass, normal_force, window, delay, skip, is_axis: self.axis }, task)
     }
 }
 
@@ -91,7 +91,7 @@ pub fn identify<'py>(
         let all = Experiment::new(name, &record);
         match rest {
             Some(rest) => all.without_rest(rest).map_err(refused),
-            None if is_axis => axis::in_motion(all).map_err(refused),
+            None if is_axis => axis::in_motion(all, &laws).map_err(refused),
             None => Ok(all),
         }
     };

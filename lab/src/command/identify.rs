@@ -45,16 +45,19 @@ pub struct Arguments {
     /// Normal force in N, if the record has none
     #[arg(long)]
     normal_force: Option<f64>,
-    /// Window in s for smoothing and differentiating the motion (default: 5 to 31 samples, whichever explains most)
+    /// Window in s for smoothing and differentiating the motion (default: 5 to 31 samples, whichever explains most; for
+    /// an axis 9 to 191 samples, force and motion alike)
     #[arg(long)]
     window: Option<f64>,
-    /// Delay of the motion behind the force in s; or `find`, or `find:LONGEST`
-    #[arg(long, default_value = "0")]
-    delay: DelayChoice,
+    /// Delay of the motion behind the force in s; or `find`, or `find:LONGEST` (default: 0; for an axis that of a
+    /// controller, up to two samples, is found)
+    #[arg(long)]
+    delay: Option<DelayChoice>,
     /// Start of the record that is left out, in s
     #[arg(long, default_value_t = 0.0)]
     skip: f64,
-    /// Speed in m/s below which samples are left out (default: three times the error of the velocity; 0 for none)
+    /// Speed in m/s below which samples are left out (default: three times the error of the velocity, and for Coulomb and
+    /// viscous friction of an axis a twentieth of the highest speed; 0 for none)
     #[arg(long)]
     rest: Option<f64>,
     /// Parameter that is held: sigma_1=0; also mass and offset of the rig
@@ -162,9 +165,10 @@ const CHECK: u64 = 400;
 
 impl Arguments {
     fn rig(&self) -> Rig {
-        let DelayChoice(delay) = self.delay;
+        let usual = if self.axis { Delay::OfController } else { Delay::Known(0.0) };
+        let delay = self.delay.map_or(usual, |DelayChoice(delay)| delay);
         let normal_force = self.normal_force.or(self.axis.then_some(axis::NORMAL_FORCE));
-        Rig { mass: self.mass, normal_force, window: self.window, delay, skip: self.skip }
+        Rig { mass: self.mass, normal_force, window: self.window, delay, skip: self.skip, is_axis: self.axis }
     }
 
     fn records(&self, files: &[PathBuf]) -> Result<Vec<(String, Record)>, Failure> {
@@ -204,12 +208,12 @@ impl Arguments {
         Ok(tables)
     }
 
-    fn experiments(&self, records: &[(String, Record)]) -> Result<Vec<Experiment>, Fault> {
+    fn experiments(&self, records: &[(String, Record)], laws: &[&'static ModelType]) -> Result<Vec<Experiment>, Fault> {
         let experiment = |(name, record): &(String, Record)| {
             let all = Experiment::new(name, record);
             match self.rest {
                 Some(rest) => all.without_rest(rest),
-                None if self.axis => axis::in_motion(all),
+                None if self.axis => axis::in_motion(all, laws),
                 None => Ok(all),
             }
         };
@@ -281,8 +285,8 @@ fn with_motion(mut tables: Vec<Sheet>) -> Option<Sheet> {
 pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     let (laws, task) = (arguments.laws()?, arguments.task()?);
     let records = arguments.records(&arguments.records)?;
-    let unseen = arguments.experiments(&arguments.records(&arguments.hold_out)?)?;
-    let experiments = arguments.experiments(&records)?;
+    let unseen = arguments.experiments(&arguments.records(&arguments.hold_out)?, &laws)?;
+    let experiments = arguments.experiments(&records, &laws)?;
     heed_interrupts();
     if !arguments.json {
         for ((name, record), experiment) in records.iter().zip(&experiments) {
@@ -328,14 +332,19 @@ fn worth(name: &str, record: &Record) -> String {
         "{name}: {} samples over {:.3} s, {} reversals, up to {:.4} m/s; noise of the force {:.3e} N\n",
         quality.samples, quality.duration, quality.reversals, quality.fastest, quality.noise
     );
-    if record.is_differentiated {
+    if record.alike.is_some() {
+        text += &format!(
+            "  force and motion averaged alike, over {:.4} s; the motion is about {:.5} s behind the force\n",
+            record.window, record.clocks.delay
+        );
+    } else if record.is_differentiated {
         text += &format!(
             "  velocity from the displacement, in a window of {:.4} s; known to {:.1e} m/s around rest\n",
             record.window, record.velocity_error
         );
     }
     let clocks = record.clocks;
-    if clocks.deviation > 0.0 {
+    if clocks.deviation > 0.0 && record.alike.is_none() {
         text += &format!(
             "  the motion is {:.5} s behind the force (standard deviation {:.1e} s), {:.1e} s more each second\n",
             clocks.delay, clocks.deviation, clocks.drift

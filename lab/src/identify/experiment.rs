@@ -1,6 +1,6 @@
 //! Experiments as a fit needs them.
 
-use crate::measured::Record;
+use crate::measured::{Alike, Record};
 use crate::system::Fault;
 
 /// A run of a rig: the motion and the load that the law is led through, and the force it shall give.
@@ -30,6 +30,8 @@ pub struct Experiment {
     pub rest: Rest,
     /// Time to each side in which the filter of the motion mixes samples, s.
     pub reach: f64,
+    /// What else there is if force and motion are smoothed alike.
+    pub alike: Option<Alike>,
 }
 
 /// Samples that are taken to be at rest.
@@ -46,10 +48,6 @@ pub struct Rest {
 /// records of `Coulomb`, `CoulombViscous` and `Stribeck` better than these themselves.
 pub(super) const UNKNOWN_DIRECTION: f64 = 3.0;
 
-/// Samples of the motion by which a delay that was found without the law may be off (chosen): friction that turns
-/// within some way looks late, and its way is not known before the fit.
-const DOUBT: f64 = 3.0;
-
 impl Experiment {
     /// A record of a rig, without the samples whose direction of motion is not known; with them if they are the greater
     /// part, as where all motion is slow.
@@ -63,10 +61,11 @@ impl Experiment {
             force: record.force.clone(),
             velocity_error: record.velocity_error,
             delay: record.clocks.delay,
-            delay_doubt: if record.clocks.deviation > 0.0 { DOUBT * record.motion_interval } else { 0.0 },
+            delay_doubt: record.delay_doubt,
             left_out: Vec::new(),
             rest: Rest::default(),
             reach: 0.5 * record.window,
+            alike: record.alike.clone(),
         };
         let rest = Rest { speed: UNKNOWN_DIRECTION * all.velocity_error, reach: 0.0 };
         let left_out = all.at_rest(rest);
@@ -85,6 +84,9 @@ impl Experiment {
 
     /// Whether each sample is at rest; empty if none is.
     fn at_rest(&self, rest: Rest) -> Vec<bool> {
+        if let Some(alike) = &self.alike {
+            return alike.least_speed.iter().map(|least| *least <= rest.speed).collect();
+        }
         let mut found = vec![false; self.time.len()];
         let mut from = 0;
         // Where a filter reaches across rest, it does so too if no sample is slow enough.
@@ -118,6 +120,9 @@ impl Experiment {
 
     /// The same with the motion taken from this much later.
     pub(super) fn shifted(&self, by: f64) -> Experiment {
+        if let Some(alike) = &self.alike {
+            return self.along_jerk(&alike.jerk, by);
+        }
         let last = self.time.len() - 1;
         let at = |values: &[f64], slopes: Option<&[f64]>, t: f64| {
             let end = if t < self.time[0] { 0 } else { last };
@@ -130,6 +135,14 @@ impl Experiment {
         let later = self.time.iter().map(|t| t + by);
         let (velocity, acceleration) =
             later.map(|t| (at(&self.velocity, Some(&self.acceleration), t), at(&self.acceleration, None, t))).unzip();
+        Experiment { velocity, acceleration, ..self.clone() }
+    }
+
+    /// The same for a motion of which the jerk is known; samples may be far apart.
+    fn along_jerk(&self, jerk: &[f64], by: f64) -> Experiment {
+        let moved = self.velocity.iter().zip(&self.acceleration).zip(jerk);
+        let moved = moved.map(|((v, a), jerk)| (v + by * (a + 0.5 * by * jerk), a + by * jerk));
+        let (velocity, acceleration) = moved.unzip();
         Experiment { velocity, acceleration, ..self.clone() }
     }
 
@@ -149,6 +162,11 @@ impl Experiment {
             left_out: self.left_out.iter().copied().step_by(parts).collect(),
             rest: self.rest,
             reach: self.reach,
+            alike: self.alike.as_ref().map(|alike| Alike {
+                jerk: take(&alike.jerk),
+                least_speed: take(&alike.least_speed),
+                noise: alike.noise,
+            }),
         }
     }
 

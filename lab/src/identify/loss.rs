@@ -20,6 +20,7 @@
 //! doi:10.1109/83.551699.
 
 use super::Experiment;
+use crate::measured::noise;
 
 /// Bend in standard deviations of the noise: Huber's, which loses 5 % of precision if the noise is normal.
 const BEND: f64 = 1.345;
@@ -44,7 +45,8 @@ impl Loss {
 
     /// Noise of the forces of experiments, N.
     pub fn noise(experiments: &[Experiment]) -> f64 {
-        let square = |one: &Experiment| crate::measured::noise(&one.force).powi(2);
+        let of = |one: &Experiment| one.alike.as_ref().map_or_else(|| noise(&one.force), |alike| alike.noise);
+        let square = |one: &Experiment| of(one) * of(one);
         let noise = (experiments.iter().map(square).sum::<f64>() / experiments.len().max(1) as f64).sqrt();
         let forces = experiments.iter().flat_map(|one| &one.force);
         let level = forces.fold(f64::MIN_POSITIVE, |most, force| most.max(force.abs()));

@@ -11,6 +11,8 @@
 //! (1997), doi:10.1023/A:1008202821328.
 
 #[cfg(test)]
+mod axis_tests;
+#[cfg(test)]
 mod ended_tests;
 mod estimate;
 mod experiment;
@@ -102,7 +104,7 @@ impl Default for Task {
 /// Quantities fitted to the records of an axis, M a = F - f - offset (the model `Axis`).
 pub mod axis {
     use super::experiment::UNKNOWN_DIRECTION;
-    use super::{Experiment, Fault, Wishes};
+    use super::{Experiment, Fault, ModelType, Wishes};
 
     /// Law of its guides, unless another one is given.
     pub const LAW: &str = "CoulombViscous";
@@ -118,10 +120,16 @@ pub mod axis {
         }
     }
 
+    /// Part of the highest speed below which friction is more than Coulomb and viscous friction (chosen): the static
+    /// level and what is left of it, and pre-sliding.
+    const SLOW: f64 = 0.05;
+
     /// An experiment without its samples at rest: there the guides carry whatever force there is, and the sign of the
-    /// velocity is noise.
-    pub fn in_motion(experiment: Experiment) -> Result<Experiment, Fault> {
-        let rest = UNKNOWN_DIRECTION * experiment.velocity_error;
+    /// velocity is noise. If only [`LAW`] is fitted, without those that are slow either.
+    pub fn in_motion(experiment: Experiment, laws: &[&'static ModelType]) -> Result<Experiment, Fault> {
+        let fastest = experiment.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        let slow = if laws.iter().all(|law| law.name == LAW) { SLOW * fastest } else { 0.0 };
+        let rest = f64::max(UNKNOWN_DIRECTION * experiment.velocity_error, slow);
         experiment.without_rest(rest)
     }
 }
@@ -523,6 +531,10 @@ fn warnings(
         list.push(format!(
             "the samples are too far apart: dividing their intervals once more shifts a value by {shift:.1} standard \
              deviations"
+/// Correlation of neighbours from which it is not noise that is left, although it swings so often that few samples count
+/// as one (chosen).
+const ALIKE: f64 = 0.5;
+
         ));
     }
     if seen.correlation > SYSTEMATIC {
@@ -549,6 +561,12 @@ const BLURRED: f64 = 0.05;
 /// and the Stribeck velocity higher than they are, while the residuals look fine.
 fn blurred(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
     let speed =
+    } else if seen.neighbours > ALIKE {
+        list.push(format!(
+            "the residuals are not noise (neighbours are correlated by {:.2}): something else than the law acts, such as \
+             a ripple along the way, and the intervals may not hold",
+            seen.neighbours
+        ));
         estimates.iter().find(|one| ["stribeck_velocity", "transition_velocity"].contains(&one.name.as_str()))?;
     let error = experiment.velocity_error;
     let damping = if estimates.iter().any(|one| one.name == "sigma_1") { ", sigma_1 far from the truth" } else { "" };

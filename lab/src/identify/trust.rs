@@ -26,7 +26,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::loss::Loss;
 use super::problem::Problem;
-use super::unknown::{Scale, Unknown};
+use super::unknown::{Scale, Target, Unknown};
 
 /// Part of a large change up to which the data must know an unknown.
 pub const DETERMINED: f64 = 0.4;
@@ -172,7 +172,9 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
         let sum: f64 = columns[a].iter().zip(&columns[b]).map(|(a, b)| a * b).sum();
         sum * large[a] * large[b] / variance
     });
-    let scaled = spread(&information);
+    // The delay of an axis is searched wherever it can be.
+    let is_axis = problem.experiments.iter().any(|one| one.alike.is_some());
+    let scaled = spread(&information, &|number| is_axis && problem.unknowns[number].target == Target::Delay);
     let spectrum = information.clone().symmetric_eigen().eigenvalues;
     let covariance = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] * large[a] * large[b]);
     let correlation = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] / (scaled[(a, a)] * scaled[(b, b)]).sqrt());
@@ -243,15 +245,17 @@ const OF_MEDIAN: f64 = 1.4826;
 const OUTLIER: f64 = 5.0;
 const MOVED: f64 = 1.0;
 
-/// (information + knowledge before the data)^-1, with less knowledge about what the data do not determine.
-pub(super) fn spread(information: &DMatrix<f64>) -> DMatrix<f64> {
+/// (information + knowledge before the data)^-1, with less knowledge about what the data do not determine, unless its
+/// range is known for certain.
+pub(super) fn spread(information: &DMatrix<f64>, is_certain: &dyn Fn(usize) -> bool) -> DMatrix<f64> {
     let count = information.nrows();
     let mut before = vec![1.0; count];
     loop {
         let known = DMatrix::from_fn(count, count, |a, b| if a == b { 1.0 / (before[a] * before[a]) } else { 0.0 });
         let spread =
             (information + &known).cholesky().map_or_else(|| known.map(|one| one.recip()), |all| all.inverse());
-        let is_new = |number: &usize| before[*number] == 1.0 && spread[(*number, *number)].sqrt() > DETERMINED;
+        let is_open = |number: usize| spread[(number, number)].sqrt() > DETERMINED && !is_certain(number);
+        let is_new = |number: &usize| before[*number] == 1.0 && is_open(*number);
         let Some(number) = (0..count).find(is_new) else { return spread };
         before[number] = UNKNOWN;
     }

@@ -22,14 +22,17 @@
 //! Rig and balance of forces: chapter 8 of F. Novais, "A critical analysis on friction force models in dynamical
 //! systems", MSc thesis, University of Minho (2024).
 
+mod alike;
 mod clock;
 mod cycle;
 mod polynomial;
 mod quality;
 mod record;
+mod stencil;
 #[cfg(test)]
 mod tests;
 
+pub use alike::Alike;
 pub use clock::Clocks;
 pub use cycle::{Cycle, average, interpolate};
 pub use quality::{Gap, Quality, noise};

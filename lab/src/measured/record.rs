@@ -1,8 +1,10 @@
 //! A record: force and motion on one clock, and the friction that follows from them.
 
+use super::alike::{self, Alike};
 use super::clock::{Clocks, Pair};
 use super::polynomial::Local;
 use super::quality::{Quality, median, noise, quality};
+use super::stencil::derivatives;
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, SheetError, TIME, VELOCITY, text};
 
 /// Properties of a rig.
@@ -19,6 +21,8 @@ pub struct Rig {
     pub delay: Delay,
     /// Start of the record that is left out, s.
     pub skip: f64,
+    /// Whether it is an axis, whose force is that of its drive: force and motion are then smoothed alike, in the window.
+    pub is_axis: bool,
 }
 
 /// Delay of the motion behind the force.
@@ -28,6 +32,9 @@ pub enum Delay {
     Known(f64),
     /// It is to be found, at most this long, in s.
     Find(f64),
+    /// It is that of a controller which holds its force until the next sample: up to two samples of the record, to be
+    /// found. Only of an axis.
+    OfController,
 }
 
 impl Delay {
@@ -38,7 +45,7 @@ impl Delay {
 impl Default for Rig {
     /// No mass, one clock.
     fn default() -> Rig {
-        Rig { mass: 0.0, normal_force: None, window: None, delay: Delay::Known(0.0), skip: 0.0 }
+        Rig { mass: 0.0, normal_force: None, window: None, delay: Delay::Known(0.0), skip: 0.0, is_axis: false }
     }
 }
 
@@ -118,6 +125,15 @@ pub enum MeasuredError {
         /// Outcome.
         value: f64,
     },
+    /// Force and motion cannot be smoothed alike.
+    #[error(
+        "nothing is left between rest, turns and the ends: the body must keep its direction for longer than {window} s, \
+         in which force and motion are smoothed; move it farther or slower, sample faster, or give a shorter window"
+    )]
+    NoStroke {
+        /// Length of the shortest window that was tried, s.
+        window: f64,
+    },
     /// Friction would drive the slider.
     #[error(
         "friction gives {energy:.3e} J to the slider: force and displacement are positive in opposite directions, or \
@@ -128,6 +144,10 @@ pub enum MeasuredError {
         energy: f64,
     },
 }
+
+/// Samples of the motion, or standard deviations, by which a delay that was found without the law may be off (chosen):
+/// friction that turns within some way looks late, and its way is not known before the fit.
+const DOUBT: f64 = 3.0;
 
 /// Least number of samples.
 const LEAST: usize = 20;
@@ -163,6 +183,10 @@ pub struct Record {
     pub motion_interval: f64,
     /// Clocks of force and motion.
     pub clocks: Clocks,
+    /// How far the delay may be off, s; 0 if it is known.
+    pub delay_doubt: f64,
+    /// What else there is if force and motion are smoothed alike.
+    pub alike: Option<Alike>,
     /// Quality.
     pub quality: Quality,
 }
@@ -178,8 +202,7 @@ impl Record {
         let load = load(sheet, rig)?;
         let own = Own { time: &time, force: &force, load: &load };
         let moved = Motion::of(motion.unwrap_or(sheet))?;
-        let (window, clocks) = moved.tuned(&own, rig);
-        let record = moved.joined(&own, rig, window, clocks)?;
+        let record = if rig.is_axis { moved.of_axis(&own, rig)? } else { moved.record(&own, rig)? };
         record.finite()?;
         let energy: f64 = (1..record.time.len())
             .map(|at| record.friction_force[at] * (record.displacement[at] - record.displacement[at - 1]))
@@ -224,6 +247,7 @@ fn check(rig: &Rig) -> Result<(), MeasuredError> {
     let delay = match rig.delay {
         Delay::Known(delay) => delay,
         Delay::Find(longest) => longest,
+        Delay::OfController => 0.0,
     };
     let wrong = |name, value, wanted| Err(MeasuredError::Rig { name, value, wanted });
     match rig {
@@ -299,11 +323,48 @@ impl Motion {
         median(&mut steps)
     }
 
+    /// The record with the motion smoothed.
+    fn record(&self, own: &Own, rig: &Rig) -> Result<Record, MeasuredError> {
+        let (window, clocks) = self.tuned(own, rig, rig.window);
+        self.joined(own, rig, window, clocks)
+    }
+
+    /// The record with force and motion smoothed alike.
+    fn of_axis(&self, own: &Own, rig: &Rig) -> Result<Record, MeasuredError> {
+        let (window, clocks) = self.tuned(own, rig, None);
+        let record = self.joined(own, rig, window, clocks)?;
+        let doubt = match rig.delay {
+            Delay::Known(_) => 0.0,
+            Delay::Find(longest) => longest,
+            Delay::OfController => alike::doubt(self.interval()),
+        };
+        let is_held = rig.delay == Delay::OfController;
+        let raw = |delay: f64| {
+            let clocks = Clocks { delay, ..clocks };
+            record.time.iter().map(|t| self.unfiltered(clocks.of_motion(*t))).collect()
+        };
+        let shortest = rig.window.unwrap_or(alike::shortest(record.quality.interval));
+        let found = alike::alike(&record, rig.mass, &raw, rig.window, doubt, is_held);
+        found.ok_or(MeasuredError::NoStroke { window: shortest })
+    }
+
+    /// Displacement, velocity and acceleration at a time, as the nearest samples have them.
+    fn unfiltered(&self, time: f64) -> [f64; 3] {
+        match &self.velocity {
+            None => derivatives(&self.time, &self.displacement, time),
+            Some(velocity) => {
+                let [x, ..] = derivatives(&self.time, &self.displacement, time);
+                let [v, a, _] = derivatives(&self.time, velocity, time);
+                [x, v, a]
+            }
+        }
+    }
+
     /// Window and clocks, as they are known or as they let the motion explain most of the force.
-    fn tuned(&self, own: &Own, rig: &Rig) -> (f64, Clocks) {
+    fn tuned(&self, own: &Own, rig: &Rig, window: Option<f64>) -> (f64, Clocks) {
         let interval = self.interval();
         let windows =
-            rig.window.map_or_else(|| WINDOWS.map(|samples| (samples - 0.5) * interval).to_vec(), |one| vec![one]);
+            window.map_or_else(|| WINDOWS.map(|samples| (samples - 0.5) * interval).to_vec(), |one| vec![one]);
         if let ([window], Delay::Known(delay)) = (windows.as_slice(), rig.delay) {
             return (*window, Clocks::known(delay));
         }
@@ -312,6 +373,7 @@ impl Motion {
             let clocks = match rig.delay {
                 Delay::Known(delay) => Clocks::known(delay),
                 Delay::Find(longest) => pair.find(longest),
+                Delay::OfController => Clocks::known(alike::middle(interval)),
             };
             (pair.unexplained(&clocks), window, clocks)
         });
@@ -322,6 +384,7 @@ impl Motion {
     /// Force and motion on the clock of the force, where both are known.
     fn joined(&self, own: &Own, rig: &Rig, window: f64, clocks: Clocks) -> Result<Record, MeasuredError> {
         let position = Local::new(&self.time, &self.displacement, window);
+        let interval = self.interval();
         let [first, last] = [self.time[0], self.time[self.time.len() - 1]];
         let begin = own.time[0] + rig.skip;
         let is_inside = |t: f64| t >= begin && (first..=last).contains(&clocks.of_motion(t));
@@ -341,7 +404,9 @@ impl Motion {
             normal_force: take(own.load),
             is_differentiated: self.velocity.is_none(),
             window,
-            motion_interval: self.interval(),
+            motion_interval: interval,
+            delay_doubt: if clocks.deviation > 0.0 { DOUBT * interval.max(clocks.deviation) } else { 0.0 },
+            alike: None,
             velocity_error: 0.0,
             quality: Quality::default(),
             time,

@@ -403,7 +403,7 @@ fn known(problem: &TyreProblem) -> Known {
         let sum: f64 = columns[a].iter().zip(&columns[b]).map(|(a, b)| a * b).sum();
         sum * large[a] * large[b]
     });
-    let spread = spread(&information);
+    let spread = spread(&information, &|_| false);
     let parts: Vec<f64> = (0..count).map(|number| spread[(number, number)].sqrt()).collect();
     Known {
         deviations: parts.iter().zip(&large).map(|(part, large)| part * large).collect(),

@@ -1,0 +1,164 @@
+//! Mass, friction and offset of axes.
+
+use std::f64::consts::TAU;
+
+use stribeck::catalogue::by_name;
+
+use super::tests::{estimate, fitted, measured, noise, quick, standard};
+use super::*;
+use crate::measured::{Delay, Record, Rig};
+use crate::sheet::Sheet;
+
+#[test]
+fn mass_friction_and_offset_of_an_axis_are_found_within_half_a_percent() {
+    let mass = 95.1089;
+    let mut data = measured(
+        "CoulombViscous",
+        &[("mu_k", 20.3935), ("viscous_coefficient", 203.5034)],
+        &Experiment {
+            normal_force: vec![1.0; 4000],
+            velocity: standard(4000).velocity.iter().map(|v| 5.0 * v).collect(),
+            ..standard(4000)
+        },
+        0.0,
+        1,
+    );
+    data.acceleration.iter_mut().for_each(|a| *a *= 5.0);
+    let noise = noise(8, 4000);
+    for (at, force) in data.force.iter_mut().enumerate() {
+        *force += mass * data.acceleration[at] - 3.1648 + 0.5 * noise[at];
+    }
+    let wishes = Wishes { fitted: vec!["mass".into(), "offset".into()], ..Wishes::default() };
+    let fit = fitted("CoulombViscous", &[data], &Task { wishes, ..quick() });
+    for (name, truth) in [("mass", mass), ("mu_k", 20.3935), ("viscous_coefficient", 203.5034), ("offset", -3.1648)] {
+        let one = estimate(&fit, name);
+        assert!((one.value / truth - 1.0).abs() < 5e-3 || (one.value - truth).abs() < 0.05, "{one:?}");
+        assert_eq!(one.verdict, Verdict::Determined);
+    }
+    // The law has a parameter mass too, that of the body it holds.
+    let names: Vec<String> = fit.values().into_iter().map(|(name, _)| name).collect();
+    assert_eq!(names, ["mu_k", "viscous_coefficient"]);
+}
+
+/// The system `axis`, solved, as its controller would record it: force of the drive with noise, position of an encoder.
+#[test]
+fn a_record_of_the_axis_gives_back_its_parameters() {
+    let source = crate::system::Source::open("axis").unwrap();
+    let system = crate::system::System::assemble(&source, None, &[]).unwrap();
+    let shown = ["axis.drive_force", "axis.position"].map(str::to_owned);
+    let outcome = crate::run::run(&system, &crate::run::Settings::of(&system), &shown).unwrap();
+    let [force, position] = shown.each_ref().map(|name| outcome.values(name).unwrap());
+    let random = noise(3, force.len());
+    let force = force.iter().zip(&random).map(|(force, noise)| force + 0.5 * noise).collect();
+    let position = position.iter().map(|x| (x / 1e-6).round() * 1e-6).collect();
+    let columns = [("time", outcome.time.clone()), ("force", force), ("displacement", position)];
+    let sheet = Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
+    let rig = Rig { normal_force: Some(axis::NORMAL_FORCE), is_axis: true, ..Rig::default() };
+    let record = Record::of(&sheet, None, &rig).unwrap();
+    let mut wishes = Wishes::default();
+    axis::fitted(&mut wishes);
+    let experiment = axis::in_motion(Experiment::new("axis", &record), &[]).unwrap();
+    let fit = fitted(axis::LAW, &[experiment], &Task { wishes, ..quick() });
+    for (name, truth) in [("mass", 95.1089), ("mu_k", 20.3935), ("viscous_coefficient", 203.5034), ("offset", -3.1648)]
+    {
+        let one = estimate(&fit, name);
+        let [low, high] = one.interval();
+        assert!((one.value / truth - 1.0).abs() < 5e-3, "{one:?}");
+        assert!((low..=high).contains(&truth), "{one:?}");
+    }
+}
+
+/// An axis of 60 kg, 250 N s/m, 25 N and -2 N.
+const AXIS: [(&str, f64); 4] = [("mass", 60.0), ("viscous_coefficient", 250.0), ("mu_k", 25.0), ("offset", -2.0)];
+
+/// Motion of that axis under a force that is held for some time, in closed form; it sticks where it stops.
+fn moved([mut x, mut v]: [f64; 2], force: f64, mut left: f64) -> [f64; 2] {
+    let [mass, viscous, level, offset] = AXIS.map(|(_, value)| value);
+    let (drive, time) = (force - offset, mass / viscous);
+    while left > 0.0 {
+        if v == 0.0 && drive.abs() <= level {
+            return [x, v];
+        }
+        let sign = if v == 0.0 { drive.signum() } else { v.signum() };
+        let last = (drive - sign * level) / viscous;
+        // v(t) = last + (v - last) exp(-t / time) is 0 at this time, if it ever is.
+        let stop = if last * sign < 0.0 && v != 0.0 { time * (1.0 - v / last).ln() } else { f64::INFINITY };
+        let step = stop.min(left);
+        let decay = (-step / time).exp();
+        x += last * step + (v - last) * time * (1.0 - decay);
+        v = if stop <= left { 0.0 } else { last + (v - last) * decay };
+        left -= step;
+    }
+    [x, v]
+}
+
+/// A record over 20 s at 100 Hz: the force that is held after each sample, with noise, and an encoder of 1 um.
+fn held(force: impl Fn(f64) -> f64) -> Sheet {
+    const INTERVAL: f64 = 0.01;
+    let time: Vec<f64> = (0..2000).map(|at| f64::from(at) * INTERVAL).collect();
+    let mut state = [0.0_f64; 2];
+    let displacement = time.iter().map(|t| {
+        let x = (state[0] / 1e-6).round() * 1e-6;
+        state = moved(state, force(*t), INTERVAL);
+        x
+    });
+    let displacement: Vec<f64> = displacement.collect();
+    let force = time.iter().zip(noise(5, time.len())).map(|(t, noise)| force(*t) + 0.1 * noise).collect();
+    let columns = [("time", time.clone()), ("force", force), ("displacement", displacement)];
+    Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap()
+}
+
+fn fit_of_axis(sheet: &Sheet, delay: Delay) -> Fit {
+    let rig = Rig { normal_force: Some(axis::NORMAL_FORCE), is_axis: true, delay, ..Rig::default() };
+    let record = Record::of(sheet, None, &rig).unwrap();
+    let law = by_name(axis::LAW).unwrap();
+    let experiment = axis::in_motion(Experiment::new("axis", &record), &[law]).unwrap();
+    let mut wishes = Wishes::default();
+    axis::fitted(&mut wishes);
+    fitted(axis::LAW, &[experiment], &Task { wishes, ..quick() })
+}
+
+/// Between samples 10 ms apart the axis goes on to accelerate: a filter of the motion alone, or a delay of 0, would shift
+/// the viscous friction by some percent.
+#[test]
+fn a_force_that_is_held_between_samples_shifts_no_parameter_of_an_axis() {
+    let force = |t: f64| 90.0 * (TAU * 0.31 * t).sin() + 60.0 * (TAU * 1.3 * t).sin();
+    let fit = fit_of_axis(&held(force), Delay::OfController);
+    for (name, truth) in AXIS {
+        let one = estimate(&fit, name);
+        let [low, high] = one.interval();
+        assert!((one.value / truth - 1.0).abs() < 5e-3 || (one.value - truth).abs() < 0.02, "{one:?}");
+        assert!(one.verdict == Verdict::Determined && (low..=high).contains(&truth), "{one:?}");
+    }
+    assert!((estimate(&fit, "delay").value - 0.005).abs() < 3e-4);
+    assert!(fit.warnings.is_empty(), "{:?}", fit.warnings);
+}
+
+/// Motion of one frequency w without Coulomb friction: d later, it has M w2 d more of viscous friction and f_v d less of
+/// mass, and nothing tells one from the other.
+#[test]
+fn a_delay_that_looks_like_friction_leaves_the_friction_open() {
+    let rate = TAU * 0.5;
+    let motion = |t: f64| [-0.1 * (rate * t).cos() / rate, 0.1 * (rate * t).sin(), 0.1 * rate * (rate * t).cos()];
+    let [mass, viscous, ..] = AXIS.map(|(_, value)| value);
+    let time: Vec<f64> = (0..4000).map(|at| f64::from(at) * 2e-3).collect();
+    let noise = noise(7, time.len());
+    let force = |at: usize| {
+        let [_, v, a] = motion(time[at] - 0.03);
+        mass * a + viscous * v + 0.2 * noise[at]
+    };
+    let columns = [
+        ("time", time.clone()),
+        ("force", (0..time.len()).map(force).collect()),
+        ("displacement", time.iter().map(|t| (motion(*t)[0] / 1e-6).round() * 1e-6).collect()),
+    ];
+    let sheet = Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
+    let fit = fit_of_axis(&sheet, Delay::Find(0.1));
+    // The noise of the encoder alone must not decide between them.
+    for (name, truth) in [("mass", mass), ("viscous_coefficient", viscous), ("delay", -0.03)] {
+        let one = estimate(&fit, name);
+        let [low, high] = one.interval();
+        let is_open = low < truth && truth < high && high - low > 0.05 * truth.abs();
+        assert!(one.verdict != Verdict::Determined || is_open, "{one:?}");
+    }
+}
