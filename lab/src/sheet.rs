@@ -56,6 +56,9 @@ pub const SLIP: Quantity = Quantity { name: "slip", units: &[("1", 1.0, 0.0), ("
 pub const MOMENT: Quantity =
     Quantity { name: "moment", units: &[("N.m", 1.0, 0.0), ("Nm", 1.0, 0.0), ("N*m", 1.0, 0.0)] };
 
+/// Quantities that differ in their units.
+const QUANTITIES: [&Quantity; 8] = [&TIME, &VELOCITY, &FORCE, &DISPLACEMENT, &TEMPERATURE, &ANGLE, &SLIP, &MOMENT];
+
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// Reason why a file is not such a table.
@@ -96,6 +99,23 @@ pub enum SheetError {
         /// The headings of the file.
         found: String,
     },
+    /// Several columns may be the wanted one.
+    #[error("{wanted}: '{candidates}' may be it; say which: --column {wanted}=...")]
+    Ambiguous {
+        /// The quantity.
+        wanted: String,
+        /// The columns.
+        candidates: String,
+    },
+    /// A column may be the force, but its unit is not that of a force.
+    #[error(
+        "'{column}' may be the force, but not in N: give the factor to N, --scale force=..., or --column force=... if it \
+         is another column"
+    )]
+    NoFactor {
+        /// The column.
+        column: String,
+    },
     /// Two columns have the same name.
     #[error("two columns '{0}'")]
     Twice(String),
@@ -130,6 +150,8 @@ pub struct Sheet {
     separator: char,
     /// Name and unit of each column; an empty unit is the SI unit.
     headings: Vec<(String, String)>,
+    /// Factors of columns, by their names.
+    factors: Vec<(String, f64)>,
     rows: Vec<csv::StringRecord>,
 }
 
@@ -161,7 +183,7 @@ impl Sheet {
                 }
             }
         }
-        Ok(Sheet { separator, headings, rows })
+        Ok(Sheet { separator, headings, factors: Vec::new(), rows })
     }
 
     /// A table of columns that a program has, in SI units.
@@ -178,7 +200,7 @@ impl Sheet {
         let rows = (0..count).map(|row| channels.iter().map(|(_, _, values)| cell(values, row)).collect());
         let rows = rows.collect();
         let headings = channels.into_iter().map(|(name, unit, _)| (name, plain(&unit))).collect();
-        Sheet { separator: ',', headings, rows }
+        Sheet { separator: ',', headings, factors: Vec::new(), rows }
     }
 
     /// Whether it has a column.
@@ -196,6 +218,23 @@ impl Sheet {
                 heading.clear();
             }
         }
+    }
+
+    /// Names of its columns.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.headings.iter().map(|(name, _)| name.as_str())
+    }
+
+    /// Multiplies the column of a quantity, if it is there, by a factor: its SI values, or its numbers if they have a
+    /// unit that no quantity has, such as volts.
+    pub fn scale(&mut self, quantity: &Quantity, factor: f64) {
+        for (name, unit) in &mut self.headings {
+            let is_known = QUANTITIES.iter().any(|known| known.units.iter().any(|known| known.0 == unit));
+            if name.eq_ignore_ascii_case(quantity.name) && !is_known {
+                unit.clear();
+            }
+        }
+        self.factors.push((quantity.name.to_owned(), factor));
     }
 
     /// Number of rows.
@@ -233,7 +272,9 @@ impl Sheet {
             let [column, unit] = [name, unit].map(str::to_owned);
             return Err(SheetError::Unit { column, unit, wanted: wanted.join(", ") });
         };
-        let values = (0..self.rows.len()).map(|row| Ok(factor * (self.number(row, at)? + offset)));
+        let scales = self.factors.iter().filter(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, scale)| scale);
+        let scale: f64 = scales.product();
+        let values = (0..self.rows.len()).map(|row| Ok(scale * (factor * (self.number(row, at)? + offset))));
         values.collect::<Result<Vec<f64>, SheetError>>().map(Some)
     }
 
@@ -291,11 +332,11 @@ fn plain(unit: &str) -> String {
 
 /// Whether a row has units: each of its cells is one, or empty, or a hyphen.
 fn is_of_units(row: &csv::StringRecord) -> bool {
-    let known = [TIME, VELOCITY, FORCE, DISPLACEMENT, TEMPERATURE, ANGLE, SLIP, MOMENT];
     let is_unit = |text: &str| {
         let text = plain(text.trim_matches(['[', ']', '(', ')']));
         // The unit 1 looks like a number.
-        text.parse::<f64>().is_err() && known.iter().any(|quantity| quantity.units.iter().any(|unit| unit.0 == text))
+        text.parse::<f64>().is_err()
+            && QUANTITIES.iter().any(|quantity| quantity.units.iter().any(|unit| unit.0 == text))
     };
     let mut cells = row.iter().filter(|cell| !cell.is_empty() && *cell != "-").peekable();
     cells.peek().is_some() && cells.all(is_unit)

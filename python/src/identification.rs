@@ -1,9 +1,11 @@
 //! Parameters of laws from measured friction.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use lab::identify::{Experiment, Task, Watch, Wishes, as_json, axis, fit_all, held_out, laws_named};
-use lab::measured::{Delay, Record, Rig};
+use lab::measured::{Columns, Delay, Record, Rig};
 use lab::sheet::Sheet;
 use lab::system::Fault;
 use numpy::PyArray1;
@@ -20,7 +22,10 @@ pub struct Known {
     mass: f64,
     normal_force: Option<f64>,
     window: Option<f64>,
+    column: Vec<(String, String)>,
+    scale: Vec<(String, f64)>,
     delay: Option<f64>,
+    finds_delay: bool,
     longest_delay: Option<f64>,
     skip: f64,
     fix: Vec<(String, f64)>,
@@ -41,7 +46,12 @@ impl Known {
         if self.axis {
             axis::fitted(&mut wishes);
         }
-        let delay = self.delay.map_or(Delay::Find(self.longest_delay.unwrap_or(Delay::LONGEST)), Delay::Known);
+        let delay = match self.delay {
+            Some(delay) => Delay::Known(delay),
+            None if self.finds_delay => Delay::Find(self.longest_delay.unwrap_or(Delay::LONGEST)),
+            None if self.axis => Delay::OfController,
+            None => Delay::Known(0.0),
+        };
         let Known { mass, window, skip, .. } = self;
         let normal_force = self.normal_force.or(self.axis.then_some(axis::NORMAL_FORCE));
         let usual = Task::default();
@@ -82,12 +92,25 @@ pub fn identify<'py>(
 ) -> PyResult<(String, Vec<Bound<'py, PyDict>>)> {
     let laws = if laws.is_empty() && known.axis { vec![axis::LAW.to_owned()] } else { laws };
     let laws = laws_named(&laws).map_err(refused)?;
-    let (rest, is_axis) = (known.rest, known.axis);
+    let (rest, is_axis, has_load) = (known.rest, known.axis, known.normal_force.is_none());
+    let columns = Columns { names: known.column.clone(), factors: known.scale.clone() };
+    columns.check().map_err(refused)?;
     let (rig, task) = known.split();
-    let motion = motion.as_ref().map(sheet).transpose()?;
+    let findings = RefCell::new(BTreeMap::new());
+    let table_of = |table: &Bound<PyAny>, has_motion: bool, has_load: bool| {
+        let mut sheets = [sheet(table)?];
+        let said = columns.apply(&mut sheets, has_motion, has_load).map_err(refused)?;
+        let [sheet] = sheets;
+        Ok::<_, PyErr>((sheet, said))
+    };
+    let motion = motion.as_ref().map(|table| table_of(table, true, false)).transpose()?;
     let read = |(name, table): &(String, Bound<'py, PyAny>)| {
-        let record = Record::of(&sheet(table)?, motion.as_ref(), &rig);
+        let (sheet, mut said) = table_of(table, motion.is_none(), has_load)?;
+        let record = Record::of(&sheet, motion.as_ref().map(|(sheet, _)| sheet), &rig);
         let record = record.map_err(|error| refused(format_args!("{name}: {error}")))?;
+        said.extend(motion.iter().flat_map(|(_, said)| said.iter().cloned()));
+        said.extend(record.quality.findings.iter().cloned());
+        findings.borrow_mut().insert(name.clone(), said);
         let all = Experiment::new(name, &record);
         match rest {
             Some(rest) => all.without_rest(rest).map_err(refused),
@@ -104,12 +127,15 @@ pub fn identify<'py>(
             let found = held_out(fit, &unseen)?;
             fit.saw(found);
         }
-        Ok::<_, Fault>((as_json(&ranking).to_string(), ranking.best().clone()))
+        Ok::<_, Fault>((as_json(&ranking), ranking.best().clone()))
     })?;
-    let (text, best) = outcome.map_err(refused)?;
+    let (mut told, best) = outcome.map_err(refused)?;
+    for (name, said) in findings.into_inner() {
+        told["findings"][name.as_str()] = said.into();
+    }
     let found = best.explained.into_iter().zip(best.fitted);
     let tables = experiments.into_iter().zip(found).map(|(one, found)| table(py, one, found));
-    Ok((text, tables.collect::<PyResult<_>>()?))
+    Ok((told.to_string(), tables.collect::<PyResult<_>>()?))
 }
 
 /// An experiment with what the best law explains, and whether each sample was fitted.

@@ -67,6 +67,8 @@ class Identification:
         """The fits."""
         self.refused: dict[str, str] = {one["law"]: one["reason"] for one in found["refused"]}
         """Laws that cannot be fitted, with the reason."""
+        self.findings: dict[str, list[str]] = found["findings"]
+        """For each record what is to be known of it: which columns were taken, what is missing or doubtful."""
         self.records = records
         """For each record the arrays `time`, `velocity`, `normal_force`, `force`, `explained` by the best law, and
         whether each sample was `fitted`: those at rest are not."""
@@ -111,7 +113,9 @@ def identify(
     normal_force: float | None = None,
     motion: Record | None = None,
     window: float | None = None,
-    delay: float | None = 0.0,
+    columns: Mapping[str, str] | None = None,
+    scale: Mapping[str, float] | None = None,
+    delay: float | Literal["find"] | None = None,
     longest_delay: float | None = None,
     skip: float = 0.0,
     rest: float | None = None,
@@ -128,7 +132,8 @@ def identify(
     """Finds the parameters of a law, or of several (`"all"`), as `stribeck identify` does, with the same numbers.
 
     `mass` (kg) is that between load cell and contact, `normal_force` (N) is for records without such a column, `motion`
-    is the table of a camera with its own clock. `delay=None` looks for its delay, up to `longest_delay` (s). `fix`
+    is the table of a camera with its own clock. `delay="find"` looks for its delay, up to `longest_delay` (s). `columns`
+    says what columns are called, `scale` multiplies them: `{"force": 35.15}` for volts of a drive with 35.15 N/V. `fix`
     holds parameters, `fit` adds some that are held otherwise, `ranges` narrows them. With `loss="robust"` outliers
     count less than by their squares. `hold_out` has records that are not fitted, `folds` divides the fitted ones into
     parts for cross-validation; `Fit.unseen` says what is left there. With `axis=True` the records are of an axis,
@@ -145,6 +150,8 @@ def identify(
     >>> 0.95 < found.best.values["sigma_0"] / 2e4 < 1.05
     True
     """
+    if isinstance(delay, str) and delay != "find":
+        raise _stribeck.Refused(f"delay = {delay!r}: must be a number in s, or 'find'")
     if loss not in ("squares", "robust"):
         raise _stribeck.Refused(f"loss = {loss!r}: must be 'squares' or 'robust'")
     named = _named(records)
@@ -152,7 +159,10 @@ def identify(
         "mass": mass,
         "normal_force": normal_force,
         "window": window,
-        "delay": delay,
+        "column": list((columns or {}).items()),
+        "scale": list((scale or {}).items()),
+        "delay": None if delay == "find" else delay,
+        "finds_delay": delay == "find",
         "longest_delay": longest_delay,
         "skip": skip,
         "fix": list((fix or {}).items()),

@@ -578,7 +578,13 @@ def test_identify_takes_arrays_and_gives_no_number_for_what_is_not_determined(ri
     known = {"mass": 2.0, "normal_force": 20.0, "repetitions": 0}
     found = stribeck.identify(record, "Dahl", **known)
     assert found.best.values == stribeck.identify(rig, "Dahl", **known).best.values
-    held = stribeck.identify(record, "Dahl", fix={"sigma_0": 3e4}, **known)
+    drive = {"t": record["time"], "x": record["displacement"], "u": record["force"] / 2}
+    held = stribeck.identify(drive, "Dahl", fix={"sigma_0": 3e4}, scale={"force": 2.0}, **known)
+    assert held.findings["record 1"][:3] == [
+        "column 't' was taken as time",
+        "column 'u' was taken as force, times 2",
+        "column 'x' was taken as displacement",
+    ]
     assert held.best.values["sigma_0"] == 3e4
     assert set(held.best.estimates) == {"mu_k"}
     radius = stribeck.identify(record, "RollingResistance", **known).best
@@ -589,6 +595,8 @@ def test_identify_takes_arrays_and_gives_no_number_for_what_is_not_determined(ri
         ({**record, "force": numpy.full(table.size, numpy.nan)}, "line 2, force: 'NaN' is not a finite number"),
         ({"time": record["time"], "force": record["force"]}, "no column 'displacement'"),
         ({}, "no column 'time'"),
+        (drive, "'u' may be the force, but not in N: give the factor to N"),
+        ({"t": drive["t"], "F": drive["u"], "x": drive["x"], "q": drive["x"]}, "displacement: 'x', 'q' may be it"),
     ]:
         with pytest.raises(stribeck.Refused, match=re.escape(text)):
             stribeck.identify(wrong, "Dahl", **known)

@@ -9,10 +9,10 @@ use lab::identify::{
     Experiment, Fit, Method, Ranking, Reference, Task, Unseen, Verdict, Watch, Wishes, as_json, axis, fit, fit_all,
     held_out, laws_named, preset,
 };
-use lab::measured::{Delay, Record, Rig, average};
+use lab::measured::{Columns, Delay, Record, Rig, average};
 use lab::report::{Identification, identification};
 use lab::run::Configuration;
-use lab::sheet::{DISPLACEMENT, FORCE, Sheet, VELOCITY, tables};
+use lab::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, VELOCITY, tables};
 use lab::system::{Fault, Setting, read};
 use ssp::parameter_set::ParameterSet;
 use stribeck::model::ModelType;
@@ -29,6 +29,9 @@ pub struct Arguments {
     /// Name of a column in the files: force=Kraft_1; for binary files (.mf4, .mat) that of a channel or variable
     #[arg(long, value_name = "NAME=COLUMN")]
     column: Vec<Setting>,
+    /// Factor of a column: force=35.15 if it has volts of an amplifier with 35.15 N/V, displacement=-1 if it is reversed
+    #[arg(long, value_name = "NAME=FACTOR", allow_hyphen_values = true)]
+    scale: Vec<Setting>,
     /// Table of the motion on its own clock (a camera), for a single record
     #[arg(long, value_name = "FILE")]
     motion: Option<PathBuf>,
@@ -175,37 +178,51 @@ impl Arguments {
         if self.motion.is_some() && self.records.len() + self.hold_out.len() > 1 {
             return Err(Fault::value("--motion: is for a single record").into());
         }
-        let rig = self.rig();
+        let (rig, columns) = (self.rig(), self.columns()?);
+        let has_load = self.normal_force.is_none();
         let motion = match &self.motion {
-            Some(path) => with_motion(self.tables(path)?),
+            Some(path) => Some(Self::tables(path, &columns, true, false)?),
             None => None,
         };
+        let (motion, of_motion) = motion.map_or((None, Vec::new()), |(tables, said)| (with_motion(tables), said));
         let read = |path: &PathBuf| {
             let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            let (own, others) = with_force(self.tables(path)?);
+            let (tables, mut said) = Self::tables(path, &columns, motion.is_none(), has_load)?;
+            let (own, others) = with_force(tables);
             // The channels of a file may have several clocks.
             let apart = if is_of_motion(&own) { None } else { with_motion(others) };
             let record = Record::of(&own, motion.as_ref().or(apart.as_ref()), &rig);
-            Ok((name, record.map_err(|error| Fault::File(format!("{}: {error}", path.display())))?))
+            let mut record = record.map_err(|error| Fault::File(format!("{}: {error}", path.display())))?;
+            said.extend(of_motion.iter().cloned());
+            record.quality.findings.splice(0..0, said);
+            Ok((name, record))
         };
         files.iter().map(read).collect()
     }
 
-    /// The tables of a file, with the names of columns as they are here.
-    fn tables(&self, path: &Path) -> Result<Vec<Sheet>, Fault> {
-        let mut tables = tables(path).map_err(|error| {
+    fn columns(&self) -> Result<Columns, Fault> {
+        let names = self.column.iter().map(|Setting { name, value }| (name.clone(), value.clone())).collect();
+        let factors = self.scale.iter().map(Setting::number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
+        let columns = Columns { names, factors };
+        columns.check()?;
+        Ok(columns)
+    }
+
+    /// The tables of a file, with the names of columns as they are here, and what was not called so.
+    fn tables(
+        path: &Path,
+        columns: &Columns,
+        has_motion: bool,
+        has_load: bool,
+    ) -> Result<(Vec<Sheet>, Vec<String>), Fault> {
+        let wrong = |error: SheetError| {
             let text = error.to_string();
             let name = path.display().to_string();
             Fault::File(if text.starts_with(&name) { text } else { format!("{name}: {text}") })
-        })?;
-        for Setting { name, value } in &self.column {
-            if !tables.iter().any(|table| table.has(value)) {
-                let text = format!("{}: no column '{value}' for {name}", path.display());
-                return Err(Fault::File(text));
-            }
-            tables.iter_mut().for_each(|table| table.rename(value, name));
-        }
-        Ok(tables)
+        };
+        let mut tables = tables(path).map_err(wrong)?;
+        let said = columns.apply(&mut tables, has_motion, has_load).map_err(wrong)?;
+        Ok((tables, said))
     }
 
     fn experiments(&self, records: &[(String, Record)], laws: &[&'static ModelType]) -> Result<Vec<Experiment>, Fault> {

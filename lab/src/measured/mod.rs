@@ -24,6 +24,7 @@
 
 mod alike;
 mod clock;
+mod columns;
 mod cycle;
 mod polynomial;
 mod quality;
@@ -34,6 +35,7 @@ mod tests;
 
 pub use alike::Alike;
 pub use clock::Clocks;
+pub use columns::Columns;
 pub use cycle::{Cycle, average, interpolate};
 pub use quality::{Gap, Quality, noise};
 pub use record::{Delay, MeasuredError, Record, Rig};

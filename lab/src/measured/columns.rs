@@ -1,0 +1,167 @@
+//! Columns of records: what they are called in files, and the factors of signals that are not in the unit of their
+//! quantity.
+
+use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
+use crate::system::Fault;
+
+/// Quantities of a record.
+const QUANTITIES: [&Quantity; 5] = [&TIME, &FORCE, &DISPLACEMENT, &VELOCITY, &NORMAL_FORCE];
+
+/// What a column may be called besides the name of its quantity. A single letter means what it says in upper or lower
+/// case; longer names may have either.
+fn others(quantity: &Quantity) -> &'static [&'static str] {
+    match quantity.name {
+        "time" => &["t", "timestamp"],
+        "force" => &["F", "drive_force", "load_cell"],
+        "displacement" => &["x", "q", "qm", "pos", "position", "disp", "stroke"],
+        "velocity" => &["v", "vel", "speed", "qd", "dq"],
+        _ => &["N", "Fn", "f_n", "Fz", "f_z"],
+    }
+}
+
+/// Names of signals that are proportional to a force; they need a factor.
+const SIGNALS: [&str; 6] = ["u", "i", "vir", "voltage", "current", "torque"];
+
+/// Choice of the columns by the user.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Columns {
+    /// Quantities and the columns that have them.
+    pub names: Vec<(String, String)>,
+    /// Quantities and the factors of their columns.
+    pub factors: Vec<(String, f64)>,
+}
+
+impl Columns {
+    /// Refuses quantities that no record has, and factors without sense.
+    pub fn check(&self) -> Result<(), Fault> {
+        let known = || QUANTITIES.iter().map(|quantity| quantity.name);
+        let named = self.names.iter().map(|(name, _)| name).chain(self.factors.iter().map(|(name, _)| name));
+        if let Some(name) = named.into_iter().find(|name| known().all(|known| known != *name)) {
+            return Err(Fault::unknown("quantity of a record", name, known()));
+        }
+        match self.factors.iter().find(|(_, factor)| !(factor.is_finite() && *factor != 0.0)) {
+            Some((name, factor)) => {
+                Err(Fault::value(format_args!("scale {name} = {factor}: must be finite and not 0")))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Gives the columns of the tables of a record the names of their quantities, and their factors; says what was not
+    /// called so. The motion may be elsewhere, and the normal force may be known otherwise.
+    pub fn apply(&self, tables: &mut [Sheet], has_motion: bool, has_load: bool) -> Result<Vec<String>, SheetError> {
+        let mut said = Vec::new();
+        for (name, column) in &self.names {
+            if !tables.iter().any(|table| table.has(column)) {
+                return Err(tables.first().map_or(SheetError::Empty, |table| table.missing(column)));
+            }
+            tables.iter_mut().for_each(|table| table.rename(column, name));
+        }
+        let has = |tables: &[Sheet], quantity: &Quantity| tables.iter().any(|table| table.has(quantity.name));
+        for number in 0..tables.len() {
+            said.extend(self.find(&mut tables[number..=number], &TIME)?);
+        }
+        said.extend(self.find(tables, &FORCE)?);
+        if has_motion && !has(tables, &DISPLACEMENT) && !has(tables, &VELOCITY) {
+            said.extend(self.find(tables, &DISPLACEMENT)?);
+            said.extend(self.find(tables, &VELOCITY)?);
+        }
+        if has_load {
+            said.extend(self.find(tables, &NORMAL_FORCE)?);
+        }
+        for (name, factor) in &self.factors {
+            for quantity in QUANTITIES.iter().filter(|quantity| quantity.name == name) {
+                tables.iter_mut().for_each(|table| table.scale(quantity, *factor));
+            }
+        }
+        Ok(said)
+    }
+
+    /// Looks for the column of a quantity by its other names; says which one it took.
+    fn find(&self, tables: &mut [Sheet], quantity: &Quantity) -> Result<Option<String>, SheetError> {
+        if tables.iter().any(|table| table.has(quantity.name)) {
+            return Ok(None);
+        }
+        let of = |names: &[&str]| -> Vec<String> {
+            let all = tables.iter().flat_map(|table| table.names().filter(|name| is_among(name, names)));
+            all.map(str::to_owned).collect()
+        };
+        let factor = self.factors.iter().find(|(name, _)| name == quantity.name).map(|(_, factor)| *factor);
+        let mut found = of(others(quantity));
+        if quantity.name == FORCE.name && found.is_empty() {
+            found = of(&SIGNALS);
+            if let ([column], None) = (found.as_slice(), factor) {
+                return Err(SheetError::NoFactor { column: column.clone() });
+            }
+        }
+        let [column] = found.as_slice() else {
+            let [wanted, candidates] = [quantity.name.to_owned(), found.join("', '")];
+            return if found.is_empty() { Ok(None) } else { Err(SheetError::Ambiguous { wanted, candidates }) };
+        };
+        tables.iter_mut().for_each(|table| table.rename(column, quantity.name));
+        let factor = factor.map_or(String::new(), |factor| format!(", times {factor}"));
+        Ok(Some(format!("column '{column}' was taken as {}{factor}", quantity.name)))
+    }
+}
+
+fn is_among(name: &str, names: &[&str]) -> bool {
+    names.iter().any(|known| if known.len() == 1 { *known == name } else { known.eq_ignore_ascii_case(name) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn applied(text: &str, factors: &[(&str, f64)]) -> (Result<Vec<String>, String>, Vec<Sheet>) {
+        let mut tables = vec![Sheet::parse(text).unwrap()];
+        let factors = factors.iter().map(|(name, factor)| ((*name).to_owned(), *factor)).collect();
+        let columns = Columns { factors, ..Columns::default() };
+        let said = columns.apply(&mut tables, true, true).map_err(|error| error.to_string());
+        (said, tables)
+    }
+
+    #[test]
+    fn usual_names_are_taken_and_said() {
+        let (said, tables) = applied("t [ms];qm;vir [V];qg\n1;2;3;4\n", &[("force", 35.15)]);
+        let expected =
+            ["'t' was taken as time", "'vir' was taken as force, times 35.15", "'qm' was taken as displacement"];
+        assert_eq!(said.unwrap(), expected.map(|text| format!("column {text}")));
+        let values = [&TIME, &FORCE, &DISPLACEMENT].map(|quantity| tables[0].column(quantity).unwrap().unwrap()[0]);
+        assert_eq!(values, [1e-3, 3.0 * 35.15, 2.0]);
+        // A name that says it all leaves the others alone.
+        let (said, tables) = applied("time,force,displacement,v,N\n1,2,3,4,5\n", &[("displacement", -1.0)]);
+        assert_eq!(said.unwrap(), ["column 'N' was taken as normal_force"]);
+        assert_eq!(tables[0].column(&DISPLACEMENT).unwrap(), Some(vec![-3.0]));
+        assert!(tables[0].column(&VELOCITY).unwrap().is_none());
+    }
+
+    #[test]
+    fn what_is_ambiguous_or_not_a_force_is_refused() {
+        let refusals = [
+            ("t,F,q,x\n1,2,3,4\n", &[][..], "displacement: 'q', 'x' may be it; say which: --column displacement=..."),
+            (
+                "t,u,x\n1,2,3\n",
+                &[],
+                "'u' may be the force, but not in N: give the factor to N, --scale force=..., or --column",
+            ),
+            ("t,V,x\n1,2,3\n", &[], ""),
+        ];
+        for (text, factors, part) in refusals {
+            let (said, tables) = applied(text, factors);
+            match said {
+                Err(error) => assert!(!part.is_empty() && error.contains(part), "{text}: {error}"),
+                Ok(_) => assert!(part.is_empty() && tables[0].column(&FORCE).unwrap().is_none(), "{text}"),
+            }
+        }
+        // A length is no force, whatever its factor.
+        let (_, tables) = applied("t,F [mm],x\n1,2,3\n", &[("force", 2.0)]);
+        let error = tables[0].column(&FORCE).unwrap_err().to_string();
+        assert_eq!(error, "force: unit 'mm', must be one of N, kN, lbf");
+        for (columns, part) in [
+            (Columns { factors: vec![("force".into(), 0.0)], ..Columns::default() }, "must be finite and not 0"),
+            (Columns { names: vec![("forces".into(), "F".into())], ..Columns::default() }, "force"),
+        ] {
+            assert!(columns.check().unwrap_err().to_string().contains(part));
+        }
+    }
+}
