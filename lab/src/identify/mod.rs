@@ -56,7 +56,7 @@ use interval::{dependent, repetitions};
 use loss::Loss;
 use problem::Problem;
 use response::{Exact, Ports};
-use search::{Found, best, first_look, polish};
+use search::{Best, Found, best, first_look, polish};
 use trust::{Trust, residuals, trust};
 use unknown::OF_RIG;
 use unseen::{check_folds, folds};
@@ -328,7 +328,11 @@ fn fit_from(
     is_far: bool,
 ) -> Result<Fit, Fault> {
     let mut problem = problem(law, experiments, task)?;
-    let (best, searches) = best(&problem, task, watch, first, is_far);
+    let Best { found: best, searches, mut ends } = best(&problem, task, watch, first, is_far);
+    if task.method == Method::Genetic {
+        // One hardly ever ends where another one does.
+        ends.clear();
+    }
     if !best.cost.is_finite() {
         return Err(Fault::value(format_args!("{}: the law is refused everywhere in the ranges", law.name)));
     }
@@ -340,7 +344,7 @@ fn fit_from(
         best = polish(&problem, &problem.judge(best));
         (best, shift) = refine(&mut problem, best, task, watch);
     }
-    let mut fit = finish(&problem, task, watch, &best, searches, shift)?;
+    let mut fit = finish(&problem, task, watch, &best, &Doubts { searches, ends, shift })?;
     if task.folds > 0 && !fit.is_cancelled && !is_far {
         fit.saw(folds(law, experiments, task.folds, task, watch)?);
     }
@@ -434,20 +438,24 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
     })
 }
 
-/// Everything about a best place.
-fn finish(
-    problem: &Problem,
-    task: &Task,
-    watch: Watch,
-    best: &Found,
+/// What the searches leave open.
+struct Doubts {
     searches: Searches,
+    /// Places at which the two best ended.
+    ends: Vec<Vec<f64>>,
+    /// Shift of the unknowns if the intervals between samples are divided once more, in standard deviations.
     shift: f64,
-) -> Result<Fit, Fault> {
+}
+
+/// Everything about a best place.
+fn finish(problem: &Problem, task: &Task, watch: Watch, best: &Found, doubts: &Doubts) -> Result<Fit, Fault> {
+    let searches = doubts.searches;
     let refused = |reason: String| Fault::value(format_args!("{}: {reason}", problem.law.name));
     let left = problem.residuals(&best.places).ok_or_else(|| refused("the law is refused at the best place".into()))?;
     let seen = residuals(&left, &problem.lengths(), problem.unknowns.len(), problem.loss);
     let is_ended = || watch.cancel.load(Ordering::Relaxed);
-    let trust = doubted(problem, best, &seen, task.profiles && !is_ended(), searches.believed(task.method));
+    let trust =
+        doubted(problem, best, &seen, task.profiles && !is_ended(), searches.believed(task.method), &doubts.ends);
     let repeated = repetitions(problem, best, &seen, task.repetitions, task.seed, watch);
     let is_cancelled = is_ended();
     let estimates =
@@ -476,13 +484,20 @@ fn finish(
         held: problem.held.clone(),
         fitted: problem.experiments.iter().map(Experiment::fitted).collect(),
         explained: split(&explained, &problem.experiments.iter().map(|one| one.time.len()).collect::<Vec<usize>>()),
-        warnings: warnings(problem, &seen, &estimates, searches, shift),
+        warnings: warnings(problem, &seen, &estimates, searches, doubts.shift),
         estimates,
     })
 }
 
 /// Trust by the sensitivities, less what they do not see.
-fn doubted(problem: &Problem, best: &Found, seen: &Residuals, profiles: bool, searches: Searches) -> Trust {
+fn doubted(
+    problem: &Problem,
+    best: &Found,
+    seen: &Residuals,
+    profiles: bool,
+    searches: Searches,
+    ends: &[Vec<f64>],
+) -> Trust {
     let mut trust = trust(problem, &best.places, seen);
     if let Some(reason) = searches.doubt() {
         trust.verdicts.iter_mut().for_each(|verdict| *verdict = Verdict::Undetermined(reason.to_owned()));
@@ -491,6 +506,9 @@ fn doubted(problem: &Problem, best: &Found, seen: &Residuals, profiles: bool, se
             let name = &problem.unknowns[other].name;
             trust.verdicts[number] = Verdict::Undetermined(format!("it depends on {name}, which is not determined"));
         }
+    }
+    if let [first, second] = ends {
+        trust.doubt_ends([problem.values(first), problem.values(second)]);
     }
     // Residuals that are correlated are warned of: there the law is wrong, and not a few samples.
     if seen.correlation <= SYSTEMATIC
@@ -513,6 +531,10 @@ fn split(mut values: &[f64], lengths: &[usize]) -> Vec<Vec<f64>> {
 /// Correlation time of the residuals from which the law does not explain them, in samples (chosen).
 const SYSTEMATIC: f64 = 3.0;
 
+/// Correlation of neighbours from which it is not noise that is left, although it swings so often that few samples count
+/// as one (chosen).
+const ALIKE: f64 = 0.5;
+
 fn warnings(
     problem: &Problem,
     seen: &Residuals,
@@ -531,10 +553,6 @@ fn warnings(
         list.push(format!(
             "the samples are too far apart: dividing their intervals once more shifts a value by {shift:.1} standard \
              deviations"
-/// Correlation of neighbours from which it is not noise that is left, although it swings so often that few samples count
-/// as one (chosen).
-const ALIKE: f64 = 0.5;
-
         ));
     }
     if seen.correlation > SYSTEMATIC {
@@ -542,6 +560,12 @@ const ALIKE: f64 = 0.5;
             "the residuals are not noise ({:.0} samples count as one): law, clocks or mass are not those of the rig, \
              and the intervals may not hold",
             seen.correlation
+        ));
+    } else if seen.neighbours > ALIKE {
+        list.push(format!(
+            "the residuals are not noise (neighbours are correlated by {:.2}): something else than the law acts, such as \
+             a ripple along the way, and the intervals may not hold",
+            seen.neighbours
         ));
     }
     for estimate in estimates {
@@ -561,12 +585,6 @@ const BLURRED: f64 = 0.05;
 /// and the Stribeck velocity higher than they are, while the residuals look fine.
 fn blurred(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
     let speed =
-    } else if seen.neighbours > ALIKE {
-        list.push(format!(
-            "the residuals are not noise (neighbours are correlated by {:.2}): something else than the law acts, such as \
-             a ripple along the way, and the intervals may not hold",
-            seen.neighbours
-        ));
         estimates.iter().find(|one| ["stribeck_velocity", "transition_velocity"].contains(&one.name.as_str()))?;
     let error = experiment.velocity_error;
     let damping = if estimates.iter().any(|one| one.name == "sigma_1") { ", sigma_1 far from the truth" } else { "" };

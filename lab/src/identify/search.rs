@@ -100,21 +100,25 @@ fn coarse<'a>(problem: &Problem<'a>, coarser: Option<&'a [Experiment]>) -> Probl
     Problem { experiments: coarser.unwrap_or(problem.experiments), ..problem.clone() }
 }
 
-/// The best place, and whether two searches with different seeds have found it: it is then hardly one of several. They
-/// go over fewer samples; only the best of their ends is followed on all of them.
-pub(super) fn best(
-    problem: &Problem,
-    task: &Task,
-    watch: Watch,
-    first: Option<Found>,
-    is_far: bool,
-) -> (Found, Searches) {
+/// Outcome of the searches over the whole range.
+pub(super) struct Best {
+    /// The best place.
+    pub found: Found,
+    /// Whether two searches with different seeds have found it: it is then hardly one of several.
+    pub searches: Searches,
+    /// Places at which the two best searches ended.
+    pub ends: Vec<Vec<f64>>,
+}
+
+/// Searches the whole range. The searches go over fewer samples; only the best of their ends is followed on all of them.
+pub(super) fn best(problem: &Problem, task: &Task, watch: Watch, first: Option<Found>, is_far: bool) -> Best {
     let fewer = coarser(problem, task);
     let coarse = coarse(problem, fewer.as_deref());
-    let (mut ends, seen) = match first {
+    let (mut ends, searches) = match first {
         Some(first) if is_far => (vec![first], Searches::One),
         first => several(&coarse, task, watch, first),
     };
+    let places = ends.iter().take(2).map(|found| found.places.clone()).collect();
     let evaluations = ends.iter().map(|found| found.evaluations).sum();
     let mut found = Found { evaluations, ..ends.swap_remove(0) };
     if fewer.is_some() {
@@ -123,7 +127,7 @@ pub(super) fn best(
             found = polish(problem, &found);
         }
     }
-    (found, seen)
+    Best { found, searches, ends: places }
 }
 
 /// Ends of searches, the best first, made until two of them agree.

@@ -248,7 +248,7 @@ fn correlated_residuals_count_as_fewer_samples() {
     // The intervals grow with the root of it.
     let data = [measured("Dahl", &[], &standard(500), 0.01, 6)];
     let problem = whole_problem("Dahl", &data);
-    let (best, _) = best(&problem, &quick(), quiet(), None, false);
+    let best = best(&problem, &quick(), quiet(), None, false).found;
     let plain = white_noise(0.02);
     let [narrow, wide] =
         [plain, Residuals { correlation: 9.0, ..plain }].map(|seen| trust(&problem, &best.places, &seen));
@@ -276,12 +276,17 @@ fn a_force_that_changes_in_jumps_has_no_interval() {
 fn searches_that_disagree_leave_no_number() {
     let data = [measured("Dahl", &[], &standard(1000), 0.01, 1)];
     let problem = whole_problem("Dahl", &data);
-    let found = best(&problem, &quick(), quiet(), None, false).0;
+    let found = best(&problem, &quick(), quiet(), None, false).found;
     let seen = white_noise(0.02);
-    let verdicts = |searches| doubted(&problem, &found, &seen, false, searches).verdicts;
-    let told = verdicts(Searches::Agree);
+    let verdicts = |searches, ends: &[Vec<f64>]| doubted(&problem, &found, &seen, false, searches, ends).verdicts;
+    let told = verdicts(Searches::Agree, &[found.places.clone(), found.places.clone()]);
     assert!(told.iter().all(|verdict| *verdict == Verdict::Determined), "{told:?}");
-    assert!(verdicts(Searches::Disagree).iter().all(|verdict| matches!(verdict, Verdict::Undetermined(_))));
+    // Alike in cost, but elsewhere in the stiffness.
+    let mut elsewhere = found.places.clone();
+    elsewhere[1] += 0.1;
+    let told = verdicts(Searches::Agree, &[found.places.clone(), elsewhere]);
+    assert!(told[0] == Verdict::Determined && matches!(told[1], Verdict::Undetermined(_)), "{told:?}");
+    assert!(verdicts(Searches::Disagree, &[]).iter().all(|verdict| matches!(verdict, Verdict::Undetermined(_))));
 }
 
 /// 110 instead of 100: 10 % of the reference, 10 / 105 of the mean.
@@ -296,7 +301,7 @@ fn a_start_at_an_end_of_the_range_does_not_stop_the_search() {
     let data = [measured("LuGre", &SLIDER, &standard(1000), 0.01, 4)];
     let problem = whole_problem("LuGre", &data);
     let floor = problem
-        .judge(Found { places: best(&problem, &quick(), quiet(), None, false).0.places, cost: 0.0, evaluations: 0 })
+        .judge(Found { places: best(&problem, &quick(), quiet(), None, false).found.places, cost: 0.0, evaluations: 0 })
         .cost;
     let count = problem.unknowns.len();
     for ends in [vec![0.0; count], vec![1.0; count]] {

@@ -215,6 +215,22 @@ impl Trust {
         shifts.iter().zip(&self.deviations).map(|(shift, deviation)| (shift / deviation).abs()).collect()
     }
 
+    /// Calls what two searches end at different values of, although they explain the force alike, not determined: where a
+    /// force changes in jumps, there are many ends, and straight lines around one of them do not know the others.
+    pub fn doubt_ends(&mut self, [first, second]: [Vec<f64>; 2]) {
+        let ends = first.iter().zip(&second);
+        for ((verdict, deviation), (first, second)) in self.verdicts.iter_mut().zip(&self.deviations).zip(ends) {
+            let is_told = matches!(verdict, Verdict::Determined | Verdict::AtMost(_));
+            if is_told && (first - second).abs() > deviation.max(ROUNDING * first.abs()) {
+                *verdict = Verdict::Undetermined(format!(
+                    "two searches end at {} and at {}, which explain the force alike",
+                    digits(*first),
+                    digits(*second)
+                ));
+            }
+        }
+    }
+
     /// Calls what a few samples decide not determined: their residuals are far larger than the others, such as those of
     /// a law that jumps where the sign of the velocity is not known. `noise` is that of the force.
     pub fn doubt_outliers(&mut self, residuals: &[f64], noise: f64) {
@@ -236,6 +252,9 @@ impl Trust {
         }
     }
 }
+
+/// Part of a value by which two ends may differ without noise.
+const ROUNDING: f64 = 1e-6;
 
 /// Standard deviation of normal noise by the median of its magnitude.
 const OF_MEDIAN: f64 = 1.4826;
