@@ -116,6 +116,22 @@ pub enum SheetError {
         /// The column.
         column: String,
     },
+    /// A record has no such quantity.
+    #[error("quantity '{name}': must be one of {wanted}")]
+    Quantity {
+        /// Its name.
+        name: String,
+        /// The quantities of a record.
+        wanted: String,
+    },
+    /// A factor is not admitted.
+    #[error("scale {name} = {factor}: must be finite and not 0")]
+    Factor {
+        /// The quantity.
+        name: String,
+        /// The factor.
+        factor: f64,
+    },
     /// Two columns have the same name.
     #[error("two columns '{0}'")]
     Twice(String),

@@ -1,7 +1,5 @@
 //! Parameters of laws from measured friction.
 
-use std::cell::RefCell;
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use lab::identify::{Experiment, Task, Watch, Wishes, as_json, axis, fit_all, held_out, laws_named};
@@ -11,6 +9,7 @@ use lab::system::Fault;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use stribeck::model::ModelType;
 
 use crate::refused;
 use crate::work::interruptible;
@@ -79,8 +78,44 @@ fn sheet(table: &Bound<PyAny>) -> PyResult<Sheet> {
     Sheet::load(&table.extract::<PathBuf>()?).map_err(refused)
 }
 
-/// Fits laws to records, and holds them against records that are not fitted. The outcome as JSON, and for each record a dictionary of arrays: time, velocity, normal_force,
-/// force, and the force that the best law explains.
+/// Reads records.
+struct Reader {
+    columns: Columns,
+    rig: Rig,
+    /// Table of the motion, and what is to be said of it.
+    motion: Option<(Sheet, Vec<String>)>,
+    rest: Option<f64>,
+    laws: Vec<&'static ModelType>,
+}
+
+impl Reader {
+    /// A table with the names of columns as they are here, and what was not called so.
+    fn sheet(&self, table: &Bound<PyAny>, has_motion: bool, has_load: bool) -> PyResult<(Sheet, Vec<String>)> {
+        let mut sheets = [sheet(table)?];
+        let said = self.columns.apply(&mut sheets, has_motion, has_load).map_err(refused)?;
+        let [sheet] = sheets;
+        Ok((sheet, said))
+    }
+
+    /// A record as it is fitted, and what is to be known of it.
+    fn read(&self, name: &str, table: &Bound<PyAny>) -> PyResult<(Experiment, Vec<String>)> {
+        let (sheet, mut said) = self.sheet(table, self.motion.is_none(), self.rig.normal_force.is_none())?;
+        let record = Record::of(&sheet, self.motion.as_ref().map(|(sheet, _)| sheet), &self.rig);
+        let record = record.map_err(|error| refused(format_args!("{name}: {error}")))?;
+        said.extend(self.motion.iter().flat_map(|(_, said)| said.iter().cloned()));
+        said.extend(record.quality.findings.iter().cloned());
+        let all = Experiment::new(name, &record);
+        let experiment = match self.rest {
+            Some(rest) => all.without_rest(rest),
+            None if self.rig.is_axis => axis::in_motion(all, &self.laws),
+            None => Ok(all),
+        };
+        Ok((experiment.map_err(refused)?, said))
+    }
+}
+
+/// Fits laws to records, and holds them against records that are not fitted. The outcome as JSON, and for each record a
+/// dictionary of arrays: time, velocity, normal_force, force, and the force that the best law explains.
 #[pyfunction]
 pub fn identify<'py>(
     py: Python<'py>,
@@ -92,37 +127,21 @@ pub fn identify<'py>(
 ) -> PyResult<(String, Vec<Bound<'py, PyDict>>)> {
     let laws = if laws.is_empty() && known.axis { vec![axis::LAW.to_owned()] } else { laws };
     let laws = laws_named(&laws).map_err(refused)?;
-    let (rest, is_axis, has_load) = (known.rest, known.axis, known.normal_force.is_none());
     let columns = Columns { names: known.column.clone(), factors: known.scale.clone() };
     columns.check().map_err(refused)?;
+    let rest = known.rest;
     let (rig, task) = known.split();
-    let findings = RefCell::new(BTreeMap::new());
-    let table_of = |table: &Bound<PyAny>, has_motion: bool, has_load: bool| {
-        let mut sheets = [sheet(table)?];
-        let said = columns.apply(&mut sheets, has_motion, has_load).map_err(refused)?;
-        let [sheet] = sheets;
-        Ok::<_, PyErr>((sheet, said))
+    let mut reader = Reader { columns, rig, motion: None, rest, laws };
+    reader.motion = motion.as_ref().map(|table| reader.sheet(table, true, false)).transpose()?;
+    let all = |named: &[(String, Bound<'py, PyAny>)]| -> PyResult<(Vec<Experiment>, Vec<Vec<String>>)> {
+        let read: PyResult<Vec<_>> = named.iter().map(|(name, table)| reader.read(name, table)).collect();
+        Ok(read?.into_iter().unzip())
     };
-    let motion = motion.as_ref().map(|table| table_of(table, true, false)).transpose()?;
-    let read = |(name, table): &(String, Bound<'py, PyAny>)| {
-        let (sheet, mut said) = table_of(table, motion.is_none(), has_load)?;
-        let record = Record::of(&sheet, motion.as_ref().map(|(sheet, _)| sheet), &rig);
-        let record = record.map_err(|error| refused(format_args!("{name}: {error}")))?;
-        said.extend(motion.iter().flat_map(|(_, said)| said.iter().cloned()));
-        said.extend(record.quality.findings.iter().cloned());
-        findings.borrow_mut().insert(name.clone(), said);
-        let all = Experiment::new(name, &record);
-        match rest {
-            Some(rest) => all.without_rest(rest).map_err(refused),
-            None if is_axis => axis::in_motion(all, &laws).map_err(refused),
-            None => Ok(all),
-        }
-    };
-    let experiments = records.iter().map(read).collect::<PyResult<Vec<Experiment>>>()?;
-    let unseen = unseen.iter().map(read).collect::<PyResult<Vec<Experiment>>>()?;
+    let ((experiments, findings), (unseen, _)) = (all(&records)?, all(&unseen)?);
+    let laws = &reader.laws;
     let outcome = interruptible(py, |cancel| {
         let watch = Watch { cancel, progress: &|_, _| {} };
-        let mut ranking = fit_all(&laws, &experiments, &task, &mut |_| {}, watch)?;
+        let mut ranking = fit_all(laws, &experiments, &task, &mut |_| {}, watch)?;
         for fit in &mut ranking.fits {
             let found = held_out(fit, &unseen)?;
             fit.saw(found);
@@ -130,7 +149,7 @@ pub fn identify<'py>(
         Ok::<_, Fault>((as_json(&ranking), ranking.best().clone()))
     })?;
     let (mut told, best) = outcome.map_err(refused)?;
-    for (name, said) in findings.into_inner() {
+    for ((name, _), said) in records.iter().zip(findings) {
         told["findings"][name.as_str()] = said.into();
     }
     let found = best.explained.into_iter().zip(best.fitted);

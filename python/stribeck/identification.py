@@ -131,13 +131,14 @@ def identify(
 ) -> Identification:
     """Finds the parameters of a law, or of several (`"all"`), as `stribeck identify` does, with the same numbers.
 
-    `mass` (kg) is that between load cell and contact, `normal_force` (N) is for records without such a column, `motion`
-    is the table of a camera with its own clock. `delay="find"` looks for its delay, up to `longest_delay` (s). `columns`
-    says what columns are called, `scale` multiplies them: `{"force": 35.15}` for volts of a drive with 35.15 N/V. `fix`
-    holds parameters, `fit` adds some that are held otherwise, `ranges` narrows them. With `loss="robust"` outliers
-    count less than by their squares. `hold_out` has records that are not fitted, `folds` divides the fitted ones into
-    parts for cross-validation; `Fit.unseen` says what is left there. With `axis=True` the records are of an axis,
-    M a = F - f - offset; `rest` (m/s) leaves slow samples out. What is not given is as on the command line.
+    `mass` (kg) is that between load cell and contact, `normal_force` (N) is for records without such a column,
+    `motion` is the table of a camera with its own clock. `delay="find"` looks for its delay, up to `longest_delay`
+    (s). `columns` says what columns are called, `scale` multiplies them: `{"force": 35.15}` for volts of a drive with
+    35.15 N/V. `fix` holds parameters, `fit` adds some that are held otherwise, `ranges` narrows them. With
+    `loss="robust"` outliers count less than by their squares. `hold_out` has records that are not fitted, `folds`
+    divides the fitted ones into parts for cross-validation; `Fit.unseen` says what is left there. With `axis=True`
+    the records are of an axis, M a = F - f - offset; `rest` (m/s) leaves slow samples out. What is not given is as on
+    the command line.
 
     >>> time = np.linspace(0.0, 2.0, 1001)
     >>> velocity = 0.02 * np.sin(2 * np.pi * time)

@@ -204,7 +204,7 @@ impl Arguments {
         let names = self.column.iter().map(|Setting { name, value }| (name.clone(), value.clone())).collect();
         let factors = self.scale.iter().map(Setting::number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
         let columns = Columns { names, factors };
-        columns.check()?;
+        columns.check().map_err(Fault::value)?;
         Ok(columns)
     }
 

@@ -113,6 +113,11 @@ impl Experiment {
         self.left_out.get(at).is_none_or(|is_left_out| !is_left_out)
     }
 
+    /// Number of samples that count.
+    pub(super) fn samples(&self) -> usize {
+        (0..self.time.len()).filter(|at| self.counts(*at)).count()
+    }
+
     /// Whether each sample counts.
     pub(super) fn fitted(&self) -> Vec<bool> {
         (0..self.time.len()).map(|at| self.counts(at)).collect()

@@ -409,8 +409,7 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
     };
     check(experiments, task)?;
     let unknowns = unknown::unknowns(law, experiments, &task.wishes)?;
-    let count = |one: &Experiment| (0..one.time.len()).filter(|at| one.counts(*at)).count();
-    let samples: usize = experiments.iter().map(count).sum();
+    let samples: usize = experiments.iter().map(Experiment::samples).sum();
     if samples <= 2 * unknowns.len() {
         let text = format_args!("{samples} samples for {} unknowns of {}; more are needed", unknowns.len(), law.name);
         return Err(Fault::value(text));

@@ -65,8 +65,7 @@ impl Problem<'_> {
 
     /// Number of samples that count in each experiment.
     pub fn lengths(&self) -> Vec<usize> {
-        let count = |one: &Experiment| (0..one.time.len()).filter(|at| one.counts(*at)).count();
-        self.experiments.iter().map(count).collect()
+        self.experiments.iter().map(Experiment::samples).collect()
     }
 
     /// The values at samples that count, of those at all samples.

@@ -36,7 +36,7 @@ use stribeck::number::Real;
 
 use super::Record;
 use super::clock::Clocks;
-use super::quality::noise;
+use super::quality::{GAP, noise};
 use super::stencil::NODES;
 
 /// What only records have whose force and motion are smoothed alike, for each of their samples.
@@ -194,8 +194,8 @@ impl Averages {
         let reach = half + (NODES / 2) as f64 * interval + doubt.min((NODES / 2) as f64 * interval);
         let [first, last] = [time[0] + reach, time[time.len() - 1] - reach];
         let step = ((half / interval) as usize).max(1);
-        let chosen: Vec<usize> =
-            (0..time.len()).step_by(step).filter(|at| (first..=last).contains(&time[*at])).collect();
+        let is_inside = |at: &usize| (first..=last).contains(&time[*at]) && is_whole(time, *at, reach, interval);
+        let chosen: Vec<usize> = (0..time.len()).step_by(step).filter(is_inside).collect();
         let values = chosen.iter().map(|at| average(record, force, moved, *at, half)).collect();
         let least_speed = chosen.iter().map(|at| least_speed(record, time[*at], reach)).collect();
         Averages { chosen, values, least_speed, gains: gains(half, interval) }
@@ -330,6 +330,14 @@ impl Regression {
         let mass = self.values[ACCELERATION];
         if mass > 0.0 && self.share(JERK) < 0.5 { self.values[JERK] / mass } else { 0.0 }
     }
+}
+
+/// Whether there is no gap within some time of a sample: a stencil does not know what happens in it.
+fn is_whole(time: &[f64], middle: usize, reach: f64, interval: f64) -> bool {
+    // With a sample more at each end: a gap may begin within the reach and end outside.
+    let from = time.partition_point(|t| *t < time[middle] - reach).saturating_sub(1);
+    let to = (time.partition_point(|t| *t <= time[middle] + reach) + 1).min(time.len());
+    time[from..to].windows(2).all(|pair| pair[1] - pair[0] < GAP * interval)
 }
 
 /// Weight of a sample at a part of half the window.

@@ -2,7 +2,6 @@
 //! quantity.
 
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
-use crate::system::Fault;
 
 /// Quantities of a record.
 const QUANTITIES: [&Quantity; 5] = [&TIME, &FORCE, &DISPLACEMENT, &VELOCITY, &NORMAL_FORCE];
@@ -33,16 +32,14 @@ pub struct Columns {
 
 impl Columns {
     /// Refuses quantities that no record has, and factors without sense.
-    pub fn check(&self) -> Result<(), Fault> {
-        let known = || QUANTITIES.iter().map(|quantity| quantity.name);
+    pub fn check(&self) -> Result<(), SheetError> {
         let named = self.names.iter().map(|(name, _)| name).chain(self.factors.iter().map(|(name, _)| name));
-        if let Some(name) = named.into_iter().find(|name| known().all(|known| known != *name)) {
-            return Err(Fault::unknown("quantity of a record", name, known()));
+        if let Some(name) = named.into_iter().find(|name| QUANTITIES.iter().all(|known| known.name != *name)) {
+            let wanted = QUANTITIES.map(|quantity| quantity.name).join(", ");
+            return Err(SheetError::Quantity { name: name.clone(), wanted });
         }
         match self.factors.iter().find(|(_, factor)| !(factor.is_finite() && *factor != 0.0)) {
-            Some((name, factor)) => {
-                Err(Fault::value(format_args!("scale {name} = {factor}: must be finite and not 0")))
-            }
+            Some((name, factor)) => Err(SheetError::Factor { name: name.clone(), factor: *factor }),
             None => Ok(()),
         }
     }
@@ -159,7 +156,10 @@ mod tests {
         assert_eq!(error, "force: unit 'mm', must be one of N, kN, lbf");
         for (columns, part) in [
             (Columns { factors: vec![("force".into(), 0.0)], ..Columns::default() }, "must be finite and not 0"),
-            (Columns { names: vec![("forces".into(), "F".into())], ..Columns::default() }, "force"),
+            (
+                Columns { names: vec![("forces".into(), "F".into())], ..Columns::default() },
+                "'forces': must be one of time",
+            ),
         ] {
             assert!(columns.check().unwrap_err().to_string().contains(part));
         }

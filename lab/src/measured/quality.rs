@@ -21,7 +21,7 @@ pub struct Quality {
     pub duration: f64,
     /// Median interval, s.
     pub interval: f64,
-    /// Gaps longer than three intervals.
+    /// Gaps between samples.
     pub gaps: Vec<Gap>,
     /// Share of the samples at an end of the range of the force, where the load cell may be saturated.
     pub saturated: f64,
@@ -41,6 +41,9 @@ pub struct Quality {
     pub findings: Vec<String>,
 }
 
+/// Intervals from which there is a gap between two samples (chosen).
+pub(super) const GAP: f64 = 3.0;
+
 /// Samples at an end of the range that look like saturation (chosen).
 const SATURATED: f64 = 0.01;
 
@@ -54,7 +57,7 @@ const ONE_LOAD: f64 = 0.1;
 pub(super) fn quality(record: &Record) -> Quality {
     let mut steps: Vec<f64> = record.time.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let gap = |interval: f64| {
-        let pairs = record.time.windows(2).filter(move |pair| pair[1] - pair[0] > 3.0 * interval);
+        let pairs = record.time.windows(2).filter(move |pair| pair[1] - pair[0] > GAP * interval);
         pairs.map(|pair| Gap { time: pair[0], length: pair[1] - pair[0] }).collect()
     };
     let interval = median(&mut steps);
