@@ -88,10 +88,11 @@ impl<const N: usize> Flow<N> {
     }
 
     /// How far the states are from polynomials of degree 4 in the middle of the first and the last half, at most, in parts
-    /// of their changes. The polynomials have the values and rates at both ends and the values in the middle.
-    pub fn bend(&self) -> f64 {
+    /// of their changes; less than `least` does not count. The polynomials have the values and rates at both ends and the
+    /// values in the middle.
+    pub fn bend(&self, least: &[f64; N]) -> f64 {
         let at_end = self.rates_after(&self.changes[QUARTERS - 1]);
-        let off = |i: usize| {
+        let part = |i: usize| {
             let [early, middle, late, end] = self.changes.map(|change| change[i]);
             let [first, last] = [self.rates[i], at_end[i]].map(|rate| rate * self.length);
             let polynomials = [
@@ -100,9 +101,9 @@ impl<const N: usize> Flow<N> {
             ];
             let range = [early, middle, late, end].map(f64::abs).into_iter().fold(0.0, f64::max);
             let off = (polynomials[0] - early).abs().max((polynomials[1] - late).abs());
-            if off == 0.0 { 0.0 } else { off / range }
+            if off <= least[i] { 0.0 } else { off / range }
         };
-        (0..N).map(off).fold(0.0, f64::max)
+        (0..N).map(part).fold(0.0, f64::max)
     }
 
     /// Change of the states from the beginning of the step to a fraction of it.

@@ -53,7 +53,7 @@ pub trait Equations {
     /// Makes what changes at events change; may move states. A run begins with an event.
     fn at_event(&mut self, time: f64, states: &mut [f64]) -> Result<(), String>;
 
-    /// Whether the rates are linear in the states between events. Solvers check it in every step.
+    /// Whether, between events, the rates are linear in the states and do not depend on time. Solvers check it in every step.
     fn is_piecewise_linear(&self) -> bool {
         false
     }

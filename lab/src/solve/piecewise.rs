@@ -14,6 +14,9 @@ use super::{Equations, Options};
 /// events to be seen in a few places of it (chosen): about a third of the period of an oscillation.
 const BEND: f64 = 1e-3;
 
+/// Deviation in parts of a state's size that does not count (chosen): a stiff state at rest has nothing but rounding errors.
+const LEAST: f64 = 1e-12;
+
 /// Rounding errors of rates, in parts of the terms of which they are sums.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -22,14 +25,16 @@ pub(super) struct Piecewise<S, const N: usize> {
     /// Motion in the attempt made last, if the equations are taken for linear.
     flow: Option<Flow<N>>,
     end: [f64; N],
-    /// Whether they are.
+    /// Deviations of the states that do not count.
+    least: [f64; N],
+    /// Whether the equations are linear, as far as is known.
     is_linear: bool,
     otherwise: S,
 }
 
 impl<S: Default, const N: usize> Default for Piecewise<S, N> {
     fn default() -> Self {
-        Piecewise { flow: None, end: [0.0; N], is_linear: false, otherwise: S::default() }
+        Piecewise { flow: None, end: [0.0; N], least: [0.0; N], is_linear: false, otherwise: S::default() }
     }
 }
 
@@ -62,11 +67,11 @@ impl<S: Step<N>, const N: usize> Step<N> for Piecewise<S, N> {
 
     fn begin(&mut self, equations: &dyn Equations, options: &Options) {
         self.flow = None;
+        self.least = std::array::from_fn(|i| LEAST * equations.scales()[i]);
         self.is_linear = options.events && equations.is_piecewise_linear();
     }
 
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool {
-        self.is_linear &= begin.by_time == [0.0; N];
         if !self.is_linear {
             self.flow = None;
             return self.otherwise.attempt(equations, begin, h);
@@ -115,7 +120,7 @@ impl<S: Step<N>, const N: usize> Step<N> for Piecewise<S, N> {
 
     fn excess(&self, norm: impl Fn(&[f64; N], &[f64; N]) -> f64) -> f64 {
         match &self.flow {
-            Some(flow) => flow.bend() / BEND,
+            Some(flow) => flow.bend(&self.least) / BEND,
             None => self.otherwise.excess(norm),
         }
     }

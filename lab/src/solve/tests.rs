@@ -21,6 +21,8 @@ enum Kind {
     Ball,
     /// x'' = -sin x.
     Pendulum,
+    /// x_0' = 0.1, x_1' = -1e6 (x_1 - x_0 / 3 - 0.3): stiff, at rest beside something that moves.
+    Following,
     /// An oscillator whose indicator is the distance to a wall.
     Wall(f64),
 }
@@ -30,7 +32,7 @@ impl Equations for Analytic {
         match self.kind {
             Kind::Stiff => 1,
             Kind::Nine => 18,
-            Kind::Oscillator | Kind::Ball | Kind::Pendulum | Kind::Wall(_) => 2,
+            Kind::Oscillator | Kind::Ball | Kind::Pendulum | Kind::Following | Kind::Wall(_) => 2,
         }
     }
 
@@ -53,6 +55,7 @@ impl Equations for Analytic {
             }
             Kind::Stiff => rates[0] = -1e6 * (x[0] - time.cos()) - time.sin(),
             Kind::Ball => rates.copy_from_slice(&[x[1], -10.0]),
+            Kind::Following => rates.copy_from_slice(&[0.1, -1e6 * (x[1] - x[0] / 3.0 - 0.3)]),
             Kind::Pendulum => rates.copy_from_slice(&[x[1], -x[0].sin()]),
         }
     }
@@ -66,6 +69,7 @@ impl Equations for Analytic {
                 return;
             }
             Kind::Ball => jacobian.copy_from_slice(&[0.0, 1.0, 0.0, 0.0]),
+            Kind::Following => jacobian.copy_from_slice(&[0.0, 0.0, 1e6 / 3.0, -1e6]),
             Kind::Pendulum => jacobian.copy_from_slice(&[0.0, 1.0, -x[0].cos(), 0.0]),
             Kind::Nine => {
                 jacobian.fill(0.0);
@@ -206,6 +210,14 @@ fn equations_that_are_linear_between_events_are_solved_exactly() {
     let times = statistics.events.iter().map(|event| event.time);
     let worst = times.enumerate().map(|(number, time)| (time - 0.2 * (number + 1) as f64).abs()).fold(0.0, f64::max);
     assert!(statistics.events.len() == 5 && worst < 2e-14, "{worst}: {:?}", statistics.events);
+}
+
+/// Rounding errors of a stiff state do not keep the steps short.
+#[test]
+fn exact_steps_of_a_stiff_state_at_rest_are_long() {
+    let (states, statistics, _) = run_linear(Kind::Following, 40.0, &[0.0, 0.0]);
+    assert!((states[1] - (4.0 / 3.0 + 0.3 - 0.1 / 3e6)).abs() < 1e-13, "{states:?}");
+    assert!(statistics.steps < 30, "{statistics:?}");
 }
 
 #[test]

@@ -368,7 +368,7 @@ impl Equations for Motion {
     }
 
     fn is_piecewise_linear(&self) -> bool {
-        self.movers.iter().all(|mover| mover.model.piecewise_linear)
+        !self.moving_signals && self.movers.iter().all(|mover| mover.model.piecewise_linear)
     }
 
     fn next_break(&self, time: f64) -> f64 {
