@@ -204,13 +204,18 @@ impl Record {
         let moved = Motion::of(motion.unwrap_or(sheet))?;
         let record = if rig.is_axis { moved.of_axis(&own, rig)? } else { moved.record(&own, rig)? };
         record.finite()?;
-        let energy: f64 = (1..record.time.len())
-            .map(|at| record.friction_force[at] * (record.displacement[at] - record.displacement[at - 1]))
-            .sum();
+        let energy = record.energy();
         if energy < 0.0 {
             return Err(MeasuredError::Drives { energy: -energy });
         }
         Ok(record)
+    }
+
+    /// Work of the friction force, J.
+    fn energy(&self) -> f64 {
+        let (f, x) = (&self.friction_force, &self.displacement);
+        // Samples may be far apart, and the inertia of an unknown mass is in the force: its mean belongs to each way.
+        (1..x.len()).map(|at| 0.5 * (f[at] + f[at - 1]) * (x[at] - x[at - 1])).sum()
     }
 
     /// Refuses what sums and quotients of extreme numbers give.

@@ -256,6 +256,28 @@ fn files_that_are_absent_or_huge_are_refused() {
     assert!(refused.contains("has 10000000000 bytes, must be at most 1073741824"), "{refused}");
 }
 
+/// An axis of 100 kg, 50 N s/m and 5 N: the inertia of the mass, which is not known yet, is far above its friction.
+#[test]
+fn inertia_of_an_unknown_mass_does_not_drive_an_axis() {
+    let (amplitude, rate) = (0.08, TAU);
+    let text = |sign: f64| {
+        let rows = (0..2500).map(|k| f64::from(k) / 100.0).map(|t| {
+            let (sine, cosine) = (rate * t).sin_cos();
+            let v = amplitude * rate * cosine;
+            let force = -100.0 * amplitude * rate * rate * sine + 50.0 * v + 5.0 * v.signum();
+            format!("{t},{},{}\n", sign * force, amplitude * sine)
+        });
+        "time,force,displacement\n".to_owned() + &rows.collect::<String>()
+    };
+    // As short as is tried: 9 samples.
+    let rig = Rig { is_axis: true, window: Some(0.09), normal_force: Some(1.0), ..Rig::default() };
+    assert!(record(&text(1.0), &rig).is_ok());
+    let Err(MeasuredError::Drives { energy }) = record(&text(-1.0), &rig) else { panic!("accepted") };
+    // Work of both in 25 cycles; the filter takes some of the motion, and the ends.
+    let (viscous, dry) = (50.0 * (amplitude * rate).powi(2) / 2.0 * 25.0, 5.0 * 4.0 * amplitude * 25.0);
+    assert!((0.9..1.0).contains(&(energy / (viscous + dry))), "{energy}");
+}
+
 #[test]
 fn impossible_rigs_are_refused() {
     let text = file(|t| format!("{t},{},{}", force(t), motion(t)[0]));
