@@ -79,30 +79,25 @@ fn sheet(table: &Bound<PyAny>) -> PyResult<Sheet> {
 }
 
 /// Reads records.
-struct Reader {
+struct Reader<'py> {
     columns: Columns,
     rig: Rig,
-    /// Table of the motion, and what is to be said of it.
-    motion: Option<(Sheet, Vec<String>)>,
+    /// Table of the motion.
+    motion: Option<Bound<'py, PyAny>>,
     rest: Option<f64>,
     laws: Vec<&'static ModelType>,
 }
 
-impl Reader {
-    /// A table with the names of columns as they are here, and what was not called so.
-    fn sheet(&self, table: &Bound<PyAny>, has_motion: bool, has_load: bool) -> PyResult<(Sheet, Vec<String>)> {
-        let mut sheets = [sheet(table)?];
-        let said = self.columns.apply(&mut sheets, has_motion, has_load).map_err(refused)?;
-        let [sheet] = sheets;
-        Ok((sheet, said))
-    }
-
+impl Reader<'_> {
     /// A record as it is fitted, and what is to be known of it.
     fn read(&self, name: &str, table: &Bound<PyAny>) -> PyResult<(Experiment, Vec<String>)> {
-        let (sheet, mut said) = self.sheet(table, self.motion.is_none(), self.rig.normal_force.is_none())?;
-        let record = Record::of(&sheet, self.motion.as_ref().map(|(sheet, _)| sheet), &self.rig);
+        let mut own = [sheet(table)?];
+        let mut motion: Vec<Sheet> = self.motion.iter().map(sheet).collect::<PyResult<_>>()?;
+        let has_load = self.rig.normal_force.is_none();
+        let mut said = self.columns.apply(&mut own, &mut motion, has_load).map_err(refused)?;
+        let [own] = own;
+        let record = Record::of(&own, motion.first(), &self.rig);
         let record = record.map_err(|error| refused(format_args!("{name}: {error}")))?;
-        said.extend(self.motion.iter().flat_map(|(_, said)| said.iter().cloned()));
         said.extend(record.quality.findings.iter().cloned());
         let all = Experiment::new(name, &record);
         let experiment = match self.rest {
@@ -131,8 +126,7 @@ pub fn identify<'py>(
     columns.check().map_err(refused)?;
     let rest = known.rest;
     let (rig, task) = known.split();
-    let mut reader = Reader { columns, rig, motion: None, rest, laws };
-    reader.motion = motion.as_ref().map(|table| reader.sheet(table, true, false)).transpose()?;
+    let reader = Reader { columns, rig, motion, rest, laws };
     let all = |named: &[(String, Bound<'py, PyAny>)]| -> PyResult<(Vec<Experiment>, Vec<Vec<String>>)> {
         let read: PyResult<Vec<_>> = named.iter().map(|(name, table)| reader.read(name, table)).collect();
         Ok(read?.into_iter().unzip())

@@ -180,20 +180,19 @@ impl Arguments {
         }
         let (rig, columns) = (self.rig(), self.columns()?);
         let has_load = self.normal_force.is_none();
-        let motion = match &self.motion {
-            Some(path) => Some(Self::tables(path, &columns, true, false)?),
-            None => None,
-        };
-        let (motion, of_motion) = motion.map_or((None, Vec::new()), |(tables, said)| (with_motion(tables), said));
         let read = |path: &PathBuf| {
             let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            let (tables, mut said) = Self::tables(path, &columns, motion.is_none(), has_load)?;
-            let (own, others) = with_force(tables);
+            let mut own = tables(path).map_err(|error| unreadable(path, &error))?;
+            let motion = self.motion.as_ref();
+            let motion = motion.map(|path| tables(path).map_err(|error| unreadable(path, &error))).transpose()?;
+            let mut motion = motion.unwrap_or_default();
+            let said = columns.apply(&mut own, &mut motion, has_load).map_err(|error| unreadable(path, &error))?;
+            let (own, others) = with_force(own);
+            let motion = with_motion(motion);
             // The channels of a file may have several clocks.
             let apart = if is_of_motion(&own) { None } else { with_motion(others) };
             let record = Record::of(&own, motion.as_ref().or(apart.as_ref()), &rig);
             let mut record = record.map_err(|error| Fault::File(format!("{}: {error}", path.display())))?;
-            said.extend(of_motion.iter().cloned());
             record.quality.findings.splice(0..0, said);
             Ok((name, record))
         };
@@ -206,23 +205,6 @@ impl Arguments {
         let columns = Columns { names, factors };
         columns.check().map_err(Fault::value)?;
         Ok(columns)
-    }
-
-    /// The tables of a file, with the names of columns as they are here, and what was not called so.
-    fn tables(
-        path: &Path,
-        columns: &Columns,
-        has_motion: bool,
-        has_load: bool,
-    ) -> Result<(Vec<Sheet>, Vec<String>), Fault> {
-        let wrong = |error: SheetError| {
-            let text = error.to_string();
-            let name = path.display().to_string();
-            Fault::File(if text.starts_with(&name) { text } else { format!("{name}: {text}") })
-        };
-        let mut tables = tables(path).map_err(wrong)?;
-        let said = columns.apply(&mut tables, has_motion, has_load).map_err(wrong)?;
-        Ok((tables, said))
     }
 
     fn experiments(&self, records: &[(String, Record)], laws: &[&'static ModelType]) -> Result<Vec<Experiment>, Fault> {
@@ -280,6 +262,12 @@ impl Arguments {
         let set = ParameterSet::load(law, path).map_err(|error| Fault::File(error.to_string()))?;
         Ok(Some(set.values().map(|(variable, value)| (variable.path.to_string(), value)).collect::<BTreeMap<_, _>>()))
     }
+}
+
+/// An error about the tables of a file, with its name.
+fn unreadable(path: &Path, error: &SheetError) -> Fault {
+    let (text, name) = (error.to_string(), path.display().to_string());
+    Fault::File(if text.starts_with(&name) { text } else { format!("{name}: {text}") })
 }
 
 fn is_of_motion(table: &Sheet) -> bool {

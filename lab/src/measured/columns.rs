@@ -45,30 +45,30 @@ impl Columns {
     }
 
     /// Gives the columns of the tables of a record the names of their quantities, and their factors; says what was not
-    /// called so. The motion may be elsewhere, and the normal force may be known otherwise.
-    pub fn apply(&self, tables: &mut [Sheet], has_motion: bool, has_load: bool) -> Result<Vec<String>, SheetError> {
-        let mut said = Vec::new();
+    /// called so. `motion` are the tables of the motion if it is elsewhere; the normal force may be known otherwise.
+    pub fn apply(&self, record: &mut [Sheet], motion: &mut [Sheet], has_load: bool) -> Result<Vec<String>, SheetError> {
         for (name, column) in &self.names {
-            if !tables.iter().any(|table| table.has(column)) {
-                return Err(tables.first().map_or(SheetError::Empty, |table| table.missing(column)));
+            if !record.iter().chain(&*motion).any(|table| table.has(column)) {
+                return Err(record.first().map_or(SheetError::Empty, |table| table.missing(column)));
             }
-            tables.iter_mut().for_each(|table| table.rename(column, name));
+            record.iter_mut().chain(&mut *motion).for_each(|table| table.rename(column, name));
         }
-        let has = |tables: &[Sheet], quantity: &Quantity| tables.iter().any(|table| table.has(quantity.name));
-        for number in 0..tables.len() {
-            said.extend(self.find(&mut tables[number..=number], &TIME)?);
+        let mut said = Vec::new();
+        for table in record.iter_mut().chain(&mut *motion) {
+            said.extend(self.find(std::slice::from_mut(table), &TIME)?);
         }
-        said.extend(self.find(tables, &FORCE)?);
-        if has_motion && !has(tables, &DISPLACEMENT) && !has(tables, &VELOCITY) {
-            said.extend(self.find(tables, &DISPLACEMENT)?);
-            said.extend(self.find(tables, &VELOCITY)?);
+        said.extend(self.find(record, &FORCE)?);
+        let moved = if motion.is_empty() { &mut *record } else { &mut *motion };
+        if !moved.iter().any(|table| table.has(DISPLACEMENT.name) || table.has(VELOCITY.name)) {
+            said.extend(self.find(moved, &DISPLACEMENT)?);
+            said.extend(self.find(moved, &VELOCITY)?);
         }
         if has_load {
-            said.extend(self.find(tables, &NORMAL_FORCE)?);
+            said.extend(self.find(record, &NORMAL_FORCE)?);
         }
         for (name, factor) in &self.factors {
             for quantity in QUANTITIES.iter().filter(|quantity| quantity.name == name) {
-                tables.iter_mut().for_each(|table| table.scale(quantity, *factor));
+                record.iter_mut().chain(&mut *motion).for_each(|table| table.scale(quantity, *factor));
             }
         }
         Ok(said)
@@ -113,7 +113,7 @@ mod tests {
         let mut tables = vec![Sheet::parse(text).unwrap()];
         let factors = factors.iter().map(|(name, factor)| ((*name).to_owned(), *factor)).collect();
         let columns = Columns { factors, ..Columns::default() };
-        let said = columns.apply(&mut tables, true, true).map_err(|error| error.to_string());
+        let said = columns.apply(&mut tables, &mut [], true).map_err(|error| error.to_string());
         (said, tables)
     }
 
@@ -130,6 +130,25 @@ mod tests {
         assert_eq!(said.unwrap(), ["column 'N' was taken as normal_force"]);
         assert_eq!(tables[0].column(&DISPLACEMENT).unwrap(), Some(vec![-3.0]));
         assert!(tables[0].column(&VELOCITY).unwrap().is_none());
+    }
+
+    /// A camera has no force, whatever its columns are called, and a column is named in the table that has it.
+    #[test]
+    fn a_table_of_the_motion_needs_no_force() {
+        let tables = || ["t,Kraft,x\n1,2,3\n", "time,displacement,i\n4,5,6\n"].map(|text| Sheet::parse(text).unwrap());
+        let named = |name: &str, column: &str| Columns {
+            names: vec![(name.to_owned(), column.to_owned())],
+            ..Columns::default()
+        };
+        let [mut record, mut motion] = tables().map(|table| [table]);
+        let said = named("force", "Kraft").apply(&mut record, &mut motion, false).unwrap();
+        assert_eq!(said, ["column 't' was taken as time"]);
+        assert_eq!(record[0].column(&FORCE).unwrap(), Some(vec![2.0]));
+        assert_eq!(motion[0].column(&DISPLACEMENT).unwrap(), Some(vec![5.0]));
+        assert!(motion[0].column(&FORCE).unwrap().is_none());
+        let [mut record, mut motion] = tables().map(|table| [table]);
+        let error = named("force", "Kraf").apply(&mut record, &mut motion, false).unwrap_err().to_string();
+        assert_eq!(error, "no column 'Kraf'; there are t, Kraft, x");
     }
 
     #[test]
