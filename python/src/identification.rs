@@ -40,7 +40,12 @@ pub struct Known {
 }
 
 impl Known {
-    fn split(self) -> (Rig, Task) {
+    fn split(self) -> PyResult<(Rig, Task)> {
+        if let Some(longest) = self.longest_delay.filter(|_| !self.finds_delay) {
+            let text =
+                format_args!("longest_delay = {longest}: needs delay=\"find\", otherwise no delay is looked for");
+            return Err(refused(text));
+        }
         let mut wishes = Wishes { fixed: self.fix, fitted: self.fit, ranges: self.range };
         if self.axis {
             axis::fitted(&mut wishes);
@@ -64,7 +69,7 @@ impl Known {
             folds: self.folds,
             ..usual
         };
-        (Rig { mass, normal_force, window, delay, skip, is_axis: self.axis }, task)
+        Ok((Rig { mass, normal_force, window, delay, skip, is_axis: self.axis }, task))
     }
 }
 
@@ -125,7 +130,7 @@ pub fn identify<'py>(
     let columns = Columns { names: known.column.clone(), factors: known.scale.clone() };
     columns.check().map_err(refused)?;
     let rest = known.rest;
-    let (rig, task) = known.split();
+    let (rig, task) = known.split()?;
     let reader = Reader { columns, rig, motion, rest, laws };
     let all = |named: &[(String, Bound<'py, PyAny>)]| -> PyResult<(Vec<Experiment>, Vec<Vec<String>>)> {
         let read: PyResult<Vec<_>> = named.iter().map(|(name, table)| reader.read(name, table)).collect();
