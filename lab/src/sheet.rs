@@ -59,6 +59,9 @@ pub const MOMENT: Quantity =
 /// Quantities that differ in their units.
 const QUANTITIES: [&Quantity; 8] = [&TIME, &VELOCITY, &FORCE, &DISPLACEMENT, &TEMPERATURE, &ANGLE, &SLIP, &MOMENT];
 
+/// Quantities that a factor turns into another one: the moment of a drive, its angle, its current in percent.
+const OF_SIGNALS: [&Quantity; 3] = [&ANGLE, &SLIP, &MOMENT];
+
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// Reason why a file is not such a table.
@@ -241,11 +244,12 @@ impl Sheet {
         self.headings.iter().map(|(name, _)| name.as_str())
     }
 
-    /// Multiplies the column of a quantity, if it is there, by a factor: its SI values, or its numbers if they have a
-    /// unit that no quantity has, such as volts.
+    /// Multiplies the column of a quantity, if it is there, by a factor: its SI values, or its numbers if they have the
+    /// unit of a signal, such as volts or newton metres.
     pub fn scale(&mut self, quantity: &Quantity, factor: f64) {
         for (name, unit) in &mut self.headings {
-            let is_known = QUANTITIES.iter().any(|known| known.units.iter().any(|known| known.0 == unit));
+            let has = |known: &Quantity| known.units.iter().any(|known| known.0 == unit);
+            let is_known = QUANTITIES.iter().any(|known| has(known)) && !OF_SIGNALS.iter().any(|known| has(known));
             if name.eq_ignore_ascii_case(quantity.name) && !is_known {
                 unit.clear();
             }

@@ -169,6 +169,14 @@ mod tests {
                 Ok(_) => assert!(part.is_empty() && tables[0].column(&FORCE).unwrap().is_none(), "{text}"),
             }
         }
+        // Moments, percentages and angles of a drive become forces and displacements by their factors.
+        for heading in ["t,torque [Nm],q [rad]", "t,current [%],pos (deg)"] {
+            let factors = [("force", 12.0), ("displacement", 0.5)];
+            let (said, tables) = applied(&format!("{heading}\n1,2,3\n"), &factors);
+            assert_eq!(said.unwrap().len(), 3);
+            let values = [&FORCE, &DISPLACEMENT].map(|quantity| tables[0].column(quantity).unwrap().unwrap()[0]);
+            assert_eq!(values, [24.0, 1.5], "{heading}");
+        }
         // A length is no force, whatever its factor.
         let (_, tables) = applied("t,F [mm],x\n1,2,3\n", &[("force", 2.0)]);
         let error = tables[0].column(&FORCE).unwrap_err().to_string();
