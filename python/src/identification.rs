@@ -98,8 +98,7 @@ impl Reader<'_> {
     fn read(&self, name: &str, table: &Bound<PyAny>) -> PyResult<(Experiment, Vec<String>)> {
         let mut own = [sheet(table)?];
         let mut motion: Vec<Sheet> = self.motion.iter().map(sheet).collect::<PyResult<_>>()?;
-        let has_load = self.rig.normal_force.is_none();
-        let mut said = self.columns.apply(&mut own, &mut motion, has_load).map_err(refused)?;
+        let mut said = self.columns.apply(&mut own, &mut motion, &self.rig).map_err(refused)?;
         let [own] = own;
         let record = Record::of(&own, motion.first(), &self.rig);
         let record = record.map_err(|error| refused(format_args!("{name}: {error}")))?;

@@ -179,14 +179,13 @@ impl Arguments {
             return Err(Fault::value("--motion: is for a single record").into());
         }
         let (rig, columns) = (self.rig(), self.columns()?);
-        let has_load = self.normal_force.is_none();
         let read = |path: &PathBuf| {
             let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let mut own = tables(path).map_err(|error| unreadable(path, &error))?;
             let motion = self.motion.as_ref();
             let motion = motion.map(|path| tables(path).map_err(|error| unreadable(path, &error))).transpose()?;
             let mut motion = motion.unwrap_or_default();
-            let said = columns.apply(&mut own, &mut motion, has_load).map_err(|error| unreadable(path, &error))?;
+            let said = columns.apply(&mut own, &mut motion, &rig).map_err(|error| unreadable(path, &error))?;
             let (own, others) = with_force(own);
             let motion = with_motion(motion);
             // The channels of a file may have several clocks.

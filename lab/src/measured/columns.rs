@@ -1,6 +1,7 @@
 //! Columns of records: what they are called in files, and the factors of signals that are not in the unit of their
 //! quantity.
 
+use super::Rig;
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
 /// Quantities of a record.
@@ -45,8 +46,9 @@ impl Columns {
     }
 
     /// Gives the columns of the tables of a record the names of their quantities, and their factors; says what was not
-    /// called so. `motion` are the tables of the motion if it is elsewhere; the normal force may be known otherwise.
-    pub fn apply(&self, record: &mut [Sheet], motion: &mut [Sheet], has_load: bool) -> Result<Vec<String>, SheetError> {
+    /// called so. `motion` are the tables of the motion if it is elsewhere. A normal force is looked for only where
+    /// none is known, and not for an axis.
+    pub fn apply(&self, record: &mut [Sheet], motion: &mut [Sheet], rig: &Rig) -> Result<Vec<String>, SheetError> {
         for (name, column) in &self.names {
             if !record.iter().chain(&*motion).any(|table| table.has(column)) {
                 return Err(record.first().map_or(SheetError::Empty, |table| table.missing(column)));
@@ -63,7 +65,7 @@ impl Columns {
             said.extend(self.find(moved, &DISPLACEMENT)?);
             said.extend(self.find(moved, &VELOCITY)?);
         }
-        if has_load {
+        if rig.normal_force.is_none() && !rig.is_axis {
             said.extend(self.find(record, &NORMAL_FORCE)?);
         }
         for (name, factor) in &self.factors {
@@ -113,7 +115,7 @@ mod tests {
         let mut tables = vec![Sheet::parse(text).unwrap()];
         let factors = factors.iter().map(|(name, factor)| ((*name).to_owned(), *factor)).collect();
         let columns = Columns { factors, ..Columns::default() };
-        let said = columns.apply(&mut tables, &mut [], true).map_err(|error| error.to_string());
+        let said = columns.apply(&mut tables, &mut [], &Rig::default()).map_err(|error| error.to_string());
         (said, tables)
     }
 
@@ -141,14 +143,33 @@ mod tests {
             ..Columns::default()
         };
         let [mut record, mut motion] = tables().map(|table| [table]);
-        let said = named("force", "Kraft").apply(&mut record, &mut motion, false).unwrap();
+        let said = named("force", "Kraft").apply(&mut record, &mut motion, &Rig::default()).unwrap();
         assert_eq!(said, ["column 't' was taken as time"]);
         assert_eq!(record[0].column(&FORCE).unwrap(), Some(vec![2.0]));
         assert_eq!(motion[0].column(&DISPLACEMENT).unwrap(), Some(vec![5.0]));
         assert!(motion[0].column(&FORCE).unwrap().is_none());
         let [mut record, mut motion] = tables().map(|table| [table]);
-        let error = named("force", "Kraf").apply(&mut record, &mut motion, false).unwrap_err().to_string();
+        let error = named("force", "Kraf").apply(&mut record, &mut motion, &Rig::default()).unwrap_err().to_string();
         assert_eq!(error, "no column 'Kraf'; there are t, Kraft, x");
+    }
+
+    /// Its column N may be a counter, and it needs no normal force.
+    #[test]
+    fn an_axis_has_a_normal_force_only_if_it_is_named() {
+        let axis = Rig { is_axis: true, ..Rig::default() };
+        let named = Columns { names: vec![("normal_force".into(), "N".into())], ..Columns::default() };
+        let known = Rig { normal_force: Some(2.0), ..Rig::default() };
+        let cases = [
+            (Columns::default(), &axis, None),
+            (named, &axis, Some(vec![4.0])),
+            (Columns::default(), &Rig::default(), Some(vec![4.0])),
+            (Columns::default(), &known, None),
+        ];
+        for (columns, rig, expected) in cases {
+            let mut tables = [Sheet::parse("t,F,x,N\n1,2,3,4\n").unwrap()];
+            columns.apply(&mut tables, &mut [], rig).unwrap();
+            assert_eq!(tables[0].column(&NORMAL_FORCE).unwrap(), expected, "{columns:?}, {rig:?}");
+        }
     }
 
     #[test]
