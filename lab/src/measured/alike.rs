@@ -130,15 +130,18 @@ pub(super) fn alike(
     let mut averages = Averages::of(record, &force, &moved, window, doubt);
     let regression = averages.regression(record, noise, doubt)?;
     averages.calibrate(&regression);
-    let [mass_shift, viscous_shift] =
-        [ACCELERATION, VELOCITY].map(|term| regression.shift(term) / regression.values[term].abs());
+    let shifted: Vec<String> = [(ACCELERATION, "the mass"), (VELOCITY, "viscous friction")]
+        .into_iter()
+        .filter_map(|(term, name)| Some((name, regression.relative_shift(term)?)))
+        .filter(|(_, shift)| *shift > SHIFTED)
+        .map(|(name, shift)| format!("{name} by {:.1} %", 100.0 * shift))
+        .collect();
     let mut found = averages.record(record, mass, Delayed { delay, doubt }, window);
-    if mass_shift > SHIFTED || viscous_shift > SHIFTED {
+    if !shifted.is_empty() {
         found.quality.findings.push(format!(
-            "noise of the motion may shift the mass by {:.1} % and viscous friction by {:.1} %, more than the intervals \
-             say: measure the motion more finely, accelerate more, or move with several frequencies",
-            100.0 * mass_shift,
-            100.0 * viscous_shift
+            "noise of the motion may shift {}, more than the intervals say: measure the motion more finely, accelerate \
+             more, or move with several frequencies",
+            shifted.join(" and ")
         ));
     }
     Some(found)
@@ -313,6 +316,13 @@ impl Regression {
             self.share(*noisy) * (self.inverse[(term, *noisy)] / self.inverse[(*noisy, *noisy)] * value).abs()
         };
         self.noises.iter().map(by).sum()
+    }
+
+    /// The same as a part of the coefficient; None if it is within its own error, as viscous friction that there hardly
+    /// is.
+    fn relative_shift(&self, term: usize) -> Option<f64> {
+        let value = self.values[term].abs();
+        (value * value > self.error(term)).then(|| self.shift(term) / value)
     }
 
     /// Square of the error of a coefficient.

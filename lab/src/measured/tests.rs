@@ -278,6 +278,27 @@ fn inertia_of_an_unknown_mass_does_not_drive_an_axis() {
     assert!((0.9..1.0).contains(&(energy / (viscous + dry))), "{energy}");
 }
 
+/// An axis without viscous friction, with a coarse encoder: no part of nothing is told.
+#[test]
+fn no_shift_is_told_of_a_friction_that_there_is_not() {
+    let text = |viscous: f64| {
+        let rows = (0..2500).map(|k| f64::from(k) / 100.0).map(|t| {
+            let (sine, cosine) = (TAU * t).sin_cos();
+            let (x, v) = (0.08 * sine, 0.08 * TAU * cosine);
+            let force = -100.0 * TAU * TAU * x + viscous * v + 5.0 * v.signum();
+            format!("{t},{force},{}\n", (x / 1e-3).round() * 1e-3)
+        });
+        "time,force,displacement\n".to_owned() + &rows.collect::<String>()
+    };
+    let findings = |viscous: f64| {
+        let rig = Rig { is_axis: true, normal_force: Some(1.0), delay: Delay::OfController, ..Rig::default() };
+        record(&text(viscous), &rig).unwrap().quality.findings.join("; ")
+    };
+    let [without, with] = [0.0, 200.0].map(findings);
+    assert!(!without.contains("viscous friction"), "{without}");
+    assert!(with.contains("may shift") && with.contains("viscous friction by "), "{with}");
+}
+
 #[test]
 fn impossible_rigs_are_refused() {
     let text = file(|t| format!("{t},{},{}", force(t), motion(t)[0]));
