@@ -305,8 +305,9 @@ impl Sheet {
 
     /// The error for a column that is not there.
     pub fn missing(&self, name: &str) -> SheetError {
-        let found: Vec<&str> = self.headings.iter().map(|(name, _)| name.as_str()).collect();
-        SheetError::Column { wanted: name.to_owned(), found: found.join(", ") }
+        let found: Vec<&str> = self.names().filter(|name| !name.is_empty()).collect();
+        let found = if found.is_empty() { "no columns".to_owned() } else { found.join(", ") };
+        SheetError::Column { wanted: name.to_owned(), found }
     }
 
     fn number(&self, row: usize, at: usize) -> Result<f64, SheetError> {

@@ -594,7 +594,7 @@ def test_identify_takes_arrays_and_gives_no_number_for_what_is_not_determined(ri
         ({**record, "force": record["force"][:-1]}, "force: '' is not a finite number"),
         ({**record, "force": numpy.full(table.size, numpy.nan)}, "line 2, force: 'NaN' is not a finite number"),
         ({"time": record["time"], "force": record["force"]}, "no column 'displacement'"),
-        ({}, "no column 'time'"),
+        ({}, "no column 'time'; there are no columns"),
         (drive, "'u' may be the force, but not in N: give the factor to N"),
         ({"t": drive["t"], "F": drive["u"], "x": drive["x"], "q": drive["x"]}, "displacement: 'x', 'q' may be it"),
     ]:

@@ -134,8 +134,8 @@ fn a_force_that_is_held_between_samples_shifts_no_parameter_of_an_axis() {
     assert!(fit.warnings.is_empty(), "{:?}", fit.warnings);
 }
 
-/// Motion of one frequency w without Coulomb friction: d later, it has M w2 d more of viscous friction and f_v d less of
-/// mass, and nothing tells one from the other.
+/// Motion of one frequency w without Coulomb friction: d later, it has M w^2 d more of viscous friction and f_v d less
+/// of mass, and nothing tells one from the other.
 #[test]
 fn a_delay_that_looks_like_friction_leaves_the_friction_open() {
     let rate = TAU * 0.5;

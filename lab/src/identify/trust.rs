@@ -215,8 +215,9 @@ impl Trust {
         shifts.iter().zip(&self.deviations).map(|(shift, deviation)| (shift / deviation).abs()).collect()
     }
 
-    /// Calls what two searches end at different values of, although they explain the force alike, not determined: where a
-    /// force changes in jumps, there are many ends, and straight lines around one of them do not know the others.
+    /// Marks as not determined each unknown for which two searches end at different values, although they explain the
+    /// force alike: where a force changes in jumps, there are many ends, and straight lines around one of them do not
+    /// know the others.
     pub fn doubt_ends(&mut self, [first, second]: [Vec<f64>; 2]) {
         let ends = first.iter().zip(&second);
         for ((verdict, deviation), (first, second)) in self.verdicts.iter_mut().zip(&self.deviations).zip(ends) {

@@ -4,7 +4,7 @@
 //! Displacement, velocity, acceleration and force at the same samples are averaged with the same weights around a time:
 //!
 //! ```text
-//! y(t) = sum w_j y_j / sum w_j,   w_j = (1 - (2 (t_j - t) / L)2)4   for |t_j - t| < L / 2
+//! y(t) = sum w_j y_j / sum w_j,   w_j = (1 - (2 (t_j - t) / L)^2)^4   for |t_j - t| < L / 2
 //! ```
 //!
 //! so that F = M a + f_v v + f_c sgn(v) + b holds among the averages as it does among the samples, however fast the
@@ -22,9 +22,11 @@
 //! |shift_i| <= sum_k q_k |C_ik / C_kk| |p_k|
 //! ```
 //!
-//! with the mass times the doubt about the delay for da/dt, or what a controller makes of noise. Of what da/dt does not have in common with the others, the
-//! share of noise is taken away, so that noise does not look as if it told a delay. The force of a controller is held until the next sample, which averages
-//! it over an interval h; its samples are averaged likewise, y_j + (y_j-1 - 2 y_j + y_j+1) / 24.
+//! where p_k is the coefficient of the term; that of da/dt is the mass times the doubt about the delay, or times the
+//! delay that the reaction of a controller to noise feigns, whichever is larger. The share of noise is taken away from
+//! what da/dt does not have in common with the others, so that noise does not look like a delay. The force of a
+//! controller is held until the next sample, which averages it over an interval h; its samples are averaged likewise,
+//! y_j + (y_j-1 - 2 y_j + y_j+1) / 24.
 //!
 //! # Source
 //! Parallel filtering of force and regressors, and its decimation: M. Brunot, A. Janot, P. C. Young, F. Carrillo, "An

@@ -11,7 +11,7 @@ const QUANTITIES: [&Quantity; 5] = [&TIME, &FORCE, &DISPLACEMENT, &VELOCITY, &NO
 /// case; longer names may have either.
 fn others(quantity: &Quantity) -> &'static [&'static str] {
     match quantity.name {
-        "time" => &["t", "timestamp"],
+        "time" => &["t"],
         "force" => &["F", "drive_force", "load_cell"],
         "displacement" => &["x", "q", "qm", "pos", "position", "disp", "stroke"],
         "velocity" => &["v", "vel", "speed", "qd", "dq"],
@@ -198,7 +198,7 @@ mod tests {
             let values = [&FORCE, &DISPLACEMENT].map(|quantity| tables[0].column(quantity).unwrap().unwrap()[0]);
             assert_eq!(values, [24.0, 1.5], "{heading}");
         }
-        // A length is no force, whatever its factor.
+        // A factor does not turn a length into a force.
         let (_, tables) = applied("t,F [mm],x\n1,2,3\n", &[("force", 2.0)]);
         let error = tables[0].column(&FORCE).unwrap_err().to_string();
         assert_eq!(error, "force: unit 'mm', must be one of N, kN, lbf");

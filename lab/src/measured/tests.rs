@@ -173,7 +173,7 @@ fn assert_refused(cases: &[(String, &str)]) {
 fn spoilt_headings_are_refused_by_name() {
     let plain = |heading: &str| rows(heading, good);
     assert_refused(&[
-        (String::new(), "no column 'time'; there are "),
+        (String::new(), "no column 'time'; there are no columns"),
         ("time\n".into(), "0 samples; at least 20 are needed"),
         (plain("t,force,displacement"), "no column 'time'; there are t, force, displacement"),
         (plain("time,F,displacement"), "no column 'force'; there are time, F, displacement"),
