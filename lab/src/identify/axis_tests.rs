@@ -7,7 +7,7 @@ use stribeck::catalogue::by_name;
 use super::tests::{estimate, fitted, measured, noise, quick, standard};
 use super::*;
 use crate::measured::{Delay, Record, Rig};
-use crate::sheet::Sheet;
+use crate::sheet::{DISPLACEMENT, FORCE, Sheet, TIME};
 
 #[test]
 fn mass_friction_and_offset_of_an_axis_are_found_within_half_a_percent() {
@@ -132,6 +132,30 @@ fn a_force_that_is_held_between_samples_shifts_no_parameter_of_an_axis() {
     }
     assert!((estimate(&fit, "delay").value - 0.005).abs() < 3e-4);
     assert!(fit.warnings.is_empty(), "{:?}", fit.warnings);
+}
+
+/// However late the motion looks at first, the fit looks for its delay where that of a controller can be.
+#[test]
+fn the_delay_of_a_controller_is_looked_for_from_half_a_sample_early_to_two_late() {
+    // The motion is half a sample late, or one and a half: neither is the middle of the range.
+    for late in [0, 1] {
+        let sheet = held(|t| 90.0 * (TAU * 0.31 * t).sin() + 60.0 * (TAU * 1.3 * t).sin());
+        let [time, force, displacement] =
+            [&TIME, &FORCE, &DISPLACEMENT].map(|quantity| sheet.column(quantity).unwrap().unwrap());
+        let count = time.len() - late;
+        let columns = [
+            ("time", time[..count].to_vec()),
+            ("force", force[late..].to_vec()),
+            ("displacement", displacement[..count].to_vec()),
+        ];
+        let sheet = Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
+        let rig =
+            Rig { normal_force: Some(axis::NORMAL_FORCE), is_axis: true, delay: Delay::OfController, ..Rig::default() };
+        let record = Record::of(&sheet, None, &rig).unwrap();
+        assert!((record.clocks.delay - 0.0075).abs() > 1e-3, "{late}: {}", record.clocks.delay);
+        let [low, high] = record.delay_range.unwrap();
+        assert!((low + 0.005).abs() < 1e-9 && (high - 0.02).abs() < 1e-9, "{late}: {low} to {high}");
+    }
 }
 
 /// Motion of one frequency w without Coulomb friction: d later, it has M w^2 d more of viscous friction and f_v d less

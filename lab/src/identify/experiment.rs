@@ -22,8 +22,8 @@ pub struct Experiment {
     pub velocity_error: f64,
     /// Delay of the motion behind the force that velocity and acceleration are for, s.
     pub delay: f64,
-    /// How far it may be off, s; 0 if it was not looked for.
-    pub delay_doubt: f64,
+    /// Range in which it is, s; None if it was not looked for.
+    pub delay_range: Option<[f64; 2]>,
     /// Samples that are left out; empty for none.
     pub left_out: Vec<bool>,
     /// Those that are left out because they are at rest.
@@ -61,7 +61,7 @@ impl Experiment {
             force: record.force.clone(),
             velocity_error: record.velocity_error,
             delay: record.clocks.delay,
-            delay_doubt: record.delay_doubt,
+            delay_range: record.delay_range,
             left_out: Vec::new(),
             rest: Rest::default(),
             reach: 0.5 * record.window,
@@ -163,7 +163,7 @@ impl Experiment {
             force: take(&self.force),
             velocity_error: self.velocity_error,
             delay: self.delay,
-            delay_doubt: self.delay_doubt,
+            delay_range: self.delay_range,
             left_out: self.left_out.iter().copied().step_by(parts).collect(),
             rest: self.rest,
             reach: self.reach,

@@ -354,7 +354,7 @@ fn fit_from(
 /// The experiments with the samples left out that are at rest with the delay that was found; None if they are the same.
 fn at_rest_anew(problem: &Problem, places: &[f64]) -> Option<Vec<Experiment>> {
     let delay = problem.point(places).delay?;
-    let doubted = |one: &Experiment| if one.delay_doubt > 0.0 { one.at_delay(delay) } else { one.clone() };
+    let doubted = |one: &Experiment| if one.delay_range.is_some() { one.at_delay(delay) } else { one.clone() };
     let anew: Vec<Experiment> = problem.experiments.iter().map(doubted).collect();
     let are_others = anew.iter().zip(problem.experiments).any(|(anew, before)| anew.left_out != before.left_out);
     are_others.then_some(anew)

@@ -137,7 +137,9 @@ impl Problem<'_> {
     fn seen(&self, point: &Point) -> impl Iterator<Item = Cow<'_, Experiment>> {
         let delay = point.delay;
         self.experiments.iter().map(move |one| match delay {
-            Some(delay) if one.delay_doubt > 0.0 && delay != one.delay => Cow::Owned(one.shifted(delay - one.delay)),
+            Some(delay) if one.delay_range.is_some() && delay != one.delay => {
+                Cow::Owned(one.shifted(delay - one.delay))
+            }
             _ => Cow::Borrowed(one),
         })
     }

@@ -107,7 +107,7 @@ fn experiment(stroke: &Stroke, load: f64, asymmetry: f64) -> Experiment {
         force: stroke.friction_force.clone(),
         velocity_error: 0.0,
         delay: 0.0,
-        delay_doubt: 0.0,
+        delay_range: None,
         left_out: Vec::new(),
         rest: super::experiment::Rest::default(),
         reach: 0.0,

@@ -29,7 +29,7 @@ pub(super) fn standard(samples: u32) -> Experiment {
         force: vec![0.0; time.len()],
         velocity_error: 0.0,
         delay: 0.0,
-        delay_doubt: 0.0,
+        delay_range: None,
         left_out: Vec::new(),
         rest: Rest::default(),
         reach: 0.0,

@@ -239,15 +239,9 @@ fn of_rig(experiments: &[Experiment], wishes: &Wishes, magnitudes: &Magnitudes) 
         let range = [-magnitudes.force, magnitudes.force];
         list.push(Unknown { name: "offset".into(), unit: "N", target: Target::Offset, range, scale: Scale::Linear });
     }
-    let doubted = experiments.iter().find(|one| one.delay_doubt > 0.0);
-    if let Some(Experiment { delay, delay_doubt, .. }) = doubted.filter(|_| !is_fixed("delay")) {
-        list.push(Unknown {
-            name: "delay".into(),
-            unit: "s",
-            target: Target::Delay,
-            range: [delay - delay_doubt, delay + delay_doubt],
-            scale: Scale::Linear,
-        });
+    let doubted = experiments.iter().find_map(|one| one.delay_range);
+    if let Some(range) = doubted.filter(|_| !is_fixed("delay")) {
+        list.push(Unknown { name: "delay".into(), unit: "s", target: Target::Delay, range, scale: Scale::Linear });
     } else if is_fitted("delay") {
         return Err(Fault::value("delay: can be fitted only if it is looked for in the motion of a single record"));
     }

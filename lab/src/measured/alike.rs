@@ -39,6 +39,7 @@ use stribeck::number::Real;
 use super::Record;
 use super::clock::Clocks;
 use super::quality::{GAP, noise};
+use super::record::around;
 use super::stencil::NODES;
 
 /// What only records have whose force and motion are smoothed alike, for each of their samples.
@@ -123,10 +124,10 @@ pub(super) fn alike(
         Some((averages.regression(record, noise, doubt)?.doubt(), window))
     });
     let (_, window) = tried.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    let mut delay = about;
+    let (range, mut delay) = (around(about, doubt), about);
     for _ in 0..if doubt > 0.0 { ROUNDS } else { 0 } {
         let averages = Averages::of(record, &force, &moved, window, doubt);
-        delay = (delay + averages.regression(record, noise, doubt)?.late()).clamp(about - doubt, about + doubt);
+        delay = (delay + averages.regression(record, noise, doubt)?.late()).clamp(range[0], range[1]);
         moved = raw(delay);
     }
     let mut averages = Averages::of(record, &force, &moved, window, doubt);
@@ -138,7 +139,7 @@ pub(super) fn alike(
         .filter(|(_, shift)| *shift > SHIFTED)
         .map(|(name, shift)| format!("{name} by {:.1} %", 100.0 * shift))
         .collect();
-    let mut found = averages.record(record, mass, Delayed { delay, doubt }, window);
+    let mut found = averages.record(record, mass, Delayed { delay, range: (doubt > 0.0).then_some(range) }, window);
     if !shifted.is_empty() {
         found.quality.findings.push(format!(
             "noise of the motion may shift {}, more than the intervals say: measure the motion more finely, accelerate \
@@ -158,10 +159,10 @@ fn held(force: &[f64]) -> Vec<f64> {
     (0..force.len()).map(at).collect()
 }
 
-/// Delay that was found, and how far it may be off, s.
+/// Delay that was found, and the range in which it was looked for, s.
 struct Delayed {
     delay: f64,
-    doubt: f64,
+    range: Option<[f64; 2]>,
 }
 
 /// Averages of force and motion.
@@ -235,7 +236,7 @@ impl Averages {
     }
 
     /// The record with the averages in place of the samples.
-    fn record(self, record: &Record, mass: f64, Delayed { delay, doubt }: Delayed, window: f64) -> Record {
+    fn record(self, record: &Record, mass: f64, Delayed { delay, range }: Delayed, window: f64) -> Record {
         let column = |number: usize| -> Vec<f64> { self.values.iter().map(|one| one[number]).collect() };
         let [displacement, velocity, acceleration, jerk, force, normal_force] = [0, 1, 2, 3, 4, 5].map(column);
         let friction_force = force.iter().zip(&acceleration).map(|(force, a)| force - mass * a).collect();
@@ -252,7 +253,7 @@ impl Averages {
             friction_force,
             window,
             clocks,
-            delay_doubt: doubt,
+            delay_range: range,
             ..record.clone()
         }
     }

@@ -183,8 +183,8 @@ pub struct Record {
     pub motion_interval: f64,
     /// Clocks of force and motion.
     pub clocks: Clocks,
-    /// How far the delay may be off, s; 0 if it is known.
-    pub delay_doubt: f64,
+    /// Range in which the delay is, s; None if it is known.
+    pub delay_range: Option<[f64; 2]>,
     /// What else there is if force and motion are smoothed alike.
     pub alike: Option<Alike>,
     /// Quality.
@@ -410,7 +410,7 @@ impl Motion {
             is_differentiated: self.velocity.is_none(),
             window,
             motion_interval: interval,
-            delay_doubt: if clocks.deviation > 0.0 { DOUBT * interval.max(clocks.deviation) } else { 0.0 },
+            delay_range: (clocks.deviation > 0.0).then(|| around(clocks.delay, DOUBT * interval.max(clocks.deviation))),
             alike: None,
             velocity_error: 0.0,
             quality: Quality::default(),
@@ -453,6 +453,11 @@ impl Motion {
             }
         }
     }
+}
+
+/// Range around a middle.
+pub(super) fn around(middle: f64, half: f64) -> [f64; 2] {
+    [middle - half, middle + half]
 }
 
 fn integral(time: &[f64], velocity: &[f64]) -> Vec<f64> {
