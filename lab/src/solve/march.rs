@@ -210,7 +210,9 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             let length = if is_last { room } else { h };
             let error = if self.attempt(length) { self.step.excess(|of, end| self.norm(of, end)) } else { f64::NAN };
             let factor = change(error, S::ERROR_ORDER);
-            let crossing = if error.is_nan() { None } else { self.first_change(length) };
+            // Where an exact step is too long, its crossing tells nothing that the next attempt does not.
+            let is_of_use = error <= 1.0 || !(error.is_nan() || self.step.is_exact());
+            let crossing = if is_of_use { self.first_change(length) } else { None };
             if error <= 1.0 {
                 let next = length * self.growth(length, error, factor);
                 let located = crossing.map(|crossing| self.locate(length, crossing));
