@@ -99,7 +99,7 @@ mod tests {
     #[test]
     fn mistakes_are_rejected_with_their_place() {
         assert_eq!(refusal("speed,force\n1,2\n"), "no column 'velocity'; there are speed, force");
-        assert_eq!(refusal(""), "no column 'velocity'; there are ");
+        assert_eq!(refusal(""), "no column 'velocity'; there are no columns");
         assert_eq!(refusal("velocity,force\n"), "the table has no rows");
         assert_eq!(refusal("velocity,force,velocity [mm/s]\n1,2,3\n"), "two columns 'velocity'");
         assert_eq!(refusal("velocity [km/h],force\n1,2\n"), "velocity: unit 'km/h', must be one of m/s, mm/s, in/s");
