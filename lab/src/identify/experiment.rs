@@ -30,7 +30,7 @@ pub struct Experiment {
     pub rest: Rest,
     /// Time to each side in which the filter of the motion mixes samples, s.
     pub reach: f64,
-    /// What else there is if force and motion are smoothed alike.
+    /// Further data of a record whose force and motion are smoothed alike.
     pub alike: Option<Alike>,
 }
 

@@ -437,7 +437,7 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
     })
 }
 
-/// What the searches leave open.
+/// Unknowns that the searches leave open.
 struct Doubts {
     searches: Searches,
     /// Places at which the two best ended.

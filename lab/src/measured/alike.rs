@@ -42,7 +42,7 @@ use super::quality::{GAP, noise};
 use super::record::around;
 use super::stencil::NODES;
 
-/// What only records have whose force and motion are smoothed alike, for each of their samples.
+/// Data for each sample of a record whose force and motion are smoothed alike.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Alike {
     /// Third derivative of the displacement, m/s3.
@@ -313,7 +313,7 @@ impl Regression {
         (self.inverse.row(term) * terms)[0] / self.inverse[(term, term)]
     }
 
-    /// What the noise of the motion may shift a coefficient by.
+    /// Amount by which the noise of the motion may shift a coefficient.
     fn shift(&self, term: usize) -> f64 {
         let by = |(noisy, _, value): &(usize, f64, f64)| {
             self.share(*noisy) * (self.inverse[(term, *noisy)] / self.inverse[(*noisy, *noisy)] * value).abs()

@@ -7,7 +7,7 @@ use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Quantity, Sheet, SheetErro
 /// Quantities of a record.
 const QUANTITIES: [&Quantity; 5] = [&TIME, &FORCE, &DISPLACEMENT, &VELOCITY, &NORMAL_FORCE];
 
-/// What a column may be called besides the name of its quantity. A single letter means what it says in upper or lower
+/// Names that a column may have besides that of its quantity. A single letter means what it says in upper or lower
 /// case; longer names may have either.
 fn others(quantity: &Quantity) -> &'static [&'static str] {
     match quantity.name {

@@ -185,7 +185,7 @@ pub struct Record {
     pub clocks: Clocks,
     /// Range in which the delay is, s; None if it is known.
     pub delay_range: Option<[f64; 2]>,
-    /// What else there is if force and motion are smoothed alike.
+    /// Further data of a record whose force and motion are smoothed alike.
     pub alike: Option<Alike>,
     /// Quality.
     pub quality: Quality,

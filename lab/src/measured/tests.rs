@@ -278,7 +278,7 @@ fn inertia_of_an_unknown_mass_does_not_drive_an_axis() {
     assert!((0.9..1.0).contains(&(energy / (viscous + dry))), "{energy}");
 }
 
-/// An axis without viscous friction, with a coarse encoder: no part of nothing is told.
+/// An axis without viscous friction, with a coarse encoder: no part of zero is reported.
 #[test]
 fn no_shift_is_told_of_a_friction_that_there_is_not() {
     let text = |viscous: f64| {
