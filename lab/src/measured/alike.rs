@@ -345,7 +345,7 @@ impl Regression {
     }
 }
 
-/// Whether there is no gap within some time of a sample: a stencil does not know what happens in it.
+/// Whether all samples within some time of one are there: a stencil cannot bridge a gap.
 fn is_whole(time: &[f64], middle: usize, reach: f64, interval: f64) -> bool {
     // With a sample more at each end: a gap may begin within the reach and end outside.
     let from = time.partition_point(|t| *t < time[middle] - reach).saturating_sub(1);
