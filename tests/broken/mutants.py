@@ -28,14 +28,7 @@ from project_copy import ProjectCopy, errors
 SHARD = "0/13"
 SMALLEST_SAMPLE = 200
 SMALLEST_SHARE = 0.8
-TESTS = [
-    "published",
-    "published_memoryless",
-    "published_lag",
-    "published_hysteresis",
-    "published_presliding",
-    "contract",
-]
+TESTS = ["models"]
 
 SILENT = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from project_copy import ProjectCopy
 
 HERE = Path(__file__).resolve().parent
-TESTS = ["contract", "fmi", "published_memoryless"]
+TESTS = ["fmi", "models"]
 SLOWEST = 600  # seconds of one test program
 SHOWN = 12
 

@@ -5,6 +5,7 @@ mod common;
 
 mod calls;
 mod derivatives;
+mod hosts;
 mod model_exchange;
 mod saved_states;
 mod setup;

@@ -11,8 +11,11 @@ mod communication_step;
 mod derivatives;
 mod friction;
 mod golden;
+mod guide_contact;
 mod parts;
 mod refusals;
+mod side_loads;
+mod strut_setup;
 
 use common::Bench;
 use stribeck::catalogue::by_name;

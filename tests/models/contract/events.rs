@@ -1,0 +1,230 @@
+//! Model Exchange: events, phases and event indicators.
+
+use super::{axes, friction_models, set_velocity};
+use crate::common::random::Random;
+use crate::common::{Bench, rows};
+use approx::abs_diff_eq;
+use stribeck::model::ModelType;
+
+/// Without load in Model Exchange: an event indicator changes its sign where the load vanishes, and the event releases
+/// the contact. Its changes are declared.
+#[test]
+fn an_event_without_load_releases_the_contact() {
+    let mut tested = 0;
+    for model in friction_models().filter(|model| model.model_exchange && model.find("normal_force").is_some()) {
+        let mut bench = Bench::new(model.name, &[]);
+        let axes = axes(&bench);
+        set_velocity(&mut bench, 0.01);
+        bench.step(1e-2);
+        let mut row = bench.instance.row().to_vec();
+        let put = |row: &mut [f64], name: &str, value: f64| row[model.find(name).unwrap()] = value;
+        assert!(model.at_event(&mut row), "{}", model.name);
+        let signs = |row: &[f64]| {
+            let mut indicators = vec![f64::NAN; model.event_indicators];
+            model.indicate(row, &mut indicators);
+            assert!(indicators.iter().all(|indicator| *indicator != 0.0), "{} {indicators:?}", model.name);
+            indicators.iter().map(|indicator| *indicator > 0.0).collect::<Vec<_>>()
+        };
+        let loaded = signs(&row);
+        put(&mut row, "normal_force", 0.0);
+        assert_ne!(signs(&row), loaded, "{} does not detect the loss of its load", model.name);
+        let before = row.clone();
+        assert!(model.at_event(&mut row), "{}", model.name);
+        for (column, variable) in model.table.iter().enumerate() {
+            let is_declared = variable.reinit || variable.jumps || row[column] == before[column];
+            assert!(is_declared, "{} changes {} at an event", model.name, variable.path);
+        }
+        let unloaded = signs(&row);
+        put(&mut row, "normal_force", 9.81);
+        assert_ne!(signs(&row), unloaded, "{} does not detect the return of its load", model.name);
+        for (velocity, force, _) in axes {
+            put(&mut row, velocity, 0.0);
+            assert!(model.at_event(&mut row) && model.output(&mut row), "{}", model.name);
+            assert_eq!(row[model.find(force).unwrap()], 0.0, "{} remembers its old load", model.name);
+        }
+        tested += 1;
+    }
+    assert!(tested > 20);
+}
+
+/// Bristles whose level is set to 0 while they are deflected: a solver would keep a force that a step drops at once,
+/// because it only integrates rates. So the shortest step changes little, or the law rejects such a level in Model
+/// Exchange.
+#[test]
+fn a_solver_keeps_no_force_that_a_step_drops() {
+    let mut refusing = Vec::new();
+    for model in friction_models().filter(|model| model.model_exchange) {
+        let Some(mu_k) = model.find("mu_k").filter(|column| model.table.at(*column).admits(0.0)) else { continue };
+        let mut bench = Bench::new(model.name, &[]);
+        let axes = axes(&bench);
+        set_velocity(&mut bench, 0.01);
+        bench.step(1e-2);
+        set_velocity(&mut bench, 0.0);
+        let mut row = bench.instance.row().to_vec();
+        assert_eq!(model.check_model_exchange(&row), Ok(()), "{}", model.name);
+        for column in [Some(mu_k), model.find("mu_s")].into_iter().flatten() {
+            row[column] = 0.0;
+        }
+        assert_eq!(model.check(&row), Ok(()), "{}", model.name);
+        if let Err(fault) = model.check_model_exchange(&row) {
+            assert!(fault.to_string().contains(" = 0: must be > 0 in Model Exchange"), "{fault}");
+            refusing.push(model.name);
+            continue;
+        }
+        assert!(model.at_event(&mut row) && model.output(&mut row), "{}", model.name);
+        let mut stepped = row.clone();
+        assert!(model.advance(&mut stepped, 1e-9), "{}", model.name);
+        for force in axes.iter().map(|(_, force, _)| model.find(force).unwrap()) {
+            let (kept, left) = (row[force], stepped[force]);
+            assert!(abs_diff_eq!(kept, left, epsilon = 1e-4), "{} keeps {kept} N, a step leaves {left} N", model.name);
+        }
+    }
+    assert_eq!(refusing, ["Dahl", "ElastoPlastic", "SpeckerDynamic", "LuGrePlanar", "ElastoPlasticPlanar"]);
+}
+
+/// A step ignores the phase found by an event of Model Exchange: it uses the velocity, from the first step on.
+#[test]
+fn steps_ignore_the_phase_found_by_an_event() {
+    let mut tested = 0;
+    for model in friction_models().filter(|model| model.find("phase").is_some()) {
+        for (mass, exchange) in [(0.0, 1.0), (1.0, 1.0), (1.0, 2.0)] {
+            let run = |phase: f64| {
+                let values = [
+                    ("mass", mass),
+                    ("exchange", exchange),
+                    ("external_force", 1000.0),
+                    ("velocity", 0.02),
+                    ("phase", phase),
+                ];
+                let mut bench = Bench::for_model_exchange(model.name, &values);
+                bench.step(1e-3);
+                assert_eq!(bench.get("phase"), 1.0, "{}", model.name);
+                ["friction_force", "dissipated_energy", "sticking"].map(|name| bench.get(name))
+            };
+            let free = run(1.0);
+            assert!(free[0] != 0.0 && free[0].abs() < 100.0, "{} {free:?}", model.name);
+            for phase in [2.0, 3.0, 4.0] {
+                assert_eq!(run(phase), free, "{}: phase {phase}, mass {mass}, exchange {exchange}", model.name);
+            }
+            tested += 1;
+        }
+    }
+    assert!(tested > 20);
+}
+
+/// At an event a contact at rest is held as long as the static level carries the load. Until the next event its phase
+/// does not change, even where a solver tries values beyond; its indicator falls below zero there: past the rest of a
+/// sliding body, beyond the static level, and for a held body that is moved otherwise.
+#[test]
+fn events_catch_and_release_contacts_at_rest() {
+    let laws = friction_models().filter(|model| model.model_exchange && model.event_indicators >= 2);
+    let seen = laws.filter(|model| is_held_at_rest(model)).count();
+    assert!(seen >= 4, "{seen} laws");
+}
+
+/// Static level under a load of 10 N.
+fn static_level(bench: &mut Bench) -> f64 {
+    match ["mu_s", "mu_k"].into_iter().find(|name| bench.has(name)) {
+        Some(name) => 10.0 * bench.get(name),
+        None => 10.0 * bench.get("lever_arm") / bench.get("wheel_radius"),
+    }
+}
+
+/// Tries a law; whether it holds a body at all.
+fn is_held_at_rest(model: &'static ModelType) -> bool {
+    let mut bench = Bench::for_model_exchange(model.name, &[("normal_force", 10.0)]);
+    let level = static_level(&mut bench);
+    let goes_on = |bench: &Bench| {
+        let mut indicators = vec![f64::NAN; model.event_indicators];
+        bench.instance.indicate(&mut indicators).expect("finite indicators");
+        assert_ne!(indicators[0], 0.0, "{}", model.name);
+        indicators[0] > 0.0
+    };
+    bench.set("external_force", 0.5 * level);
+    // A law with a band around rest does not hold a body.
+    if bench.get("friction_force") != 0.5 * level || bench.has("transition_velocity") {
+        return false;
+    }
+    for velocity in [2e-3, -3e-4] {
+        bench.set("velocity", velocity);
+        bench.instance.at_event().expect("an event");
+        assert_eq!(bench.get("sticking"), 0.0, "{}", model.name);
+        assert!(goes_on(&bench), "{}", model.name);
+        bench.set("velocity", -1e-8 * velocity.signum());
+        assert!(bench.get("friction_force") * velocity > 0.0, "{}: as before the event", model.name);
+        assert!(!goes_on(&bench), "{}: past its rest", model.name);
+    }
+    for share in [0.2, -0.7, 0.999] {
+        bench.set("velocity", 0.0);
+        bench.set("external_force", share * level);
+        bench.instance.at_event().expect("an event");
+        assert_eq!((bench.get("sticking"), bench.get("friction_force")), (1.0, share * level), "{}", model.name);
+        for nearly in [1.0 - 3e-8, 1.0 + 3e-8] {
+            bench.set("external_force", nearly * level);
+            assert_eq!(goes_on(&bench), nearly < 1.0, "{} {share}", model.name);
+        }
+        bench.set("external_force", share * level);
+        bench.set("velocity", 2e-6);
+        assert!(!goes_on(&bench), "{}: moved otherwise", model.name);
+    }
+    bench.set("velocity", 0.0);
+    bench.set("external_force", 1.01 * level);
+    bench.instance.at_event().expect("an event");
+    let force = bench.get("friction_force");
+    assert!(bench.get("sticking") == 0.0 && force > 0.0 && force <= level, "{}: {force} N", model.name);
+    true
+}
+
+/// The events of Karnopp's law are at the edge of its band, on the way out and on the way in.
+#[test]
+fn leaving_and_entering_the_band_are_events() {
+    let mut bench = Bench::for_model_exchange("Karnopp", &[]);
+    let edge = bench.get("transition_velocity");
+    let mut indicators = vec![f64::NAN; bench.instance.model().event_indicators];
+    for share in [0.5, -0.5, 1.5, -1.5] {
+        bench.set("velocity", share * edge);
+        bench.instance.at_event().expect("an event");
+        bench.instance.indicate(&mut indicators).expect("finite indicators");
+        assert!(indicators[0] > 0.0, "{indicators:?}");
+        bench.set("velocity", (2.0 - share.abs()) * share.signum() * edge);
+        bench.instance.indicate(&mut indicators).expect("finite indicators");
+        assert!(indicators[0] < 0.0, "{indicators:?}");
+    }
+}
+
+/// Force, power and rates of a row in a phase; none if Model Exchange refuses them.
+fn driven_by(model: &ModelType, row: &[f64], phase: f64) -> Option<Vec<f64>> {
+    let mut row = row.to_vec();
+    row[model.find("phase")?] = phase;
+    let is_given = model.check_model_exchange(&row).is_ok() && model.output(&mut row);
+    let outputs = ["friction_force", "dissipated_power"].map(|name| row[model.find(name).expect("an output")]);
+    let mut rates = vec![0.0; row.len()];
+    model.rate(&row, &mut rates);
+    is_given.then(|| outputs.into_iter().chain(rates).collect())
+}
+
+/// A law that needs no events moves in the same way in every phase, and one that needs them does not.
+#[test]
+fn laws_that_run_without_events_follow_no_phase() {
+    let (mut random, mut needing, mut free) = (Random(11), Vec::new(), 0);
+    for model in friction_models().filter(|model| model.model_exchange && model.find("phase").is_some()) {
+        let (mut rejected, mut differing) = (0, 0);
+        for _ in 0..500 {
+            let row = rows::row(model, random.next(), &mut random);
+            let phases = [1.0, 2.0, 3.0, 4.0].map(|phase| driven_by(model, &row, phase));
+            let differs = phases.iter().any(|phase| *phase != phases[0]);
+            if model.check_without_events(&row).is_ok() {
+                assert!(!differs, "{}: {row:?}", model.name);
+                free += 1;
+            } else {
+                rejected += 1;
+                differing += usize::from(differs);
+            }
+        }
+        assert!(rejected == 0 || differing > 0, "{} needs no events", model.name);
+        needing.extend((rejected > 0).then_some(model.name));
+    }
+    assert!(free > 2000);
+    let without_curve = ["Coulomb", "CoulombStiction", "CoulombViscous", "Karnopp", "Stribeck"];
+    assert!(without_curve.iter().all(|law| needing.contains(law)), "{needing:?}");
+}
