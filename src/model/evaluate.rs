@@ -2,7 +2,7 @@
 
 use super::row::{view, view_mut};
 use super::{Interface, Law, Model, ModelType};
-use crate::number::{Dual, Scalar};
+use crate::number::{DIRECTIONS, Dual, Gradient, Scalar};
 use crate::numerics::vector::Component;
 
 /// A number in which a model evaluates rows of other models.
@@ -64,16 +64,58 @@ impl Evaluate for Dual {
     }
 }
 
+/// One direction after the other.
+impl Evaluate for Gradient {
+    fn evaluate(model: &ModelType, row: &mut [Gradient]) -> bool {
+        let before = row.to_vec();
+        for direction in 0..DIRECTIONS {
+            let mut along: Vec<Dual> = before.iter().map(|number| number.along(direction)).collect();
+            model.output_dual(&mut along);
+            take(row, &along, direction);
+        }
+        true
+    }
+
+    fn rate(model: &ModelType, row: &[Gradient], rate: &mut [Gradient]) {
+        for direction in 0..DIRECTIONS {
+            let along: Vec<Dual> = row.iter().map(|number| number.along(direction)).collect();
+            let mut rate_along = vec![Dual::default(); rate.len()];
+            model.rate_dual(&along, &mut rate_along);
+            take(rate, &rate_along, direction);
+        }
+    }
+
+    /// Not a number if it changes: what asks for one slope has no use for several.
+    fn slope(self) -> f64 {
+        if self.has_slope() { f64::NAN } else { 0.0 }
+    }
+
+    fn with_slope(value: f64, slope: f64) -> Gradient {
+        Gradient { value, slopes: [slope; DIRECTIONS] }
+    }
+}
+
+/// Takes values, and slopes in one direction.
+fn take(numbers: &mut [Gradient], along: &[Dual], direction: usize) {
+    for (number, along) in numbers.iter_mut().zip(along) {
+        number.value = along.value;
+        number.slopes[direction] = along.slope;
+    }
+}
+
 /// Number of values beside a row of a model that its parameters ask for.
 pub fn memory_in<M: Model, T: Evaluate>(row: &[T]) -> usize {
     view::<M::In<T>, T>(row).memory_in_use()
 }
 
-/// Computes the outputs of a row of a model in any number, advice included.
+/// Computes the outputs of a row of a model in any number, advice apart.
 pub fn output_in<M: Model, T: Evaluate>(row: &mut [T], memory: &[T]) {
-    let model = view_mut::<M::In<T>, T>(row);
-    model.output_with(memory);
-    model.advise();
+    view_mut::<M::In<T>, T>(row).output_with(memory);
+}
+
+/// Computes the outputs of a row that are advice.
+pub fn advise_in<M: Model, T: Evaluate>(row: &mut [T]) {
+    view_mut::<M::In<T>, T>(row).advise();
 }
 
 /// Computes the outputs of a row without memory, advice apart, and the time derivatives of its continuous states, in the

@@ -20,7 +20,7 @@ pub use equations::{
     CoSimulation, Columns, Derivatives, Described, Interface, Law, Model, ModelExchange, Numbers, Preset, Width,
 };
 pub(crate) use equations::{is_for_exchange, rests_at_events};
-pub use evaluate::{Evaluate, memory_in, output_and_rate_in, output_in, rate_in};
+pub use evaluate::{Evaluate, advise_in, memory_in, output_and_rate_in, output_in, rate_in};
 pub use family::Visitor;
 pub(crate) use family::family;
 pub(crate) use kernels::Kernel;

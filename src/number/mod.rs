@@ -1,13 +1,16 @@
-//! The number types a law is evaluated with: `f64` for values, [`Dual`] for values with an exact derivative, [`Lanes`]
-//! for several values at once, and their [`elementary`] functions.
+//! The number types a law is evaluated with: `f64` for values, [`Dual`] for values with an exact derivative, [`Gradient`]
+//! for values with several of them, [`Lanes`] for several values at once, and their [`elementary`] functions.
 
+mod differentiated;
 pub mod elementary;
+mod gradient;
 mod lanes;
 pub(crate) mod register;
 
-use std::cmp::Ordering;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
+use differentiated::differentiated;
+pub use gradient::{DIRECTIONS, Gradient};
 pub use lanes::{Lanes, LanesMask};
 pub use register::Register;
 
@@ -234,6 +237,7 @@ pub trait Scalar: Real<Mask: Decision<Self>> + PartialOrd {
 
 impl Scalar for f64 {}
 impl Scalar for Dual {}
+impl Scalar for Gradient {}
 
 impl Real for f64 {
     type Mask = bool;
@@ -306,11 +310,20 @@ pub struct Dual {
 }
 
 impl Dual {
+    fn has_slope(self) -> bool {
+        self.slope != 0.0
+    }
+
     /// `f(self)`, given the value and the derivative of f there. A zero derivative stays zero, even where f' is
     /// infinite.
     fn chain(self, value: f64, derivative: f64) -> Dual {
         let slope = if self.slope == 0.0 { 0.0 } else { derivative * self.slope };
         Dual { value, slope }
+    }
+
+    /// The number with the derivatives of another one added to its own.
+    fn with_slope_of(self, other: Dual) -> Dual {
+        Dual { value: self.value, slope: self.slope + other.slope }
     }
 }
 
@@ -320,17 +333,7 @@ impl From<f64> for Dual {
     }
 }
 
-impl PartialEq for Dual {
-    fn eq(&self, other: &Dual) -> bool {
-        self.value == other.value
-    }
-}
-
-impl PartialOrd for Dual {
-    fn partial_cmp(&self, other: &Dual) -> Option<Ordering> {
-        self.value.partial_cmp(&other.value)
-    }
-}
+differentiated::compared!(Dual);
 
 impl Add for Dual {
     type Output = Dual;
@@ -369,75 +372,10 @@ impl Neg for Dual {
 }
 
 impl Real for Dual {
-    type Mask = bool;
+    differentiated!();
 
-    #[inline(always)]
-    fn lane(self, _lane: usize) -> f64 {
-        self.value
-    }
-    fn is(self, constant: f64) -> bool {
-        self.value == constant && self.slope == 0.0
-    }
-    #[inline(always)]
-    fn above(self, other: Dual) -> bool {
-        self > other
-    }
-    #[inline(always)]
-    fn at_least(self, other: Dual) -> bool {
-        self >= other
-    }
-    #[inline(always)]
-    fn equals(self, other: Dual) -> bool {
-        self == other
-    }
     fn rises(self) -> bool {
         self.slope > 0.0
-    }
-    fn as_constant(self) -> Dual {
-        Dual::from(self.value)
-    }
-    fn sign(self) -> Dual {
-        Dual::from(f64::from(i8::from(self.value > 0.0) - i8::from(self.value < 0.0)))
-    }
-    fn exp(self) -> Dual {
-        let value = elementary::exp(self.value);
-        // If the exponential vanishes, its derivative vanishes too, however fast the exponent changes.
-        if value == 0.0 { Dual::from(0.0) } else { self.chain(value, value) }
-    }
-    fn exp_m1(self) -> Dual {
-        let value = elementary::exp_m1(self.value);
-        self.chain(value, 1.0 + value)
-    }
-    fn ln(self) -> Dual {
-        self.chain(elementary::ln(self.value), 1.0 / self.value)
-    }
-    fn ln_1p(self) -> Dual {
-        self.chain(elementary::ln_1p(self.value), 1.0 / (1.0 + self.value))
-    }
-    fn tanh(self) -> Dual {
-        let value = elementary::tanh(self.value);
-        self.chain(value, 1.0 - value * value)
-    }
-    fn sin(self) -> Dual {
-        self.chain(elementary::sin(self.value), elementary::cos(self.value))
-    }
-    fn cos(self) -> Dual {
-        self.chain(elementary::cos(self.value), -elementary::sin(self.value))
-    }
-    fn atan(self) -> Dual {
-        self.chain(elementary::atan(self.value), 1.0 / (1.0 + self.value * self.value))
-    }
-    fn sqrt(self) -> Dual {
-        let value = self.value.sqrt();
-        self.chain(value, 0.5 / value)
-    }
-    fn powf(self, exponent: Dual) -> Dual {
-        let value = elementary::pow(self.value, exponent.value);
-        let by_base = self.chain(value, exponent.value * elementary::pow(self.value, exponent.value - 1.0));
-        // The limit of x^p ln x as x goes to 0 is 0 for p > 0.
-        let log = if value == 0.0 { 0.0 } else { elementary::ln(self.value) };
-        let by_exponent = exponent.chain(value, value * log);
-        Dual { value, slope: by_base.slope + by_exponent.slope }
     }
 }
 

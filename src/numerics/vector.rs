@@ -5,13 +5,14 @@ use std::ops::{AddAssign, MulAssign, SubAssign};
 use nalgebra::{SVector, Scalar, Vector3};
 pub use num_traits::{One, Zero};
 
-use crate::number::{Dual, Lanes, Mask, Real, Register};
+use crate::number::{Dual, Gradient, Lanes, Mask, Real, Register};
 
 /// A number that can be a component of a vector.
 pub trait Component: Real + Scalar + Zero + One + AddAssign + SubAssign + MulAssign {}
 
 impl Component for f64 {}
 impl Component for Dual {}
+impl Component for Gradient {}
 impl<R: Register> Component for Lanes<R> {}
 
 /// What nalgebra asks of a component beside its operations.
@@ -59,6 +60,7 @@ macro_rules! component {
 }
 
 component!(Dual);
+component!(Gradient);
 component!(Lanes<R>, R);
 
 /// Length of a vector, for components of any size. At 0 its derivative is taken as 0, as that of a magnitude.

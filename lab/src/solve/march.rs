@@ -143,10 +143,11 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
     /// Evaluates rates and Jacobian at the beginning of a step. After an exact one the Jacobian is that before it.
     fn look(&mut self) -> Result<(), String> {
         let Beginning { time, states, rates, jacobian, by_time } = &mut self.begin;
-        self.equations.rates(*time, states, rates);
         self.statistics.evaluations += 1;
-        if !self.step.is_exact() {
-            self.equations.jacobian(*time, states, jacobian.as_flattened_mut(), by_time);
+        if self.step.is_exact() {
+            self.equations.rates(*time, states, rates);
+        } else {
+            self.equations.linearise(*time, states, rates, jacobian.as_flattened_mut(), by_time);
             self.statistics.jacobians += 1;
         }
         match rates.iter().chain(jacobian.as_flattened()).position(|number| !number.is_finite()) {

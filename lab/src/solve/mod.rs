@@ -41,6 +41,12 @@ pub trait Equations {
     /// Writes the derivatives of the rates with respect to the states, `jacobian[i n + j]` = df_i/dx_j, and to time.
     fn jacobian(&mut self, time: f64, states: &[f64], jacobian: &mut [f64], by_time: &mut [f64]);
 
+    /// Writes the rates and what [`Equations::jacobian`] writes.
+    fn linearise(&mut self, time: f64, states: &[f64], rates: &mut [f64], jacobian: &mut [f64], by_time: &mut [f64]) {
+        self.rates(time, states, rates);
+        self.jacobian(time, states, jacobian, by_time);
+    }
+
     /// Number of event indicators.
     fn indicators(&self) -> usize;
 

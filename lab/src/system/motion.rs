@@ -1,5 +1,7 @@
 //! Equations of motion of a system whose parts all support Model Exchange.
 
+use stribeck::number::DIRECTIONS;
+
 use super::mover::Mover;
 use super::order::{Influence, Task, moving, tasks};
 use super::part::{System, WireSource};
@@ -20,10 +22,8 @@ pub struct Motion {
     signals: Vec<(Place, Signal)>,
     moving_signals: bool,
     recorded: Vec<WireSource>,
-    /// Whether columns that are not [`Mover::changing`] may have changed since they were taken over as dual numbers.
+    /// Whether columns that are not [`Mover::changing`] may have changed since they were taken over with slopes.
     stale: bool,
-    /// Time at which the rows have all values with the states that they hold.
-    known: Option<f64>,
 }
 
 /// A step of finding all rates.
@@ -128,7 +128,6 @@ impl Motion {
             moving_signals,
             recorded: recorded.to_vec(),
             stale: true,
-            known: None,
         })
     }
 
@@ -149,7 +148,6 @@ impl Motion {
 
     /// States and signals at a time.
     fn put_states(&mut self, time: f64, states: &[f64]) {
-        self.known = None;
         for Run { part, column, first, count } in &self.runs {
             copy(&states[*first..], &mut self.movers[*part].row[*column..], *count);
         }
@@ -166,34 +164,23 @@ impl Motion {
         perform(&self.tasks, &mut self.movers);
     }
 
-    /// Derivatives of the rates, with the slopes that states and signals have. A part without a slope has outputs and
-    /// rates without slopes.
-    fn derive(&mut self, mut put: impl FnMut(usize, f64)) {
+    /// Finds all rates with the slopes that states and signals have.
+    fn incline(&mut self) {
         for act in &self.acts {
             match act {
-                Act::Output(part) => self.movers[*part].output_slopes(),
-                Act::Respond(part) => self.movers[*part].respond_slopes(),
-                Act::Rate(part) => self.movers[*part].rate_slopes(),
+                Act::Output(part) => self.movers[*part].incline_outputs(),
+                Act::Respond(part) => self.movers[*part].incline_response(),
+                Act::Rate(part) => self.movers[*part].incline_rates(),
                 Act::Pass { from, to } => {
-                    let slope = self.movers[from.part].dual[from.column].slope;
-                    self.movers[to.part].incline(to.column, slope);
+                    let value = self.movers[from.part].inclined[from.column];
+                    self.movers[to.part].take(to.column, value);
                 }
             }
-        }
-        for (number, place) in self.states.iter().enumerate() {
-            let mover = &self.movers[place.part];
-            put(number, if mover.has_slope { mover.dual_rate[place.column].slope } else { 0.0 });
         }
     }
 
     fn find_rates(&mut self) {
         self.movers.iter_mut().filter(|mover| mover.moves).for_each(Mover::find_rates);
-    }
-
-    /// Whether the rows have these states.
-    fn hold(&self, states: &[f64]) -> bool {
-        let held = self.states.iter().map(|place| self.movers[place.part].row[place.column]);
-        held.zip(states).all(|(held, state)| held.to_bits() == state.to_bits())
     }
 
     fn outputs(&mut self) -> Result<(), String> {
@@ -291,31 +278,41 @@ impl Equations for Motion {
                 count => rates[..count].copy_from_slice(&found[..count]),
             }
         }
-        self.known = Some(time);
     }
 
     fn jacobian(&mut self, time: f64, states: &[f64], jacobian: &mut [f64], by_time: &mut [f64]) {
-        // A solver asks for it where it has just asked for the rates.
-        if !(self.known == Some(time) && self.hold(states)) {
-            self.put(time, states);
-        }
+        self.linearise(time, states, &mut vec![0.0; states.len()], jacobian, by_time);
+    }
+
+    fn linearise(&mut self, time: f64, states: &[f64], rates: &mut [f64], jacobian: &mut [f64], by_time: &mut [f64]) {
+        self.put_states(time, states);
         if std::mem::take(&mut self.stale) {
             self.movers.iter_mut().for_each(Mover::spread);
         }
         let count = self.states.len();
-        for column in 0..count {
-            self.movers.iter_mut().for_each(Mover::spread_changing);
-            let Place { part, column: at } = self.states[column];
-            self.movers[part].incline(at, 1.0);
-            self.derive(|row, slope| jacobian[row * count + column] = slope);
-        }
         by_time.fill(0.0);
-        if self.moving_signals {
+        // Time comes after the states.
+        let past = count + usize::from(self.moving_signals);
+        for first in (0..past).step_by(DIRECTIONS) {
+            let directions = first..past.min(first + DIRECTIONS);
             self.movers.iter_mut().for_each(Mover::spread_changing);
-            for (place, signal) in &self.signals {
-                self.movers[place.part].incline(place.column, signal.at(time).1);
+            for (direction, number) in directions.clone().enumerate() {
+                match self.states.get(number) {
+                    Some(place) => self.movers[place.part].incline(place.column, direction, 1.0),
+                    None => self.signals.iter().for_each(|(place, signal)| {
+                        self.movers[place.part].incline(place.column, direction, signal.at(time).1);
+                    }),
+                }
             }
-            self.derive(|row, slope| by_time[row] = slope);
+            self.incline();
+            for (row, place) in self.states.iter().enumerate() {
+                let rate = self.movers[place.part].inclined_rate(place.column);
+                rates[row] = rate.value;
+                for (number, slope) in directions.clone().zip(rate.slopes) {
+                    let to = if number < count { &mut jacobian[row * count + number] } else { &mut by_time[row] };
+                    *to = slope;
+                }
+            }
         }
     }
 

@@ -1,8 +1,8 @@
 //! Parts of equations of motion: rows of their numbers, and the functions of their models in two kinds of them.
 
 use stribeck::catalogue;
-use stribeck::model::{Evaluate, Model, ModelType, Visitor, output_and_rate_in, rate_in};
-use stribeck::number::Dual;
+use stribeck::model::{Evaluate, Model, ModelType, Visitor, output_and_rate_in, output_in, rate_in};
+use stribeck::number::Gradient;
 
 use super::Place;
 use super::order::indicators_move;
@@ -12,11 +12,12 @@ use super::part::{System, WireSource};
 pub(super) struct Mover {
     pub model: &'static ModelType,
     functions: Functions<f64>,
-    of_slopes: Functions<Dual>,
+    of_slopes: Functions<Gradient>,
     pub row: Vec<f64>,
     pub rate: Vec<f64>,
-    pub dual: Vec<Dual>,
-    pub dual_rate: Vec<Dual>,
+    /// The row with slopes, as far as it changes.
+    pub inclined: Vec<Gradient>,
+    pub inclined_rate: Vec<Gradient>,
     pub name: String,
     /// Whether one of its states is integrated.
     pub moves: bool,
@@ -33,6 +34,8 @@ pub(super) struct Mover {
 /// Functions of a model for a row.
 #[derive(Clone, Copy)]
 struct Functions<T> {
+    /// Writes outputs.
+    output: fn(&mut [T]),
     /// Writes outputs and rates.
     respond: fn(&mut [T], &mut [T]),
     /// Writes rates.
@@ -41,14 +44,18 @@ struct Functions<T> {
 
 impl<T: Evaluate> Functions<T> {
     fn of<M: Model>() -> Functions<T> {
-        Functions { respond: output_and_rate_in::<M, T>, rate: rate_in::<M, T> }
+        Functions {
+            output: |row| output_in::<M, T>(row, &[]),
+            respond: output_and_rate_in::<M, T>,
+            rate: rate_in::<M, T>,
+        }
     }
 }
 
 /// Search for the functions of a model.
 struct Search {
     name: &'static str,
-    found: Option<(Functions<f64>, Functions<Dual>)>,
+    found: Option<(Functions<f64>, Functions<Gradient>)>,
 }
 
 impl Visitor for Search {
@@ -67,15 +74,15 @@ impl Mover {
         let mut search = Search { name: part.model.name, found: None };
         catalogue::visit(&mut search);
         let (functions, of_slopes) = search.found.expect("models with rates are in the catalogue");
-        let zero = vec![Dual::default(); part.row.len()];
+        let zero = vec![Gradient::default(); part.row.len()];
         Mover {
             model: part.model,
             functions,
             of_slopes,
             rate: vec![0.0; part.row.len()],
             row: part.row.clone(),
-            dual: zero.clone(),
-            dual_rate: zero,
+            inclined: zero.clone(),
+            inclined_rate: zero,
             name: part.name.clone(),
             moves: states.iter().any(|place| place.part == number),
             indicators: if indicators_move(part, moving) { part.model.event_indicators } else { 0 },
@@ -102,52 +109,71 @@ impl Mover {
 
     /// Takes the values of all columns over.
     pub fn spread(&mut self) {
-        for (dual, value) in self.dual.iter_mut().zip(&self.row) {
-            *dual = Dual::from(*value);
+        for (inclined, value) in self.inclined.iter_mut().zip(&self.row) {
+            *inclined = Gradient::from(*value);
         }
     }
 
     /// Takes the values of those columns over that have changed since [`Mover::spread`], outputs apart.
     pub fn spread_changing(&mut self) {
         for column in &self.changing {
-            self.dual[*column] = Dual::from(self.row[*column]);
+            self.inclined[*column] = Gradient::from(self.row[*column]);
         }
         self.has_slope = false;
     }
 
-    /// Computes the slopes of the outputs.
-    pub fn output_slopes(&mut self) {
+    /// Computes the outputs with their slopes.
+    pub fn incline_outputs(&mut self) {
         if self.has_slope {
-            self.model.output_dual(&mut self.dual);
+            (self.of_slopes.output)(&mut self.inclined);
         } else {
-            self.flatten();
+            self.output();
+            self.pass_level();
         }
     }
 
-    /// Computes the slopes of outputs and rates.
-    pub fn respond_slopes(&mut self) {
+    /// Computes outputs and rates with their slopes.
+    pub fn incline_response(&mut self) {
         if self.has_slope {
-            (self.of_slopes.respond)(&mut self.dual, &mut self.dual_rate);
+            (self.of_slopes.respond)(&mut self.inclined, &mut self.inclined_rate);
         } else {
-            self.flatten();
+            self.respond();
+            self.pass_level();
         }
     }
 
-    /// Computes the slopes of rates.
-    pub fn rate_slopes(&mut self) {
+    /// Computes rates with their slopes.
+    pub fn incline_rates(&mut self) {
         if self.has_slope {
-            (self.of_slopes.rate)(&self.dual, &mut self.dual_rate);
+            (self.of_slopes.rate)(&self.inclined, &mut self.inclined_rate);
+        } else {
+            self.find_rates();
         }
     }
 
-    fn flatten(&mut self) {
-        self.passed.iter().for_each(|column| self.dual[*column].slope = 0.0);
+    /// Outputs without slopes.
+    fn pass_level(&mut self) {
+        for column in &self.passed {
+            self.inclined[*column] = Gradient::from(self.row[*column]);
+        }
     }
 
-    /// Gives a column a slope.
-    pub fn incline(&mut self, column: usize, slope: f64) {
-        self.dual[column].slope = slope;
+    /// The rate in a column.
+    pub fn inclined_rate(&self, column: usize) -> Gradient {
+        if self.has_slope { self.inclined_rate[column] } else { Gradient::from(self.rate[column]) }
+    }
+
+    /// Gives a column a slope in a direction.
+    pub fn incline(&mut self, column: usize, direction: usize, slope: f64) {
+        self.inclined[column].slopes[direction] = slope;
         self.has_slope |= slope != 0.0;
+    }
+
+    /// Gives an input a value with slopes.
+    pub fn take(&mut self, column: usize, value: Gradient) {
+        self.row[column] = value.value;
+        self.inclined[column] = value;
+        self.has_slope |= value.has_slope();
     }
 }
 

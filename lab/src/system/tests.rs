@@ -205,6 +205,58 @@ fn outputs_that_depend_on_each_other_are_named() {
     assert_eq!(refused(&opened), "right.external_force is open: it needs a connection or a signal");
 }
 
+/// Central differences of the rates by each state, in units of its size, and by time.
+fn differences(motion: &mut Motion, time: f64, states: &[f64]) -> Vec<Vec<f64>> {
+    let (step, scales) = (1e-6, motion.scales().to_vec());
+    let mut beside = |column: usize, h: f64| {
+        let (mut states, mut rates) = (states.to_vec(), vec![0.0; scales.len()]);
+        let later = if let Some(state) = states.get_mut(column) {
+            *state += h * scales[column];
+            0.0
+        } else {
+            h
+        };
+        motion.rates(time + later, &states, &mut rates);
+        rates
+    };
+    let mut column = |column: usize| {
+        let [after, before] = [step, -step].map(|h| beside(column, h));
+        after.iter().zip(before).map(|(after, before)| (after - before) / (2.0 * step)).collect()
+    };
+    (0..=states.len()).map(&mut column).collect()
+}
+
+/// Rates and Jacobian at once beside the rates alone and their differences, with more states than a gradient has directions
+/// and with signals that move.
+#[test]
+fn jacobians_agree_with_central_differences() {
+    let mut compared = 0;
+    for (name, law) in [("belt", "LuGre"), ("belt", "Threlfall"), ("belt-drive", "Dahl"), ("quarter-car", "Coulomb")] {
+        let system = System::assemble(&Source::open(name).unwrap(), Some(law), &[]).unwrap();
+        let mut motion = Motion::new(&system, &[]).unwrap();
+        let (time, mut states, scales) = (0.37, motion.start(), motion.scales().to_vec());
+        motion.at_event(time, &mut states).unwrap();
+        states.iter_mut().zip(&scales).enumerate().for_each(|(i, (x, scale))| *x += scale * (0.11 + 0.07 * i as f64));
+        let count = states.len();
+        let [mut alone, mut rates, mut by_time] = [(); 3].map(|()| vec![f64::NAN; count]);
+        let mut jacobian = vec![f64::NAN; count * count];
+        motion.rates(time, &states, &mut alone);
+        motion.linearise(time, &states, &mut rates, &mut jacobian, &mut by_time);
+        assert_eq!(rates, alone, "{name} {law}");
+        let differences = differences(&mut motion, time, &states);
+        for i in 0..count {
+            let of_state = jacobian[i * count..][..count].iter().zip(&scales).map(|(slope, scale)| slope * scale);
+            let found: Vec<f64> = of_state.chain([by_time[i]]).collect();
+            let size = found.iter().fold(0.0, |size: f64, slope| size.max(slope.abs()));
+            for (found, column) in found.iter().zip(&differences) {
+                assert!((found - column[i]).abs() <= 1e-6 * size, "{name} {law} {i}: {found} {}", column[i]);
+                compared += usize::from(*found != 0.0);
+            }
+        }
+    }
+    assert!(compared > 20, "{compared}");
+}
+
 #[test]
 fn every_built_in_system_is_accepted_with_its_own_law() {
     for (name, _) in BUILT_IN {

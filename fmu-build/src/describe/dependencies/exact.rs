@@ -78,6 +78,7 @@ fn results<M: Model>() -> Vec<Option<Id>> {
     let memory = model::memory_in::<M, Tracked>(&row);
     let memory: Vec<Tracked> = (0..memory).map(|place| Tracked::column(row.len() + place)).collect();
     model::output_in::<M, Tracked>(&mut row, &memory);
+    model::advise_in::<M, Tracked>(&mut row);
     let rates = rates.into_iter().map(|rate| (!is_refused).then_some(rate.0));
     row.into_iter().map(|number| Some(number.0)).chain(rates).collect()
 }
