@@ -246,6 +246,7 @@ fn name(axis: &Axis) -> String {
     let rest = escape(&format!("{from}{unit}"));
     match index {
         "" => text + &rest,
-        _ => text + "<tspan dy=\"-3\">" + &rest + "</tspan>",
+        // A space that begins an element is not drawn by all programs.
+        _ => text + " <tspan dy=\"-3\">" + rest.trim_start() + "</tspan>",
     }
 }
