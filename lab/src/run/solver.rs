@@ -56,7 +56,7 @@ impl Solver {
     /// The solver that runs a system: steps if a part has no rates.
     pub fn for_system(self, system: &System) -> Solver {
         match self {
-            Solver::Auto if Motion::new(system, &[]).is_ok() => Solver::Rodas5P,
+            Solver::Auto if Motion::check(system).is_ok() => Solver::Rodas5P,
             Solver::Auto => Solver::Steps,
             other => other,
         }

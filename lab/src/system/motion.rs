@@ -3,7 +3,7 @@
 use stribeck::number::DIRECTIONS;
 
 use super::mover::Mover;
-use super::order::{Influence, Task, moving, tasks};
+use super::order::{Task, moving, tasks};
 use super::part::{System, WireSource};
 use super::{Fault, Place, Signal};
 use crate::solve::Equations;
@@ -97,8 +97,13 @@ fn copy(from: &[f64], to: &mut [f64], count: usize) {
 const PASSES: usize = 8;
 
 impl Motion {
-    /// The equations of a system, for results that are to be recorded. None of the parts may be for co-simulation only.
-    pub fn new(system: &System, recorded: &[WireSource]) -> Result<Motion, Fault> {
+    /// Refuses a system that has no equations of motion: a part is for co-simulation only, or outputs depend on each other.
+    pub fn check(system: &System) -> Result<(), Fault> {
+        Motion::order(system).map(|_| ())
+    }
+
+    /// The tasks that give every connected input its value, in a system with equations of motion.
+    fn order(system: &System) -> Result<Vec<Task>, Fault> {
         for part in &system.parts {
             if !part.model.model_exchange {
                 let text = format_args!("{} ({}) has no rates: it is for steps only", part.name, part.model.name);
@@ -108,11 +113,15 @@ impl Motion {
                 .check_model_exchange(&part.row)
                 .map_err(|fault| Fault::value(format_args!("{}: {}", part.name, fault.0)))?;
         }
-        let influences: Vec<Influence> = system.parts.iter().map(Influence::of).collect();
-        let tasks = tasks(system, &influences)?;
+        tasks(system, system.influences())
+    }
+
+    /// The equations of a system, for results that are to be recorded.
+    pub fn new(system: &System, recorded: &[WireSource]) -> Result<Motion, Fault> {
+        let tasks = Motion::order(system)?;
         let states = states(system, recorded);
         let scales = states.iter().map(|place| system.variable(*place).nominal).collect();
-        let moving = moving(system, &influences, &states);
+        let moving = moving(system, system.influences(), &states);
         let mover = |(number, moving): (usize, &Vec<usize>)| Mover::new(system, number, &states, moving);
         let movers: Vec<Mover> = moving.iter().enumerate().map(mover).collect();
         let moving_signals = system.signals.iter().any(|(_, signal)| !matches!(signal, Signal::Constant(_)));

@@ -105,6 +105,7 @@ fn columns(part: &Part, wanted: impl Fn(Role) -> bool) -> Vec<usize> {
 }
 
 /// The inputs and states on which each output of a model depends.
+#[derive(Clone, Debug)]
 pub(super) struct Influence {
     /// Per column, those that change it.
     on: Vec<Vec<usize>>,
@@ -156,21 +157,36 @@ fn is_moved(role: Role) -> bool {
 /// Random values of inputs and states, by a small generator (xorshift), so that the order of a system is the same in every
 /// run.
 struct Draw {
-    variables: Vec<Option<Variable>>,
+    columns: Vec<Option<Drawn>>,
+    /// Powers of ten, so that none is computed twice.
+    powers: [f64; 32],
     random: u64,
+}
+
+/// What is drawn for a column.
+struct Drawn {
+    variable: Variable,
+    /// The usual size.
+    size: f64,
 }
 
 impl Draw {
     fn of(part: &Part) -> Draw {
-        let table = &part.model.table;
-        let variable = |column| Some(table.at(column)).filter(|variable| is_moved(variable.role));
-        Draw { variables: (0..part.row.len()).map(variable).collect(), random: 0x2545_f491_4f6c_dd1d }
+        let drawn = |column| {
+            let variable = part.model.table.at(column);
+            is_moved(variable.role).then(|| Drawn { size: variable.nominal.max(variable.start.abs()), variable })
+        };
+        Draw {
+            columns: (0..part.row.len()).map(drawn).collect(),
+            powers: std::array::from_fn(|number| exp((number as f64 / 8.0 - 3.0) * std::f64::consts::LN_10)),
+            random: 0x2545_f491_4f6c_dd1d,
+        }
     }
 
     /// Gives all inputs and states values.
     fn fill(&mut self, row: &mut [f64]) {
         for (column, value) in row.iter_mut().enumerate() {
-            if self.variables[column].is_some() {
+            if self.columns[column].is_some() {
                 *value = self.value(column);
             }
         }
@@ -185,12 +201,12 @@ impl Draw {
 
     /// A value of an input or state, of either sign, of any size around the usual one.
     fn value(&mut self, column: usize) -> f64 {
-        let [first, second] = [self.unit(), self.unit()];
-        let Some(variable) = &self.variables[column] else { return 0.0 };
+        let [first, second, third] = [self.unit(), self.unit(), self.unit()];
+        let Some(Drawn { variable, size }) = &self.columns[column] else { return 0.0 };
         if let Kind::Enumeration(choices) = variable.kind {
             return 1.0 + (first * choices.items.len() as f64).floor();
         }
-        let size = exp((4.0 * first - 3.0) * std::f64::consts::LN_10) * variable.nominal.max(variable.start.abs());
+        let size = size * self.powers[(first * self.powers.len() as f64) as usize] * (1.0 + third);
         let value = variable.bound.nearest(if second < 0.5 { size } else { -size });
         if matches!(variable.kind, Kind::Real(_)) { value } else { value.round() }
     }

@@ -2,10 +2,12 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
+use std::sync::OnceLock;
 
 use stribeck::model::{Kind, ModelType, Role, Variable};
 
 use super::file::{Description, PartDescription, Source};
+use super::order::Influence;
 use super::signal::Course;
 use super::values::{column, spelled};
 use super::{Fault, Setting, Signal, slot};
@@ -66,6 +68,8 @@ pub struct System {
     pub law: Option<&'static ModelType>,
     /// Settings that no part has.
     pub unused: Vec<Setting>,
+    /// What each part's outputs depend on, once it was asked for.
+    influences: OnceLock<Vec<Influence>>,
 }
 
 impl System {
@@ -80,6 +84,7 @@ impl System {
             description: description.clone(),
             law: None,
             unused: Vec::new(),
+            influences: OnceLock::new(),
         };
         for (name, part) in &description.part {
             system.add(name, part, law)?;
@@ -101,6 +106,11 @@ impl System {
         system.follow()?;
         system.check()?;
         Ok(system)
+    }
+
+    /// What each part's outputs depend on.
+    pub(super) fn influences(&self) -> &[Influence] {
+        self.influences.get_or_init(|| self.parts.iter().map(Influence::of).collect())
     }
 
     /// Refuses a setting that none of the systems can use.
