@@ -106,7 +106,7 @@ impl Method {
                 }
             };
         }
-        sizes!(few: 1 2 3 4; exactly: 5 6 8; up to: 12 16 24 32 48 64)
+        sizes!(few: 1 2 3 4; exactly: 6 8; up to: 16 32 64)
     }
 }
 
