@@ -3,7 +3,8 @@
 use super::piecewise::Piecewise;
 use super::recorder::Course;
 use super::rodas5p::Rodas5P;
-use super::{End, Equations, Options, Recorder, Statistics, march, rosenbrock23};
+use super::rosenbrock23::Rosenbrock23;
+use super::{End, Equations, Options, Recorder, Statistics, march};
 
 /// A one-step method with exact Jacobian, dense output and located events.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,8 +75,8 @@ pub(super) struct Beginning<const N: usize> {
 }
 
 impl Method {
-    /// Runs a method with as many states as the equations have; the workspace is on the stack, and the loops over few
-    /// states are unrolled.
+    /// Runs a method with as many states as the equations have, or the next larger number that has code of its own; the
+    /// workspace is on the stack, and the loops over few states are unrolled.
     pub(super) fn run(
         self,
         equations: &mut dyn Equations,
@@ -83,30 +84,41 @@ impl Method {
         options: &Options,
         recorder: &mut Recorder,
     ) -> (End, Statistics) {
-        macro_rules! run {
-            ($equations:expr, $n:literal, $Rodas5P:ty) => {
-                match self {
-                    Method::Rodas5P => march::run::<$Rodas5P, $n>($equations, states, options, recorder),
-                    Method::Rosenbrock23 => {
-                        march::run::<rosenbrock23::Rosenbrock23<$n>, $n>($equations, states, options, recorder)
-                    }
-                }
-            };
-        }
+        let count = states.len();
         macro_rules! sizes {
-            (few: $($few:literal)+; exactly: $($n:literal)+; up to: $($most:literal)+) => {
-                match states.len() {
-                    $($few => run!(equations, $few, Piecewise<Rodas5P<$few>, $few>),)+
-                    $($n => run!(equations, $n, Rodas5P<$n>),)+
-                    $(count if count <= $most => run!(&mut Padded::new(equations, $most), $most, Rodas5P<$most>),)+
-                    count => {
+            ($($n:literal => $Step:ty,)+) => {
+                match count {
+                    $($n => march::run::<$Step, $n>(equations, states, options, recorder),)+
+                    $(_ if count < $n => {
+                        march::run::<$Step, $n>(&mut Padded::new(equations, $n), states, options, recorder)
+                    })+
+                    _ => {
                         let reason = format!("{count} states; the limit is 64");
                         (End::Failed { time: options.begin, reason }, Statistics::default())
                     }
                 }
             };
         }
-        sizes!(few: 1 2 3 4; exactly: 6 8; up to: 16 32 64)
+        match self {
+            Method::Rodas5P => sizes! {
+                1 => Piecewise<Rodas5P<1>, 1>,
+                2 => Piecewise<Rodas5P<2>, 2>,
+                3 => Piecewise<Rodas5P<3>, 3>,
+                4 => Piecewise<Rodas5P<4>, 4>,
+                6 => Rodas5P<6>,
+                8 => Rodas5P<8>,
+                16 => Rodas5P<16>,
+                32 => Rodas5P<32>,
+                64 => Rodas5P<64>,
+            },
+            Method::Rosenbrock23 => sizes! {
+                2 => Rosenbrock23<2>,
+                4 => Rosenbrock23<4>,
+                8 => Rosenbrock23<8>,
+                16 => Rosenbrock23<16>,
+                64 => Rosenbrock23<64>,
+            },
+        }
     }
 }
 
