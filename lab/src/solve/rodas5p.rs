@@ -15,6 +15,9 @@ use super::recorder::Polynomials;
 
 const STAGES: usize = 8;
 
+/// Largest number of states for which each stage has code of its own (chosen): with more, time goes elsewhere.
+const FEW: usize = 4;
+
 const GAMMA: f64 = 0.211_937_563_194_290_14;
 
 /// Coefficients a_ij; those of the last two stages are those of the sixth, and 1.
@@ -117,46 +120,47 @@ impl<const N: usize> Default for Rodas5P<N> {
 }
 
 impl<const N: usize> Rodas5P<N> {
-    /// x + sum a_ij k_j. The number of the stage is known when this is compiled, as in the next: no loop is left.
+    /// x + sum a_ij k_j.
     #[inline(always)]
-    fn argument<const STAGE: usize>(&self, begin: &[f64; N]) -> [f64; N] {
+    fn argument(&self, stage: usize, begin: &[f64; N]) -> [f64; N] {
         std::array::from_fn(|i| {
             let k = &self.k[i];
-            let at = A[STAGE.min(5)].iter().zip(k).take(STAGE).fold(begin[i], |sum, (a, k)| sum + a * k);
-            k.iter().take(STAGE).skip(5).fold(at, |sum, k| sum + k)
+            let at = A[stage.min(5)].iter().zip(k).take(stage).fold(begin[i], |sum, (a, k)| sum + a * k);
+            k.iter().take(stage).skip(5).fold(at, |sum, k| sum + k)
         })
     }
 
     /// sum C_ij k_j / h + h d_i df/dt.
     #[inline(always)]
-    fn memory<const STAGE: usize>(&self, by_time: &[f64; N], h: f64, reciprocal: f64) -> [f64; N] {
-        let slope = h * D[STAGE];
+    fn memory(&self, stage: usize, by_time: &[f64; N], h: f64, reciprocal: f64) -> [f64; N] {
+        let slope = h * D[stage];
         std::array::from_fn(|i| {
-            let sum = C[STAGE].iter().zip(&self.k[i]).take(STAGE).fold(0.0, |sum, (c, k)| sum + c * k);
+            let sum = C[stage].iter().zip(&self.k[i]).take(stage).fold(0.0, |sum, (c, k)| sum + c * k);
             sum * reciprocal + slope * by_time[i]
         })
     }
 
-    /// Finds k of a stage.
+    /// Finds k of a stage. Where its number is known when this is compiled, no loop is left.
     #[inline(always)]
-    fn make<const STAGE: usize>(
+    fn make(
         &mut self,
+        stage: usize,
         equations: &mut dyn Equations,
         begin: &Beginning<N>,
         factors: &Factors<N>,
         h: f64,
     ) {
         let mut rates = begin.rates;
-        let at = self.argument::<STAGE>(&begin.states);
-        if STAGE > 0 {
-            equations.rates(begin.time + TIMES[STAGE] * h, &at, &mut rates);
+        let at = self.argument(stage, &begin.states);
+        if stage > 0 {
+            equations.rates(begin.time + TIMES[stage] * h, &at, &mut rates);
         }
-        let memory = self.memory::<STAGE>(&begin.by_time, h, 1.0 / h);
+        let memory = self.memory(stage, &begin.by_time, h, 1.0 / h);
         let found = factors.solve(std::array::from_fn(|i| rates[i] + memory[i]));
         for (k, found) in self.k.iter_mut().zip(found) {
-            k[STAGE] = found;
+            k[stage] = found;
         }
-        if STAGE == STAGES - 1 {
+        if stage == STAGES - 1 {
             self.end = std::array::from_fn(|i| at[i] + found[i]);
             self.error = found;
         }
@@ -174,9 +178,13 @@ impl<const N: usize> Step<N> for Rodas5P<N> {
         });
         let Some(factors) = Factors::of(matrix) else { return false };
         macro_rules! make {
-            ($($stage:literal)+) => { $(self.make::<$stage>(equations, begin, &factors, h);)+ };
+            ($($stage:literal)+) => { $(self.make($stage, equations, begin, &factors, h);)+ };
         }
-        make!(0 1 2 3 4 5 6 7);
+        if N <= FEW {
+            make!(0 1 2 3 4 5 6 7);
+        } else {
+            (0..STAGES).for_each(|stage| self.make(stage, equations, begin, &factors, h));
+        }
         self.end.iter().all(|x| x.is_finite())
     }
 
