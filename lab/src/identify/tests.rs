@@ -272,6 +272,18 @@ fn a_force_that_changes_in_jumps_has_no_interval() {
     assert!(told.iter().all(|verdict| *verdict == Verdict::Determined), "{told:?}");
 }
 
+/// The slope of Coulomb friction has the sign of the velocity; read backwards it has the other one, and the same size.
+#[test]
+fn a_force_that_changes_elsewhere_than_foreseen_is_not_smooth() {
+    let data = [measured("Coulomb", &[], &standard(400), 0.01, 1)];
+    let problem = whole_problem("Coulomb", &data);
+    let mut slopes = problem.sensitivities(&[0.5]).remove(0);
+    let is_smooth = |slopes: &[f64]| trust::is_smooth(&problem, &[0.5], &white_noise(0.01), 0, 0.01, slopes);
+    assert!(is_smooth(&slopes));
+    slopes.reverse();
+    assert!(!is_smooth(&slopes));
+}
+
 #[test]
 fn searches_that_disagree_leave_no_number() {
     let data = [measured("Dahl", &[], &standard(1000), 0.01, 1)];

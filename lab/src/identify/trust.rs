@@ -281,11 +281,15 @@ pub(super) fn spread(information: &DMatrix<f64>, is_certain: &dyn Fn(usize) -> b
     }
 }
 
-/// Factor between the foreseen and the true change of the force, up to which straight lines are believed (chosen).
+/// Factor between the foreseen and the true change of the force, up to which straight lines are believed, and part of
+/// the foreseen change by which the true one may differ from it (chosen).
 const STRAIGHT: f64 = 3.0;
+const ASTRAY: f64 = 1.0;
 
-/// Whether the force changes as the sensitivities foresee, when an unknown alone moves by a standard deviation.
-fn is_smooth(
+/// Whether the force changes as the sensitivities foresee, when an unknown alone moves by a standard deviation: as much,
+/// and at the same samples. A law with memory of random numbers changes as much and elsewhere: its sum of squares has
+/// ends everywhere.
+pub(super) fn is_smooth(
     problem: &Problem,
     places: &[f64],
     seen: &Residuals,
@@ -296,16 +300,18 @@ fn is_smooth(
     let [value, slope] = problem.unknowns[number].value(places[number]);
     let step = (deviation / slope.abs().max(f64::MIN_POSITIVE)).min(0.1);
     let Some(here) = problem.residuals(places) else { return false };
-    let size = |values: &mut dyn Iterator<Item = f64>| values.map(|one| one * one).sum::<f64>().sqrt();
     let agrees = |direction: f64| {
         let mut moved = places.to_vec();
         moved[number] = (moved[number] + direction * step).clamp(0.0, 1.0);
-        let distance = (problem.unknowns[number].value(moved[number])[0] - value).abs();
-        let foreseen = distance * size(&mut sensitivity.iter().copied());
+        let distance = problem.unknowns[number].value(moved[number])[0] - value;
+        let foreseen: Vec<f64> = sensitivity.iter().map(|slope| slope * distance).collect();
         problem.residuals(&moved).is_some_and(|there| {
-            let found = size(&mut there.iter().zip(&here).map(|(there, here)| there - here));
+            let found: Vec<f64> = there.iter().zip(&here).map(|(there, here)| there - here).collect();
+            let astray: Vec<f64> = found.iter().zip(&foreseen).map(|(found, foreseen)| found - foreseen).collect();
+            let [found, foreseen, astray] = [&found, &foreseen, &astray].map(|change| squares(change).sqrt());
             // Less than the noise does not matter.
-            found.max(foreseen) < 0.1 * seen.noise || (1.0 / STRAIGHT..=STRAIGHT).contains(&(found / foreseen))
+            found.max(foreseen) < 0.1 * seen.noise
+                || ((1.0 / STRAIGHT..=STRAIGHT).contains(&(found / foreseen)) && astray <= ASTRAY * foreseen)
         })
     };
     // At an end of the range one side is enough.
