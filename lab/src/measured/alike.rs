@@ -196,11 +196,13 @@ impl Averages {
         let time = &record.time;
         let interval = record.quality.interval;
         let half = f64::max(0.5 * window, 1.5 * interval);
-        // Where the stencils of the samples of a window reach.
-        let reach = half + (NODES / 2) as f64 * interval + doubt.min((NODES / 2) as f64 * interval);
-        let [first, last] = [time[0] + reach, time[time.len() - 1] - reach];
+        let stencil = (NODES / 2) as f64 * interval;
+        // Where the stencils of the samples of a window reach: at any delay, since none may end outside of the motion;
+        // and at one that is little in doubt, since rest within a long doubt is hardly mixed with the average.
+        let [widest, reach] = [doubt, doubt.min(stencil)].map(|doubt| half + stencil + doubt);
+        let [first, last] = [time[0] + widest, time[time.len() - 1] - widest];
         let step = ((half / interval) as usize).max(1);
-        let is_inside = |at: &usize| (first..=last).contains(&time[*at]) && is_whole(time, *at, reach, interval);
+        let is_inside = |at: &usize| (first..=last).contains(&time[*at]) && is_whole(time, *at, widest, interval);
         let chosen: Vec<usize> = (0..time.len()).step_by(step).filter(is_inside).collect();
         let values = chosen.iter().map(|at| average(record, force, moved, *at, half)).collect();
         let least_speed = chosen.iter().map(|at| least_speed(record, time[*at], reach)).collect();
