@@ -191,6 +191,10 @@ fn refusals_of_an_identification_name_what_is_wrong() {
     let rows = |k: i32| format!("{},{},{}\n", k, (k % 7) - 3, (k * k) % 11);
     std::fs::write(&path, "time,force,displacement\n".to_owned() + &(0..30).map(rows).collect::<String>())
         .expect("a file");
+    let film = folder.path().join("film.csv");
+    let camera = film.to_str().expect("text");
+    let frame = |k: i32| if k == 1 { "1,abc\n".to_owned() } else { format!("{k},{}\n", k % 7) };
+    std::fs::write(&film, "time,displacement\n".to_owned() + &(0..30).map(frame).collect::<String>()).expect("a file");
     let law = ["identify", record, "--law"];
     for (arguments, expected) in [
         (vec!["LuGr"], "friction law 'LuGr' does not exist (did you mean 'LuGre'?)".to_owned()),
@@ -199,6 +203,10 @@ fn refusals_of_an_identification_name_what_is_wrong() {
         (vec!["Dahl", "--mass=-1"], format!("{record}: mass = -1: must be >= 0 and finite, in kg")),
         (vec!["Dahl", "--fix", "mu_k=x"], "mu_k = x: must be a number".to_owned()),
         (vec!["Dahl", "--motion", "absent.csv"], "absent.csv: No such file or directory (os error 2)".to_owned()),
+        (
+            vec!["Dahl", "--normal-force=1", "--motion", camera],
+            format!("{camera}: line 3, displacement: 'abc' is not a finite number"),
+        ),
     ] {
         assert_eq!(refusal(&[&law[..], &arguments].concat()), format!("stribeck: {expected}"));
     }

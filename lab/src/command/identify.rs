@@ -1,6 +1,7 @@
 //! `stribeck identify`: parameters of laws from records of a rig.
 
 use std::collections::BTreeMap;
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -9,10 +10,10 @@ use lab::identify::{
     Experiment, Fit, Method, Ranking, Reference, Task, Unseen, Verdict, Watch, Wishes, as_json, axis, fit, fit_all,
     held_out, laws_named, preset,
 };
-use lab::measured::{Columns, Delay, Record, Rig, average};
+use lab::measured::{Columns, Delay, MeasuredError, Record, Rig, average};
 use lab::report::{Identification, identification};
 use lab::run::Configuration;
-use lab::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, VELOCITY, tables};
+use lab::sheet::{DISPLACEMENT, FORCE, Sheet, VELOCITY, tables};
 use lab::system::{Fault, Setting, read};
 use ssp::parameter_set::ParameterSet;
 use stribeck::model::ModelType;
@@ -185,13 +186,17 @@ impl Arguments {
             let motion = self.motion.as_ref();
             let motion = motion.map(|path| tables(path).map_err(|error| unreadable(path, &error))).transpose()?;
             let mut motion = motion.unwrap_or_default();
-            let said = columns.apply(&mut own, &mut motion, &rig).map_err(|error| unreadable(path, &error))?;
+            let refused = |error: MeasuredError| match (error, &self.motion) {
+                (MeasuredError::Motion(error), Some(camera)) => unreadable(camera, &error),
+                (error, _) => unreadable(path, &error),
+            };
+            let said = columns.apply(&mut own, &mut motion, &rig).map_err(refused)?;
             let (own, others) = with_force(own);
             let motion = with_motion(motion);
             // The channels of a file may have several clocks.
             let apart = if is_of_motion(&own) { None } else { with_motion(others) };
             let record = Record::of(&own, motion.as_ref().or(apart.as_ref()), &rig);
-            let mut record = record.map_err(|error| Fault::File(format!("{}: {error}", path.display())))?;
+            let mut record = record.map_err(refused)?;
             record.quality.findings.splice(0..0, said);
             Ok((name, record))
         };
@@ -264,7 +269,7 @@ impl Arguments {
 }
 
 /// An error about the tables of a file, with its name.
-fn unreadable(path: &Path, error: &SheetError) -> Fault {
+fn unreadable(path: &Path, error: &impl Display) -> Fault {
     let (text, name) = (error.to_string(), path.display().to_string());
     Fault::File(if text.starts_with(&name) { text } else { format!("{name}: {text}") })
 }

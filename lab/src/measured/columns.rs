@@ -1,7 +1,7 @@
 //! Columns of records: what they are called in files, and the factors of signals that are not in the unit of their
 //! quantity.
 
-use super::Rig;
+use super::{MeasuredError, Rig};
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
 /// Quantities of a record.
@@ -48,22 +48,25 @@ impl Columns {
     /// Gives the columns of the tables of a record the names of their quantities, and their factors; says what was not
     /// called so. `motion` are the tables of the motion if it is elsewhere. A normal force is looked for only where
     /// none is known, and not for an axis.
-    pub fn apply(&self, record: &mut [Sheet], motion: &mut [Sheet], rig: &Rig) -> Result<Vec<String>, SheetError> {
+    pub fn apply(&self, record: &mut [Sheet], motion: &mut [Sheet], rig: &Rig) -> Result<Vec<String>, MeasuredError> {
         for (name, column) in &self.names {
             if !record.iter().chain(&*motion).any(|table| table.has(column)) {
-                return Err(record.first().map_or(SheetError::Empty, |table| table.missing(column)));
+                return Err(record.first().map_or(SheetError::Empty, |table| table.missing(column)).into());
             }
             record.iter_mut().chain(&mut *motion).for_each(|table| table.rename(column, name));
         }
         let mut said = Vec::new();
-        for table in record.iter_mut().chain(&mut *motion) {
+        for table in &mut *record {
             said.extend(self.find(std::slice::from_mut(table), &TIME)?);
         }
+        for table in &mut *motion {
+            said.extend(self.find(std::slice::from_mut(table), &TIME).map_err(MeasuredError::of_motion)?);
+        }
         said.extend(self.find(record, &FORCE)?);
-        let moved = if motion.is_empty() { &mut *record } else { &mut *motion };
-        if !moved.iter().any(|table| table.has(DISPLACEMENT.name) || table.has(VELOCITY.name)) {
-            said.extend(self.find(moved, &DISPLACEMENT)?);
-            said.extend(self.find(moved, &VELOCITY)?);
+        if motion.is_empty() {
+            said.extend(self.find_motion(record)?);
+        } else {
+            said.extend(self.find_motion(motion).map_err(MeasuredError::of_motion)?);
         }
         if rig.normal_force.is_none() && !rig.is_axis {
             said.extend(self.find(record, &NORMAL_FORCE)?);
@@ -74,6 +77,15 @@ impl Columns {
             }
         }
         Ok(said)
+    }
+
+    /// Looks for the columns of the motion, unless one is called so.
+    fn find_motion(&self, tables: &mut [Sheet]) -> Result<Vec<String>, SheetError> {
+        if tables.iter().any(|table| table.has(DISPLACEMENT.name) || table.has(VELOCITY.name)) {
+            return Ok(Vec::new());
+        }
+        let found = [self.find(tables, &DISPLACEMENT)?, self.find(tables, &VELOCITY)?];
+        Ok(found.into_iter().flatten().collect())
     }
 
     /// Looks for the column of a quantity by its other names; says which one it took.
@@ -151,6 +163,21 @@ mod tests {
         let [mut record, mut motion] = tables().map(|table| [table]);
         let error = named("force", "Kraf").apply(&mut record, &mut motion, &Rig::default()).unwrap_err().to_string();
         assert_eq!(error, "no column 'Kraf'; there are t, Kraft, x");
+    }
+
+    /// So that the user looks into the right file.
+    #[test]
+    fn what_is_wrong_with_the_motion_is_said_of_the_motion() {
+        let refusal = |motion: &str| {
+            let [mut record, mut motion] = ["time,force\n1,2\n", motion].map(|text| [Sheet::parse(text).unwrap()]);
+            let said = Columns::default().apply(&mut record, &mut motion, &Rig::default());
+            said.unwrap_err().to_string()
+        };
+        assert_eq!(
+            refusal("time,x,pos\n1,2,3\n"),
+            "the motion: displacement: 'x', 'pos' may be it; say which: --column displacement=..."
+        );
+        assert!(refusal("time,v,speed\n1,2,3\n").starts_with("the motion: velocity: "));
     }
 
     /// Its column N may be a counter, and it needs no normal force.

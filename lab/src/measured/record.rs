@@ -55,6 +55,9 @@ pub enum MeasuredError {
     /// The table cannot be read.
     #[error(transparent)]
     Sheet(#[from] SheetError),
+    /// The table of the motion, where it has one of its own.
+    #[error("the motion: {0}")]
+    Motion(Box<MeasuredError>),
     /// A value about the rig is not admitted.
     #[error("{name} = {value}: must be {wanted}")]
     Rig {
@@ -191,6 +194,13 @@ pub struct Record {
     pub quality: Quality,
 }
 
+impl MeasuredError {
+    /// The same, of the table of the motion.
+    pub(super) fn of_motion(error: impl Into<MeasuredError>) -> MeasuredError {
+        MeasuredError::Motion(Box::new(error.into()))
+    }
+}
+
 impl Record {
     /// Reads a table with the columns `time`, `force`, `displacement` or `velocity`, and perhaps `normal_force`; the
     /// motion may be in a table of its own, with its own times.
@@ -201,7 +211,10 @@ impl Record {
         moving("force", &force)?;
         let load = load(sheet, rig)?;
         let own = Own { time: &time, force: &force, load: &load };
-        let moved = Motion::of(motion.unwrap_or(sheet))?;
+        let moved = match motion {
+            Some(motion) => Motion::of(motion).map_err(MeasuredError::of_motion)?,
+            None => Motion::of(sheet)?,
+        };
         let record = if rig.is_axis { moved.of_axis(&own, rig)? } else { moved.record(&own, rig)? };
         record.finite()?;
         let energy = record.energy();
