@@ -271,6 +271,8 @@ struct Seen {
     name: String,
     is_told: bool,
     is_held: bool,
+    /// Truth, best value, and ends of the interval, for whoever looks into the file.
+    values: [f64; 4],
 }
 
 /// Counts of earlier runs, and the file that keeps them.
@@ -281,7 +283,7 @@ impl Kept {
         let Some(path) = std::env::var_os("IDENTIFIED") else { return Kept(Vec::new(), None) };
         let text = std::fs::read_to_string(&path).unwrap_or_default();
         let file = File::options().create(true).append(true).open(&path).expect("a file that can be written");
-        Kept(text.lines().filter_map(seen_before).collect(), Some(file))
+        Kept(text.lines().filter_map(Seen::read).collect(), Some(file))
     }
 
     /// All laws with a seed before the next seed, so that an early end leaves as many records of each law.
@@ -292,9 +294,7 @@ impl Kept {
             }
             let found = look(law, seed);
             if let Some(file) = &mut self.1 {
-                let line =
-                    |one: &Seen| format!("{},{},{},{},{}\n", one.law, one.seed, one.name, one.is_told, one.is_held);
-                let text: String = found.iter().map(line).collect();
+                let text: String = found.iter().map(Seen::line).collect();
                 file.write_all(text.as_bytes()).expect("a file that can be written");
             }
             self.0.extend(found);
@@ -304,11 +304,20 @@ impl Kept {
     }
 }
 
-fn seen_before(line: &str) -> Option<Seen> {
-    let mut cells = line.split(',');
-    let mut next = || cells.next();
-    let (law, seed, name) = (next()?.to_owned(), next()?.parse().ok()?, next()?.to_owned());
-    Some(Seen { law, seed, name, is_told: next()?.parse().ok()?, is_held: next()?.parse().ok()? })
+impl Seen {
+    fn line(&self) -> String {
+        let Seen { law, seed, name, is_told, is_held, values: [truth, value, low, high] } = self;
+        format!("{law},{seed},{name},{is_told},{is_held},{truth},{value},{low},{high}\n")
+    }
+
+    fn read(line: &str) -> Option<Seen> {
+        let mut cells = line.split(',');
+        let mut next = || cells.next();
+        let (law, seed, name) = (next()?.to_owned(), next()?.parse().ok()?, next()?.to_owned());
+        let (is_told, is_held) = (next()?.parse().ok()?, next()?.parse().ok()?);
+        let mut number = || next()?.parse().ok();
+        Some(Seen { law, seed, name, is_told, is_held, values: [number()?, number()?, number()?, number()?] })
+    }
 }
 
 /// The unknowns of a law in a fit to a record of it; one without a name if it cannot be fitted.
@@ -318,13 +327,24 @@ fn look(law: &'static ModelType, seed: u64) -> Vec<Seen> {
         "mu_s - mu_k" => Some(start("mu_s")? - start("mu_k")?),
         _ => start(name),
     };
-    let none = Seen { law: law.name.to_owned(), seed, name: String::new(), is_told: false, is_held: false };
+    let none = Seen {
+        law: law.name.to_owned(),
+        seed,
+        name: String::new(),
+        is_told: false,
+        is_held: false,
+        values: [f64::NAN; 4],
+    };
     let Some(fit) = fitted(law, &experiment(law, 1000 + seed)) else { return vec![none] };
     let seen = |one: &Estimate| {
-        let truth = truth(&one.name).filter(|_| one.verdict == Verdict::Determined);
+        let truth = truth(&one.name).unwrap_or(f64::NAN);
+        let is_told = one.verdict == Verdict::Determined && !truth.is_nan();
         let [low, high] = one.interval();
-        let is_held = truth.is_some_and(|truth| (low..=high).contains(&truth));
-        Seen { name: one.name.clone(), is_told: truth.is_some(), is_held, ..none.clone() }
+        let is_held = is_told && (low..=high).contains(&truth);
+        if std::env::var_os("WHY").is_some() {
+            println!("{} {seed} {} {:?}", law.name, one.name, one.verdict);
+        }
+        Seen { name: one.name.clone(), is_told, is_held, values: [truth, one.value, low, high], ..none.clone() }
     };
     fit.estimates.iter().map(seen).collect()
 }
