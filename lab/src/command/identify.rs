@@ -355,8 +355,9 @@ fn worth(name: &str, record: &Record) -> String {
     let clocks = record.clocks;
     if clocks.deviation > 0.0 && record.alike.is_none() {
         text += &format!(
-            "  the motion is {:.5} s behind the force (standard deviation {:.1e} s), {:.1e} s more each second\n",
-            clocks.delay, clocks.deviation, clocks.drift
+            "  the motion looks {:.3} s behind the force, {:.1e} s more each second; friction that builds up along a way \
+             looks late too, so that this may be too much: the fit of a law looks for the delay again\n",
+            clocks.delay, clocks.drift
         );
     }
     quality.findings.iter().for_each(|finding| text += &format!("  {finding}\n"));
