@@ -66,7 +66,7 @@ pub enum MeasuredError {
         /// The value.
         value: f64,
         /// The condition.
-        wanted: &'static str,
+        wanted: String,
     },
     /// Times do not ascend.
     #[error("line {line}, time: {now} s after {before} s; times must ascend")]
@@ -207,6 +207,7 @@ impl Record {
     pub fn of(sheet: &Sheet, motion: Option<&Sheet>, rig: &Rig) -> Result<Record, MeasuredError> {
         check(rig)?;
         let time = times(sheet)?;
+        check_lengths(rig, &time)?;
         let force = sheet.required(FORCE.name, &FORCE)?;
         moving("force", &force)?;
         let load = load(sheet, rig)?;
@@ -267,7 +268,7 @@ fn check(rig: &Rig) -> Result<(), MeasuredError> {
         Delay::Find(longest) => longest,
         Delay::OfController => 0.0,
     };
-    let wrong = |name, value, wanted| Err(MeasuredError::Rig { name, value, wanted });
+    let wrong = |name, value, wanted: &str| Err(MeasuredError::Rig { name, value, wanted: wanted.to_owned() });
     match rig {
         _ if !(rig.mass >= 0.0 && rig.mass.is_finite()) => wrong("mass", rig.mass, ">= 0 and finite, in kg"),
         _ if !(rig.skip >= 0.0 && rig.skip.is_finite()) => wrong("skip", rig.skip, ">= 0 and finite, in s"),
@@ -281,6 +282,19 @@ fn check(rig: &Rig) -> Result<(), MeasuredError> {
         }
         _ => Ok(()),
     }
+}
+
+/// Refuses what is smoothed or sought over most of the record.
+fn check_lengths(rig: &Rig, time: &[f64]) -> Result<(), MeasuredError> {
+    let half = 0.5 * (time[time.len() - 1] - time[0]);
+    let longest = if let Delay::Find(longest) = rig.delay { Some(longest) } else { None };
+    for (name, value) in [("window", rig.window), ("longest delay", longest)] {
+        if let Some(value) = value.filter(|value| *value > half) {
+            let wanted = format!("at most half of the record, {half} s");
+            return Err(MeasuredError::Rig { name, value, wanted });
+        }
+    }
+    Ok(())
 }
 
 fn times(sheet: &Sheet) -> Result<Vec<f64>, MeasuredError> {

@@ -307,6 +307,8 @@ fn impossible_rigs_are_refused() {
         (Rig { mass: f64::NAN, ..rig() }, "mass = NaN: must be >= 0 and finite, in kg"),
         (Rig { normal_force: Some(-2.0), ..rig() }, "normal_force = -2: must be >= 0 and finite, in N"),
         (Rig { window: Some(-1.0), ..rig() }, "window = -1: must be >= 0 and finite, in s"),
+        (Rig { window: Some(5.0), ..rig() }, "window = 5: must be at most half of the record, 3.9995 s"),
+        (Rig { delay: Delay::Find(4.0), ..rig() }, "longest delay = 4: must be at most half of the record, 3.9995 s"),
         (Rig { delay: Delay::Find(0.0), ..rig() }, "longest delay = 0: must be > 0, in s"),
         (Rig { delay: Delay::Known(f64::INFINITY), ..rig() }, "delay = inf: must be a finite number, in s"),
         (Rig { skip: 7.99, ..rig() }, "force from 7.99 s to 7.999 s, motion from 0 s to 7.999 s: they do not overlap"),
