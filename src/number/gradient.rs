@@ -28,6 +28,12 @@ impl Gradient {
         Dual { value: self.value, slope: self.slopes[direction] }
     }
 
+    /// What an operation gives in each direction; its value is the same in all.
+    #[inline(always)]
+    fn each(along: impl Fn(usize) -> Dual) -> Gradient {
+        Gradient::of(along(0).value, |i| along(i).slope)
+    }
+
     #[inline(always)]
     fn of(value: f64, slope: impl Fn(usize) -> f64) -> Gradient {
         Gradient { value, slopes: std::array::from_fn(slope) }
@@ -55,29 +61,28 @@ compared!(Gradient);
 impl Add for Gradient {
     type Output = Gradient;
     fn add(self, other: Gradient) -> Gradient {
-        Gradient::of(self.value + other.value, |i| self.slopes[i] + other.slopes[i])
+        Gradient::each(|i| self.along(i) + other.along(i))
     }
 }
 
 impl Sub for Gradient {
     type Output = Gradient;
     fn sub(self, other: Gradient) -> Gradient {
-        Gradient::of(self.value - other.value, |i| self.slopes[i] - other.slopes[i])
+        Gradient::each(|i| self.along(i) - other.along(i))
     }
 }
 
 impl Mul for Gradient {
     type Output = Gradient;
     fn mul(self, other: Gradient) -> Gradient {
-        Gradient::of(self.value * other.value, |i| self.slopes[i] * other.value + self.value * other.slopes[i])
+        Gradient::each(|i| self.along(i) * other.along(i))
     }
 }
 
 impl Div for Gradient {
     type Output = Gradient;
     fn div(self, other: Gradient) -> Gradient {
-        let value = self.value / other.value;
-        Gradient::of(value, |i| (self.slopes[i] - value * other.slopes[i]) / other.value)
+        Gradient::each(|i| self.along(i) / other.along(i))
     }
 }
 
@@ -93,8 +98,7 @@ impl Real for Gradient {
 
     /// Each direction by itself: the limit may retreat in one of them and not in another.
     fn pushed_back(self, limit: Gradient) -> Gradient {
-        let pushed: [Dual; DIRECTIONS] = std::array::from_fn(|i| self.along(i).pushed_back(limit.along(i)));
-        Gradient::of(pushed[0].value, |i| pushed[i].slope)
+        Gradient::each(|i| self.along(i).pushed_back(limit.along(i)))
     }
 }
 
