@@ -5,7 +5,7 @@ use std::ops::{Deref, DerefMut};
 use std::sync::Mutex;
 
 use numpy::PyArray1;
-use numpy::ndarray::ArrayView1;
+use numpy::ndarray::ArrayViewMut1;
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
@@ -45,11 +45,15 @@ impl Numbers {
     }
 
     /// The same memory as an array of Python.
-    pub fn into_array(self, py: Python) -> PyResult<Bound<PyArray1<f64>>> {
+    pub fn into_array(mut self, py: Python) -> PyResult<Bound<PyArray1<f64>>> {
+        let (length, first) = (self.0.len(), self.0.as_mut_ptr());
         let owner = Bound::new(py, Owner(self))?;
-        let view = ArrayView1::from(&*owner.get().0);
-        // SAFETY: the owner, which the array keeps, never moves or changes its numbers, and shows them to nobody else.
-        Ok(unsafe { PyArray1::borrow_from_array(&view, owner.clone().into_any()) })
+        // SAFETY: the owner, which the array keeps, never moves its numbers and neither reads nor writes them before the
+        // array is gone: until then only the array does.
+        Ok(unsafe {
+            let view = ArrayViewMut1::from_shape_ptr(length, first);
+            PyArray1::borrow_from_array(&view, owner.into_any())
+        })
     }
 }
 
@@ -93,6 +97,6 @@ fn spare(length: usize) -> Option<Vec<f64>> {
     Some(spare.remove(last))
 }
 
-/// Owner of the numbers of an array.
+/// Owner of the numbers of an array, which holds them for it and nothing else.
 #[pyclass(frozen)]
-struct Owner(Numbers);
+struct Owner(#[expect(dead_code, reason = "given back when it is dropped")] Numbers);
