@@ -13,6 +13,15 @@ const PATIENCE: Duration = Duration::from_millis(50);
 
 /// Runs long work in a thread of its own. Ctrl-C sets the flag, on which the work must end early.
 pub fn interruptible<T: Send>(py: Python, work: impl FnOnce(&AtomicBool) -> T + Send) -> PyResult<T> {
+    watched(py, work, |_| Ok(()))
+}
+
+/// As `interruptible`; now and then, and at the end, the calling thread looks at the work. An error there ends it too.
+pub fn watched<T: Send>(
+    py: Python,
+    work: impl FnOnce(&AtomicBool) -> T + Send,
+    look: impl Fn(Python) -> PyResult<()> + Sync,
+) -> PyResult<T> {
     let cancel = &AtomicBool::new(false);
     let (done, interrupt) = py.detach(|| {
         thread::scope(|scope| {
@@ -26,8 +35,9 @@ pub fn interruptible<T: Send>(py: Python, work: impl FnOnce(&AtomicBool) -> T + 
                 match receiver.recv_timeout(PATIENCE) {
                     Ok(done) => break Some(done),
                     Err(RecvTimeoutError::Disconnected) => break None,
+                    Err(RecvTimeoutError::Timeout) if interrupt.is_some() => {}
                     Err(RecvTimeoutError::Timeout) => {
-                        if let Err(error) = Python::attach(|py| py.check_signals()) {
+                        if let Err(error) = Python::attach(|py| py.check_signals().and_then(|()| look(py))) {
                             cancel.store(true, Ordering::Relaxed);
                             interrupt = Some(error);
                         }
@@ -42,7 +52,7 @@ pub fn interruptible<T: Send>(py: Python, work: impl FnOnce(&AtomicBool) -> T + 
     });
     match (done, interrupt) {
         (_, Some(error)) => Err(error),
-        (Some(done), None) => Ok(done),
+        (Some(done), None) => look(py).map(|()| done),
         (None, None) => Err(crate::refused("the work ended without a result")),
     }
 }

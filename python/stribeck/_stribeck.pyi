@@ -1,5 +1,6 @@
 """The extension module: plain data in, plain data out."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -57,9 +58,15 @@ def settle(
     threads_asked: int | None,
 ) -> list[Numbers]: ...
 def make_study(
-    study: str | dict[str, Any], folder: str, *, shard: str, threads_asked: int | None, max_failures: int | None
+    study: str | dict[str, Any],
+    folder: str,
+    *,
+    shard: str,
+    threads_asked: int | None,
+    max_failures: int | None,
+    progress: Callable[[int, int], object] | None,
 ) -> tuple[int, int, int]: ...
-def missing_chunks(study: str | dict[str, Any], folder: str) -> tuple[int, list[int]]: ...
+def missing_chunks(study: str | dict[str, Any], folder: str) -> tuple[int, int, list[tuple[int, int]]]: ...
 def merge_study(study: str | dict[str, Any], folder: str) -> Path: ...
 def identify(
     records: list[tuple[str, str | dict[str, NDArray[np.float64]]]],

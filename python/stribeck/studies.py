@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import os
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -79,6 +79,7 @@ def study(
     threads: int | None = None,
     client: distributed.Client | None = None,
     max_failures: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
 ) -> Table | None:
     """Makes a study, as `stribeck study` does, and returns its table.
 
@@ -90,7 +91,7 @@ def study(
     With `client`, a client of Dask (`pip install stribeck[dask]`), the workers of its cluster make the chunks and send
     them here: they need this package, and the files that the study names under the same paths, but not `folder`. The
     bytes of the table are the same. Once more than `max_failures` runs have not come to their end, the study is
-    refused.
+    refused. `progress`, such as `print`, is called now and then with the number of rows that are done, and of all.
 
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -110,39 +111,55 @@ def study(
     if client is not None:
         if shard is not None or threads is not None:
             raise TypeError("client: a cluster divides the study itself, without shard and threads")
-        _send_out(spec, Path(folder), client, max_failures)
+        _send_out(spec, Path(folder), client, max_failures, progress)
     # What is there is not made again.
     _stribeck.make_study(
-        spec, os.fspath(folder), shard=shard or "1/1", threads_asked=checked(threads), max_failures=max_failures
+        spec,
+        os.fspath(folder),
+        shard=shard or "1/1",
+        threads_asked=checked(threads),
+        max_failures=max_failures,
+        progress=progress,
     )
     return None if shard else Table(Path(_stribeck.merge_study(spec, os.fspath(folder))))
 
 
-def _send_out(spec: str | dict[str, Any], folder: Path, client: distributed.Client, max_failures: int | None) -> None:
+def _send_out(
+    spec: str | dict[str, Any],
+    folder: Path,
+    client: distributed.Client,
+    max_failures: int | None,
+    progress: Callable[[int, int], object] | None,
+) -> None:
     """Has the missing chunks made by the workers of a cluster, and writes them to the folder as they come."""
     import distributed
 
-    count, missing = _stribeck.missing_chunks(spec, os.fspath(folder))
+    rows, count, missing = _stribeck.missing_chunks(spec, os.fspath(folder))
     folder.mkdir(parents=True, exist_ok=True)
     # A function of results is not looked up among earlier ones: the files of a study may have changed.
-    chunks = [client.submit(_chunk, spec, f"{number + 1}/{count}", pure=False) for number in missing]
-    failures = 0
+    chunks = [client.submit(_chunk, spec, f"{number + 1}/{count}", pure=False) for number, _ in missing]
+    done, failures = rows - sum(made for _, made in missing), 0
     try:
-        for _, (name, content, failed) in distributed.as_completed(chunks, with_results=True):
+        for _, (name, content, made, failed) in distributed.as_completed(chunks, with_results=True):
             # Under another name first, so that it is never there by half.
             temporary = folder / f".{name}-{os.getpid()}"
             temporary.write_bytes(content)
             temporary.replace(folder / name)
-            failures += failed
+            done, failures = done + made, failures + failed
+            if progress is not None:
+                progress(done, rows)
             if max_failures is not None and failures > max_failures:
                 raise Refused(f"{failures} rows did not come to their end, more than {max_failures} (max_failures)")
     finally:
         client.cancel(chunks)
 
 
-def _chunk(spec: str | dict[str, Any], shard: str) -> tuple[str, bytes, int]:
-    """Makes one chunk of a study: its file's name, the contents, and how many rows did not come to their end."""
+def _chunk(spec: str | dict[str, Any], shard: str) -> tuple[str, bytes, int, int]:
+    """Makes one chunk of a study: its file's name, the contents, the number of rows, and of those that did not come to
+    their end."""
     with tempfile.TemporaryDirectory() as folder:
-        _, _, failed = _stribeck.make_study(spec, folder, shard=shard, threads_asked=1, max_failures=None)
+        made, _, failed = _stribeck.make_study(
+            spec, folder, shard=shard, threads_asked=1, max_failures=None, progress=None
+        )
         (file,) = Path(folder).iterdir()
-        return file.name, file.read_bytes(), failed
+        return file.name, file.read_bytes(), made, failed

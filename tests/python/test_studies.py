@@ -90,13 +90,37 @@ def test_many_processes_make_the_same_table(undisturbed, tmp_path):
 def test_a_cluster_makes_the_same_table(undisturbed, tmp_path):
     options = {"n_workers": 4, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
     with distributed.LocalCluster(**options) as cluster, distributed.Client(cluster) as client:
-        table = stribeck.study(STUDY, tmp_path / "cluster", client=client)
+        told = []
+        table = stribeck.study(STUDY, tmp_path / "cluster", client=client, progress=lambda *rows: told.append(rows))
         assert table.path.read_bytes() == undisturbed.path.read_bytes()
+        assert told == [(1000 * chunk, 6000) for chunk in (1, 2, 3, 4, 5, 6, 6)]
         # Nothing is left to be sent out.
         again = stribeck.study(STUDY, tmp_path / "cluster", client=client)
         assert again.path.read_bytes() == table.path.read_bytes()
         with pytest.raises(TypeError, match="without shard and threads"):
             stribeck.study(STUDY, tmp_path / "cluster", client=client, shard="1/2")
+
+
+def test_progress_is_told_to_the_end_and_may_end_a_study(tmp_path):
+    told = []
+    stribeck.study(STUDY, tmp_path / "half", shard="2/2", threads=1, progress=lambda *rows: told.append(rows))
+    assert {rows for _, rows in told} == {3000}
+    assert told == sorted(told)
+    # Some times a second, not once per row.
+    assert 2 < len(told) < 1000
+    assert told[-1] == (3000, 3000)
+
+    def enough(done, _):
+        told.append(done)
+        if done > 3000:
+            raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        stribeck.study(STUDY, tmp_path / "half", threads=1, progress=enough)
+    assert len(list((tmp_path / "half").glob("chunk-*.csv"))) < 6
+    # The call after the refused one is another one.
+    with pytest.raises(TypeError):
+        stribeck.study(STUDY, tmp_path / "half", progress=1)
 
 
 # The printed form chatters before the block slips.

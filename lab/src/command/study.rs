@@ -47,7 +47,7 @@ pub fn study(arguments: &Arguments) -> Result<Verdict, Failure> {
     heed_interrupts();
     let processors = std::thread::available_parallelism().ok();
     let threads = arguments.threads.or(processors).unwrap_or(NonZeroUsize::MIN);
-    let (bar, count) = (Rows::new(study.rows() / arguments.shard.count), AtomicUsize::new(0));
+    let (bar, count) = (Rows::new(study.rows_of(arguments.shard)), AtomicUsize::new(0));
     let progress = |rows: usize| bar.reached(count.fetch_add(rows, Ordering::Relaxed) + rows);
     let done = study.make(&arguments.out, arguments.shard, threads, arguments.max_failures, &CANCELLED, &progress)?;
     bar.finish();

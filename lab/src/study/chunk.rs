@@ -1,9 +1,10 @@
 //! Files of finished rows.
 
 use std::fs::{self, File};
-use std::io::{BufRead, BufReader, BufWriter, Write};
+use std::io::{self, BufRead, BufReader, BufWriter, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::Shard;
 use super::description::Description;
@@ -12,6 +13,9 @@ use crate::system::{Fault, System};
 
 /// Rows of a chunk (chosen): a second of work for the fastest runs.
 const ROWS: usize = 1000;
+
+/// Files written by this process: several threads of it may write the same one.
+static WRITTEN: AtomicUsize = AtomicUsize::new(0);
 
 /// Rows that are run and written together.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,27 +84,33 @@ impl Chunk {
         heading: &[String],
         rows: impl Iterator<Item = &'a Vec<String>>,
     ) -> Result<(), Fault> {
-        let path = self.path(folder);
         fs::create_dir_all(folder).map_err(|error| wrong(folder, error))?;
-        let temporary = folder.join(format!(".chunk-{:06}-{}.csv", self.number, std::process::id()));
-        let written = (|| {
-            let mut file = BufWriter::new(File::create(&temporary)?);
+        whole(&self.path(folder), |mut file| {
             writeln!(file, "{}", self.mark(hash))?;
             let mut table = csv::Writer::from_writer(file);
             table.write_record(heading)?;
             for row in rows {
                 table.write_record(row)?;
             }
-            let file = table.into_inner().map_err(|error| error.into_error())?;
-            file.into_inner().map_err(std::io::IntoInnerError::into_error)?.sync_all()?;
-            fs::rename(&temporary, &path)
-        })();
-        written.map_err(|error: std::io::Error| {
-            // What is left of it is of no use; that it is there does no harm.
-            let _ = fs::remove_file(&temporary);
-            wrong(&path, error)
+            table.into_inner().map_err(|error| error.into_error())
         })
     }
+}
+
+/// Writes a file under another name first, so that it is never there by half.
+fn whole(path: &Path, write: impl FnOnce(BufWriter<File>) -> io::Result<BufWriter<File>>) -> Result<(), Fault> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let number = WRITTEN.fetch_add(1, Ordering::Relaxed);
+    let temporary = path.with_file_name(format!(".{name}-{}-{number}", std::process::id()));
+    let written = File::create(&temporary).map(BufWriter::new).and_then(write).and_then(|file| {
+        file.into_inner().map_err(io::IntoInnerError::into_error)?.sync_all()?;
+        fs::rename(&temporary, path)
+    });
+    written.map_err(|error| {
+        // What is left of it is of no use; that it is there does no harm.
+        let _ = fs::remove_file(&temporary);
+        wrong(path, error)
+    })
 }
 
 /// Joins all chunks into one table; each must be there. Returns the number of rows.
@@ -114,17 +124,17 @@ pub fn merge(folder: &Path, to: &Path, rows: usize, hash: &str) -> Result<usize,
             format_args!("{} of {} chunks are missing, the first one is {}", missing.len(), all.len(), first.number);
         return Err(wrong(folder, text));
     }
-    let mut table = BufWriter::new(File::create(to).map_err(|error| wrong(to, error))?);
-    for chunk in &all {
-        let path = chunk.path(folder);
-        let file = BufReader::new(File::open(&path).map_err(|error| wrong(&path, error))?);
-        // The heading of the first one stands for all.
-        let skipped = if chunk.number == 0 { 1 } else { 2 };
-        for line in file.lines().skip(skipped) {
-            let line = line.map_err(|error| wrong(&path, error))?;
-            writeln!(table, "{line}").map_err(|error| wrong(to, error))?;
+    whole(to, |mut table| {
+        for chunk in &all {
+            let path = chunk.path(folder);
+            let named = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
+            // The heading of the first one stands for all.
+            let skipped = if chunk.number == 0 { 1 } else { 2 };
+            for line in BufReader::new(File::open(&path).map_err(named)?).lines().skip(skipped) {
+                writeln!(table, "{}", line.map_err(named)?)?;
+            }
         }
-    }
-    table.flush().map_err(|error| wrong(to, error))?;
+        Ok(table)
+    })?;
     Ok(rows)
 }

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::run::Configuration;
 use crate::system::Fault;
@@ -21,7 +22,7 @@ pub struct Description {
     #[serde(default)]
     pub keep: Vec<String>,
     /// Values that are drawn, by the name of their variable.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "spreads")]
     pub vary: BTreeMap<String, Spread>,
     /// CSV file with a column of values for each variable in its heading, and a row per sample.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -41,6 +42,19 @@ pub enum Spread {
     Log([f64; 2]),
     /// Normal distribution: mean and standard deviation.
     Normal([f64; 2]),
+}
+
+/// The distributions by name. What is none is refused in other words than those for a badly written enumeration.
+fn spreads<'a, D: Deserializer<'a>>(all: D) -> Result<BTreeMap<String, Spread>, D::Error> {
+    let spread = |(name, value): (String, toml::Value)| {
+        if !value.is_table() {
+            let text = "must be a distribution, such as { uniform = [0.1, 0.2] }";
+            return Err(D::Error::custom(format_args!("{name} = {value}: {text}")));
+        }
+        let spread = Spread::deserialize(value);
+        Ok((name.clone(), spread.map_err(|error| D::Error::custom(format_args!("{name}: {}", error.message())))?))
+    };
+    BTreeMap::<String, toml::Value>::deserialize(all)?.into_iter().map(spread).collect()
 }
 
 impl Spread {

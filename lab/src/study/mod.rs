@@ -158,6 +158,11 @@ impl Study {
         self.laws.len() * self.samples.len()
     }
 
+    /// Number of rows of a shard.
+    pub fn rows_of(&self, shard: Shard) -> usize {
+        chunks(self.rows(), shard).map(|chunk| chunk.rows.len()).sum()
+    }
+
     fn law(&self, row: usize) -> Option<&str> {
         self.laws[row / self.samples.len()].as_deref()
     }
@@ -202,14 +207,14 @@ impl Study {
         Ok(self.quantities.iter().map(|quantity| quantity.of(&outcome)).collect())
     }
 
-    /// Number of chunks, and the numbers of those that are not in the folder yet. Each is a shard by itself: the chunk
-    /// `n` of `count` is that of the shard `n + 1` of `count`.
-    pub fn missing(&self, folder: &Path) -> Result<(usize, Vec<usize>), Fault> {
+    /// Number of chunks; and the number and the rows of each that is not in the folder yet. Each is a shard by itself: the
+    /// chunk `n` of `count` is that of the shard `n + 1` of `count`.
+    pub fn missing(&self, folder: &Path) -> Result<(usize, Vec<(usize, usize)>), Fault> {
         let all: Vec<Chunk> = chunks(self.rows(), Shard { number: 1, count: 1 }).collect();
         let mut missing = Vec::new();
         for (number, chunk) in all.iter().enumerate() {
             if !chunk.is_made(folder, &self.hash)? {
-                missing.push(number);
+                missing.push((number, chunk.rows.len()));
             }
         }
         Ok((all.len(), missing))

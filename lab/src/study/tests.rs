@@ -82,8 +82,10 @@ fn shards_threads_and_interruptions_give_the_same_bytes() {
     make(&study, whole.path(), ALL, 1);
     let expected = table(&study, whole.path());
     let parts = tempfile::tempdir().unwrap();
-    for number in [3, 1, 2] {
-        make(&study, parts.path(), Shard { number, count: 3 }, 3);
+    for (number, rows) in [(3, 500), (1, 1000), (2, 1000)] {
+        let shard = Shard { number, count: 3 };
+        assert_eq!(study.rows_of(shard), rows);
+        assert_eq!(make(&study, parts.path(), shard, 3).rows, rows);
     }
     assert!(table(&study, parts.path()) == expected);
     let resumed = tempfile::tempdir().unwrap();
@@ -100,6 +102,21 @@ fn shards_threads_and_interruptions_give_the_same_bytes() {
     assert!(refusal.ends_with("2 of 3 chunks are missing, the first one is 1"), "{refusal}");
     assert_eq!(make(&study, resumed.path(), ALL, 2), Done { rows: 1500, found: 1000, failed: 0, cancelled: false });
     assert!(table(&study, resumed.path()) == expected);
+}
+
+/// Neither the beginning of a table nor a file of another name is left.
+#[test]
+fn a_table_is_there_as_a_whole_or_not_at_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = study(STUDY).unwrap();
+    make(&study, folder.path(), ALL, 2);
+    let (last, to) = (folder.path().join("chunk-000002.csv"), folder.path().join("study.csv"));
+    let mut bytes = fs::read(&last).unwrap();
+    bytes.extend(b"\xff\n");
+    fs::write(&last, bytes).unwrap();
+    let refusal = study.merge(folder.path(), &to).unwrap_err().to_string();
+    assert!(refusal.contains("chunk-000002.csv: "), "{refusal}");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
 }
 
 #[test]
@@ -129,6 +146,12 @@ fn mistakes_are_refused_before_anything_runs() {
             "vary.mu_s = [0.2, 0.12]: uniform: must be finite, and the first below the second",
         ),
         ("[0.5, 2.0]", "[0.0, 2.0]", "vary.rig.mass = [0, 2]: log: must be > 0, and the first below the second"),
+        (
+            "{ uniform = [0.12, 0.2] }",
+            "[0.12, 0.2]",
+            "mu_s = [0.12, 0.2]: must be a distribution, such as { uniform = [0.1, 0.2] }",
+        ),
+        ("{ uniform =", "{ unifrom =", "mu_s: unknown variant `unifrom`, expected one of `uniform`, `log`, `normal`"),
         ("\"events\"", "\"maxi rig.position\"", "quantity 'maxi' does not exist (did you mean 'max'?)"),
         ("\"max rig.position\"", "\"max rig.positon\"", "'positon' does not exist (did you mean 'position'?)"),
         ("samples = 2500", "samples = 0", "samples = 0: must be from 1 to 1000000000"),
