@@ -13,7 +13,17 @@ from stribeck.catalogue import hint
 if TYPE_CHECKING:
     import pandas
     import xarray
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+
+# Runs that a picture names (chosen): matplotlib has ten colours.
+MOST_NAMED = 10
+
+
+def frame(axis: Axes) -> None:
+    """What all axes have: a grid, and powers of ten where numbers would be long."""
+    axis.grid(alpha=0.3)
+    axis.ticklabel_format(scilimits=(-3, 4))
 
 
 class Result(Mapping[str, NDArray[np.float64]]):
@@ -78,18 +88,23 @@ class Result(Mapping[str, NDArray[np.float64]]):
         return xarray.Dataset(columns, coords={"time": ("time", self.time, {"units": "s"})})
 
     def plot(self, *names: str, over: str = "time") -> Figure:
-        """Draws results, all if none is named, over time, a result or an input. Returns matplotlib's Figure."""
+        """Draws results, all if none is named, over time, a result or an input. Returns matplotlib's Figure. A notebook
+        shows new figures by itself, and this one twice unless the line ends with a semicolon."""
         import matplotlib.pyplot as plt
 
         names = names or tuple(name for name in self.columns if name != over)
         if not names:
             raise ValueError(f"{self.title} has no result other than {over} to draw")
-        figure, axes = plt.subplots(len(names), 1, sharex=True, squeeze=False, layout="constrained")
+        size = (6.4, max(4.8, 2.2 * len(names)))  # inches
+        figure, axes = plt.subplots(len(names), 1, sharex=True, squeeze=False, layout="constrained", figsize=size)
         for name, axis in zip(names, axes[:, 0], strict=True):
             across = self.inputs[over] if over in self.inputs else self[over]
-            axis.plot(np.broadcast_to(across, self[name].shape).T, self[name].T, linewidth=1.0)
-            axis.set_ylabel(self._label(name))
-            axis.grid(alpha=0.3)
+            lines = axis.plot(np.broadcast_to(across, self[name].shape).T, self[name].T, linewidth=1.0)
+            # One above the other, names in one line with their units are longer than the axes.
+            axis.set_ylabel(self._label(name).replace(" in ", " in " if len(names) == 1 else "\nin "))
+            frame(axis)
+        if 1 < len(lines) <= MOST_NAMED:
+            axes[0, 0].legend(axes[0, 0].lines, [f"run {run}" for run in range(len(lines))])
         axes[-1, 0].set_xlabel(self._label(over))
         figure.suptitle(self.title)
         return figure

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from stribeck import _stribeck
 from stribeck._stribeck import Refused
 from stribeck.catalogue import Description, hint, laws
-from stribeck.results import Result
+from stribeck.results import Result, frame
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -78,14 +78,15 @@ class Comparison(Mapping[str, Solution]):
         return "\n".join([f"<{self.system} with {laws}>", *rows])
 
     def plot(self, name: str, over: str = "time") -> Figure:
-        """Draws one result of all laws over time or over another result. Returns matplotlib's Figure."""
+        """Draws one result of all laws over time or over another result, dotted where a run did not come to its end.
+        Returns matplotlib's Figure, as `Result.plot`."""
         import matplotlib.pyplot as plt
 
         figure, axis = plt.subplots(layout="constrained")
-        for law, one in self.solutions.items():
-            axis.plot(one[over], one[name], linewidth=1.0, label=law)
+        for law, one in {**self.solutions, **self.failed}.items():
+            axis.plot(one[over], one[name], ":" if law in self.failed else "-", linewidth=1.0, label=law)
             axis.set(xlabel=one._label(over), ylabel=one._label(name), title=self.system)
-        axis.grid(alpha=0.3)
+        frame(axis)
         axis.legend()
         return figure
 

@@ -452,6 +452,11 @@ def test_a_run_that_does_not_converge_says_so_and_keeps_its_motion():
     assert "RooneyDeravi" not in both
     with pytest.raises(stribeck.NotConverged):
         both["RooneyDeravi"]
+    lines = {line.get_label(): line for line in both.plot("rig.position").axes[0].lines}
+    assert (
+        lines["RooneyDeravi"].get_xdata()[-1] == both.failed["RooneyDeravi"].time[-1] < lines["Coulomb"].get_xdata()[-1]
+    )
+    assert (lines["RooneyDeravi"].get_linestyle(), lines["Coulomb"].get_linestyle()) == (":", "-")
 
 
 STUDY = {
@@ -509,6 +514,28 @@ def test_results_can_be_kept_and_drawn():
     assert line.get_xdata().tobytes() == motion("LuGre", 1)["velocity"].tobytes()
     assert line.get_ydata().tobytes() == result["friction_force"].tobytes()
     assert (axis.get_xlabel(), axis.get_ylabel()) == ("velocity in m/s", "friction_force in N")
+
+
+def overlapping(texts):
+    """Pairs of texts of a picture that lie upon each other."""
+    boxes = [text.get_window_extent() for text in texts if text.get_text()]
+    return [(one, other) for at, one in enumerate(boxes) for other in boxes[:at] if one.overlaps(other)]
+
+
+def test_no_text_of_a_picture_lies_upon_another():
+    loop = stribeck.simulate("LuGre", velocity=motion("LuGre", 1)["velocity"] / 100, normal_force=[[1.0], [2.0]], dt=DT)
+    for figure in (
+        loop.plot(),
+        loop.plot("friction_force", over="velocity"),
+        stribeck.solve("belt", "CoulombStiction", until=20.0).plot(),
+    ):
+        figure.draw_without_rendering()
+        axes = figure.axes
+        assert not overlapping([axis.yaxis.label for axis in axes])
+        for axis in (axes[-1].xaxis, *(one.yaxis for one in axes)):
+            assert not overlapping([*axis.get_ticklabels(), axis.label])
+    runs = [text.get_text() for text in loop.plot().axes[0].get_legend().get_texts()]
+    assert runs == ["run 0", "run 1"]
 
 
 def test_fmus_have_the_bytes_of_the_packed_ones(tmp_path):
