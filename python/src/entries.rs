@@ -1,5 +1,6 @@
 //! Dictionaries of Python as what a file would hold.
 
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyInt, PyList, PyTuple};
 use serde::de::DeserializeOwned;
@@ -16,13 +17,25 @@ pub fn described<T: DeserializeOwned>(value: &Bound<PyAny>) -> PyResult<T> {
     as_toml(value, DEEPEST)?.try_into().map_err(lines)
 }
 
+/// An error of a wrong type with the name of the entry; others are as they were.
+fn named(py: Python, name: &str, error: PyErr) -> PyErr {
+    if error.is_instance_of::<PyTypeError>(py) {
+        return PyTypeError::new_err(format!("{name}: {}", error.value(py)));
+    }
+    error
+}
+
 /// A value as an entry of a TOML file.
 fn as_toml(value: &Bound<PyAny>, levels: usize) -> PyResult<toml::Value> {
     let Some(levels) = levels.checked_sub(1) else {
         return Err(refused(format_args!("dictionaries and lists in more than {DEEPEST} levels")));
     };
     if let Ok(dict) = value.cast::<PyDict>() {
-        let entries = dict.iter().map(|(name, value)| Ok((name.extract::<String>()?, as_toml(&value, levels)?)));
+        let entries = dict.iter().map(|(name, value)| {
+            let name: String = name.extract()?;
+            let entry = as_toml(&value, levels).map_err(|error| named(value.py(), &name, error))?;
+            Ok((name, entry))
+        });
         return Ok(toml::Value::Table(entries.collect::<PyResult<_>>()?));
     }
     if value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>() {

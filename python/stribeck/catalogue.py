@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cache
+from typing import Any
 
 from stribeck import _stribeck
 from stribeck._stribeck import Refused
@@ -61,9 +62,7 @@ class Variable:
             if value not in names:
                 raise Refused(f"choice of {self.name} '{value}' does not exist{hint(value, names)}")
             return float(names.index(value) + 1)
-        if isinstance(value, (str, bytes)) or value is None:
-            raise TypeError(f"{self.name} = {value!r}: must be a number")
-        return float(value)  # type: ignore[arg-type]
+        return number(self.name, value)
 
 
 @dataclass(frozen=True)
@@ -142,7 +141,9 @@ class Description:
             (name, str(variable.default), variable.unit, variable.admits, variable.help)
             for name, variable in {**self.inputs, **self.parameters}.items()
         ]
-        widths = [max((len(row[column]) for row in rows), default=0) for column in range(4)]
+        # A long list of choices does not widen the others.
+        short = [[len(row[column]) for row in rows if len(row[column]) <= 40] for column in range(4)]
+        widths = [max(lengths, default=0) for lengths in short]
         lines += ["  " + "  ".join([*map(str.ljust, row[:4], widths), row[4]]).rstrip() for row in rows]
         return "\n".join(lines)
 
@@ -160,6 +161,14 @@ class Description:
             f"<pre>{html.escape(self.equations)}</pre>"
             f"<table><thead>{head}</thead><tbody>{''.join(rows)}</tbody></table>"
         )
+
+
+def number(name: str, value: Any) -> float:
+    """A value as a number. Texts are refused: `float` would read them."""
+    try:
+        return float(None if isinstance(value, (str, bytes, bytearray)) else value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} = {value!r}: must be a number") from None
 
 
 def hint(name: object, known: Iterable[str]) -> str:

@@ -6,7 +6,7 @@ from typing import Any
 
 from stribeck import _stribeck
 from stribeck._stribeck import Refused
-from stribeck.catalogue import Description, model
+from stribeck.catalogue import Description, model, number
 from stribeck.results import Result
 from stribeck.series import simulate
 
@@ -92,7 +92,7 @@ class Model(Part):
 
     def step(self, dt: float, **slopes: float) -> None:
         """Advances by `dt` seconds, with inputs held, or moving with these rates: `step(1e-3, velocity=2.0)`."""
-        self._instance.step(float(dt), [(name, float(slope)) for name, slope in slopes.items()])
+        self._instance.step(number("dt", dt), [(name, number(name, slope)) for name, slope in slopes.items()])
 
     def reset(self) -> None:
         """Resets all variables to their start values, and the time to 0."""

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stribeck import _stribeck
 from stribeck._stribeck import Refused
-from stribeck.catalogue import Description, Variable, law, model
+from stribeck.catalogue import Description, Variable, law, model, number
 from stribeck.results import Result
 from stribeck.threads import checked
 
@@ -181,12 +181,7 @@ def _times(time: ArrayLike) -> NDArray[np.float64]:
 
 
 def _step(dt: float | None) -> float:
-    try:
-        step = None if dt is None or isinstance(dt, str) else float(dt)
-    except (TypeError, ValueError):
-        step = None
-    if step is None:
-        raise TypeError(f"dt = {dt!r}: must be a number")
+    step = number("dt", dt)
     if not 0.0 < step < np.inf:
         raise Refused(f"dt = {step} s: must be > 0 and finite")
     return step

@@ -245,6 +245,9 @@ def test_refusals_name_variable_value_and_limit(call, message):
             "held = 'no': must be",
         ),
         (lambda: stribeck.solve("belt", ["LuGre", "Dahl"]), "must be one law; stribeck.compare takes several"),
+        (lambda: stribeck.Model("LuGre").step("1e-3"), "dt = '1e-3': must be a number"),
+        (lambda: stribeck.Model("LuGre").step(1e-3, velocity="1"), "velocity = '1': must be a number"),
+        (lambda: stribeck.solve("belt", set={"mu_k": None}), "set: mu_k: must be real number, not NoneType"),
         (lambda: stribeck.solve({"law": "LuGre"}), "system: must be a name or a path, not dict"),
         (
             lambda: stribeck.simulate(
