@@ -1,5 +1,6 @@
 """The wheel by itself: it needs numpy and nothing else, keeps to the stable interface of Python 3.10, and is small."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -25,15 +26,35 @@ def tour():
     return "\n".join(line for line in lines if ".plot(" not in line)
 
 
+# Before the tour: from here on nobody is asked for anything, and no other program is started, a compiler for example.
+ALONE = """
+import sys
+FOREIGN = {"socket.connect", "socket.getaddrinfo", "subprocess.Popen", "os.system", "os.exec", "os.posix_spawn"}
+def refuse(event, arguments):
+    if event in FOREIGN:
+        raise RuntimeError(f"{event}: {arguments}")
+sys.addaudithook(refuse)
+"""
+
+
+def environment_of(version, wheel, folder):
+    """A virtual environment with the wheel, installed from files, and this numpy; its Python."""
+    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet"]
+    numpy = ["--no-deps", "--only-binary=:all:", "--dest", folder / "files", f"numpy=={version}"]
+    subprocess.run([*pip, "download", *numpy], check=True)
+    subprocess.run([sys.executable, "-m", "venv", "--without-pip", folder / "venv"], check=True)
+    python = folder / "venv" / ("Scripts" if os.name == "nt" else "bin") / "python"
+    offline = ["--isolated", "--python", python, "install", "--no-index", "--find-links", folder / "files"]
+    subprocess.run([*pip, *offline, wheel], check=True)
+    return python
+
+
 @pytest.mark.parametrize("version", ["1.26.4", "2.4.6"])
-def test_the_wheel_runs_the_tour_without_anything_but_numpy(wheel, tmp_path, version):
-    pip = [sys.executable, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--target", tmp_path]
-    subprocess.run([*pip, "--only-binary=:all:", f"numpy=={version}"], check=True)
-    subprocess.run([*pip, "--no-deps", "--no-index", wheel], check=True)
-    # Neither the packages of this environment nor a compiler is found.
-    code = f"import sys; sys.path.append({str(tmp_path)!r})\n{tour()}\nprint(numpy.__version__)"
+def test_a_clean_environment_runs_the_tour_without_network_and_compiler(wheel, tmp_path, version):
+    python = environment_of(version, wheel, tmp_path)
+    code = f"{ALONE}\n{tour()}\nprint(numpy.__version__)"
     environment = {"PATH": "", "STRIBECK_CACHE": str(tmp_path / "cache")}
-    done = subprocess.run([sys.executable, "-I", "-S", "-c", code], capture_output=True, text=True, env=environment)
+    done = subprocess.run([python, "-I", "-c", code], capture_output=True, text=True, env=environment, cwd=PROJECT)
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines()[-1] == version
     assert (tmp_path / "cache" / "LuGre.fmu").is_file()
