@@ -46,5 +46,6 @@ def output(root: Path, packages: Path, code: str) -> str:
     program = ["qemu-aarch64-static", "-L", root, root / "usr" / "bin" / PYTHON, "-I", "-S", "-c"]
     code = f"import sys; sys.path.append({str(packages)!r})\n{code}"
     done = subprocess.run([*map(str, program), code], capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
+    # A signal leaves no message.
+    assert done.returncode == 0, f"exit code {done.returncode}\n{done.stderr}"
     return done.stdout
