@@ -216,15 +216,17 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             let crossing = if is_of_use { self.first_change(length) } else { None };
             if error <= 1.0 {
                 let next = length * self.growth(length, error, factor);
-                let located = crossing.map(|crossing| self.locate(length, crossing));
-                let is_made = located != Some(None);
-                if is_made && self.is_confirmed(located.is_some()) {
-                    return Ok(match located.flatten() {
-                        Some((length, event)) => Made { end: self.begin.time + length, event: Some(event), next },
-                        None => Made { end: if is_last { wall } else { self.begin.time + length }, event: None, next },
-                    });
+                let made = match crossing {
+                    None => Some((if is_last { wall } else { self.begin.time + length }, None)),
+                    Some(crossing) => {
+                        self.locate(length, crossing).map(|(at, event)| (self.begin.time + at, Some(event)))
+                    }
+                };
+                match made {
+                    Some((end, event)) if self.is_confirmed(event.is_some()) => return Ok(Made { end, event, next }),
+                    Some(_) => h = length,
+                    None => h = 0.5 * length,
                 }
-                h = if is_made { length } else { 0.5 * length };
             } else {
                 h = length * crossing.map_or(factor, |crossing| factor.max(crossing.fraction * BEYOND).min(0.9));
             }
