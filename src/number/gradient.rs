@@ -28,7 +28,7 @@ impl Gradient {
         Dual { value: self.value, slope: self.slopes[direction] }
     }
 
-    /// What an operation gives in each direction; its value is the same in all.
+    /// Result of an operation in each direction; its value is the same in all.
     #[inline(always)]
     fn each(along: impl Fn(usize) -> Dual) -> Gradient {
         Gradient::of(along(0).value, |i| along(i).slope)

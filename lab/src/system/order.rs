@@ -163,7 +163,7 @@ struct Draw {
     random: u64,
 }
 
-/// What is drawn for a column.
+/// A column that gets random values.
 struct Drawn {
     variable: Variable,
     /// The usual size.

@@ -68,7 +68,7 @@ pub struct System {
     pub law: Option<&'static ModelType>,
     /// Settings that no part has.
     pub unused: Vec<Setting>,
-    /// What each part's outputs depend on, once it was asked for.
+    /// Dependencies of each part's outputs, once they were asked for.
     influences: OnceLock<Vec<Influence>>,
 }
 
@@ -108,7 +108,7 @@ impl System {
         Ok(system)
     }
 
-    /// What each part's outputs depend on.
+    /// Dependencies of each part's outputs.
     pub(super) fn influences(&self) -> &[Influence] {
         self.influences.get_or_init(|| self.parts.iter().map(Influence::of).collect())
     }
