@@ -402,6 +402,20 @@ fn check(experiments: &[Experiment], task: &Task) -> Result<(), Fault> {
     experiments.iter().try_for_each(Experiment::check)
 }
 
+fn too_few(samples: usize, experiments: &[Experiment], unknowns: usize, law: &ModelType) -> Fault {
+    let all: usize = experiments.iter().map(|one| one.time.len()).sum();
+    let at_rest = match all - samples {
+        0 => String::new(),
+        left_out => format!(" ({left_out} of {all} are left out, at rest)"),
+    };
+    let these = if unknowns == 1 { "unknown" } else { "unknowns" };
+    let least = 2 * unknowns + 1;
+    Fault::value(format_args!(
+        "{samples} samples{at_rest} for {unknowns} {these} of {}; at least {least} are needed",
+        law.name
+    ))
+}
+
 /// Problem of a fit, with everything checked.
 fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Task) -> Result<Problem<'a>, Fault> {
     let Some(ports) = Ports::of(law) else {
@@ -411,8 +425,7 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
     let unknowns = unknown::unknowns(law, experiments, &task.wishes)?;
     let samples: usize = experiments.iter().map(Experiment::samples).sum();
     if samples <= 2 * unknowns.len() {
-        let text = format_args!("{samples} samples for {} unknowns of {}; more are needed", unknowns.len(), law.name);
-        return Err(Fault::value(text));
+        return Err(too_few(samples, experiments, unknowns.len(), law));
     }
     let named = |name: &str| task.wishes.fixed.iter().find(|(fixed, _)| fixed == name).map(|(_, value)| *value);
     let of_law = task.wishes.fixed.iter().filter(|(name, _)| !OF_RIG.contains(&name.as_str()));

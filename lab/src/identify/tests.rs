@@ -491,6 +491,10 @@ fn experiments_and_tasks_without_sense_are_refused() {
         let refused = fit(by_name("Dahl").unwrap(), &[experiment], &quick(), quiet()).map(|_| ()).unwrap_err();
         assert!(refused.to_string().starts_with(wanted), "{refused}");
     }
+    let resting = Experiment { left_out: vec![true; 100], ..data[0].clone() };
+    let refused = fit(by_name("Coulomb").unwrap(), &[resting], &quick(), quiet()).map(|_| ()).unwrap_err();
+    let wanted = "0 samples (100 of 100 are left out, at rest) for 1 unknown of Coulomb; at least 3 are needed";
+    assert_eq!(refused.to_string(), wanted);
     let refused = fit(by_name("Dahl").unwrap(), &[], &quick(), quiet()).map(|_| ()).unwrap_err().to_string();
     assert_eq!(refused, "no experiment was given");
     for (task, wanted) in [

@@ -423,6 +423,10 @@ impl Motion {
         let inside: Vec<usize> = (0..own.time.len()).filter(|at| is_inside(own.time[*at])).collect();
         if inside.len() < LEAST {
             let force = [begin, own.time[own.time.len() - 1]];
+            if own.time.iter().filter(|t| **t >= begin).count() < LEAST {
+                let wanted = format!("so short that {LEAST} samples are left up to {} s", force[1]);
+                return Err(MeasuredError::Rig { name: "skip", value: rig.skip, wanted });
+            }
             return Err(MeasuredError::Apart { force, motion: [first, last] });
         }
         let take = |values: &[f64]| -> Vec<f64> { inside.iter().map(|at| values[*at]).collect() };
