@@ -152,7 +152,11 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
         }
         match rates.iter().chain(jacobian.as_flattened()).position(|number| !number.is_finite()) {
             None => Ok(()),
-            Some(at) => Err(format!("the rate of {} is not finite", self.equations.state_name(at % N))),
+            Some(at) if at < N => Err(format!("the rate of {} is not finite", self.equations.state_name(at))),
+            Some(at) => {
+                let [of, by] = [at / N - 1, at % N].map(|state| self.equations.state_name(state));
+                Err(format!("the derivative of the rate of {of} with respect to {by} is not finite"))
+            }
         }
     }
 
@@ -259,7 +263,8 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
 
     fn too_short(&self, h: f64) -> String {
         let size = |i: &usize| self.step.error()[*i].abs() / self.scales[*i];
-        let worst = (0..N).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0);
+        // Those beyond the states of the equations are padding.
+        let worst = (0..self.equations.states()).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0);
         format!("a step of {h:e} s is still too long for {}", self.equations.state_name(worst))
     }
 

@@ -136,6 +136,15 @@ impl<'a> Padded<'a> {
         scales.resize(size, 1.0);
         Padded { inner, scales, jacobian: vec![0.0; count * count] }
     }
+
+    /// Writes the Jacobian of the states that do not rest.
+    fn pad(&self, jacobian: &mut [f64], size: usize) {
+        jacobian.fill(0.0);
+        let rows = self.jacobian.chunks(self.inner.states().max(1));
+        for (to, from) in jacobian.chunks_mut(size).zip(rows) {
+            to[..from.len()].copy_from_slice(from);
+        }
+    }
 }
 
 impl Equations for Padded<'_> {
@@ -160,11 +169,17 @@ impl Equations for Padded<'_> {
     fn jacobian(&mut self, time: f64, states: &[f64], jacobian: &mut [f64], by_time: &mut [f64]) {
         let (count, size) = (self.inner.states(), states.len());
         self.inner.jacobian(time, &states[..count], &mut self.jacobian, &mut by_time[..count]);
-        jacobian.fill(0.0);
         by_time[count..].fill(0.0);
-        for (to, from) in jacobian.chunks_mut(size).zip(self.jacobian.chunks(count)) {
-            to[..count].copy_from_slice(from);
-        }
+        self.pad(jacobian, size);
+    }
+
+    fn linearise(&mut self, time: f64, states: &[f64], rates: &mut [f64], jacobian: &mut [f64], by_time: &mut [f64]) {
+        let (count, size) = (self.inner.states(), states.len());
+        let (rates_of_inner, jacobian_of_inner) = (&mut rates[..count], &mut self.jacobian);
+        self.inner.linearise(time, &states[..count], rates_of_inner, jacobian_of_inner, &mut by_time[..count]);
+        rates[count..].fill(0.0);
+        by_time[count..].fill(0.0);
+        self.pad(jacobian, size);
     }
 
     fn indicators(&self) -> usize {
@@ -183,6 +198,10 @@ impl Equations for Padded<'_> {
     fn at_event(&mut self, time: f64, states: &mut [f64]) -> Result<(), String> {
         let count = self.inner.states();
         self.inner.at_event(time, &mut states[..count])
+    }
+
+    fn is_piecewise_linear(&self) -> bool {
+        self.inner.is_piecewise_linear()
     }
 
     fn next_break(&self, time: f64) -> f64 {

@@ -25,18 +25,21 @@ enum Kind {
     Following,
     /// An oscillator whose indicator is the distance to a wall.
     Wall(f64),
+    /// x' = 1, as long as x <= 0.5.
+    Ending,
 }
 
 impl Equations for Analytic {
     fn states(&self) -> usize {
         match self.kind {
-            Kind::Stiff => 1,
+            Kind::Stiff | Kind::Ending => 1,
             Kind::Nine => 18,
             Kind::Oscillator | Kind::Ball | Kind::Pendulum | Kind::Following | Kind::Wall(_) => 2,
         }
     }
 
     fn state_name(&self, state: usize) -> String {
+        assert!(state < self.states(), "{state} is the number of no state");
         format!("x{state}")
     }
 
@@ -54,6 +57,7 @@ impl Equations for Analytic {
                 }
             }
             Kind::Stiff => rates[0] = -1e6 * (x[0] - time.cos()) - time.sin(),
+            Kind::Ending => rates[0] = if x[0] > 0.5 { f64::NAN } else { 1.0 },
             Kind::Ball => rates.copy_from_slice(&[x[1], -10.0]),
             Kind::Following => rates.copy_from_slice(&[0.1, -1e6 * (x[1] - x[0] / 3.0 - 0.3)]),
             Kind::Pendulum => rates.copy_from_slice(&[x[1], -x[0].sin()]),
@@ -68,6 +72,7 @@ impl Equations for Analytic {
                 by_time[0] = -1e6 * time.sin() - time.cos();
                 return;
             }
+            Kind::Ending => jacobian[0] = 0.0,
             Kind::Ball => jacobian.copy_from_slice(&[0.0, 1.0, 0.0, 0.0]),
             Kind::Following => jacobian.copy_from_slice(&[0.0, 0.0, 1e6 / 3.0, -1e6]),
             Kind::Pendulum => jacobian.copy_from_slice(&[0.0, 1.0, -x[0].cos(), 0.0]),
@@ -147,14 +152,33 @@ fn an_oscillator_keeps_its_circle() {
     }
 }
 
-/// More states than any size has code of its own for.
+/// Eighteen states, for which no method has code of its own: further ones rest at 0.
 #[test]
 fn many_states_move_as_each_by_itself() {
     let start: Vec<f64> = [1.0, 0.0].repeat(9);
-    let (states, _, _) = run(Kind::Nine, Method::Rodas5P, 1e-10, 7.0, &start);
-    for (number, x) in states.chunks(2).enumerate() {
-        let expected = ((number + 1) as f64 * 7.0).cos();
-        assert!((x[0] - expected).abs() < 1e-7, "{number}: {} {expected}", x[0]);
+    for (method, tolerance, end, bound) in
+        [(Method::Rodas5P, 1e-10, 7.0, 1e-7), (Method::Rosenbrock23, 1e-7, 0.5, 3e-4)]
+    {
+        let (states, _, _) = run(Kind::Nine, method, tolerance, end, &start);
+        for (number, x) in states.chunks(2).enumerate() {
+            let expected = ((number + 1) as f64 * end).cos();
+            assert!((x[0] - expected).abs() < bound, "{method:?} {number}: {} {expected}", x[0]);
+        }
+    }
+}
+
+/// The state is named whose rate has no value from somewhere on, also by a method that has code for two states only.
+#[test]
+fn a_rate_that_ends_is_an_honest_failure() {
+    for method in [Method::Rodas5P, Method::Rosenbrock23] {
+        let mut equations = Analytic { kind: Kind::Ending, linear: false, scales: vec![1.0] };
+        let mut recorder = Recorder::new(Grid { begin: 0.0, end: 1.0, intervals: 4 }, &equations);
+        let (end, _) = solve(method, &mut equations, &mut [0.0], &Options::new(1.0, 1e-6), &mut recorder);
+        let End::Failed { time, reason } = end else { panic!("{method:?}: {end}") };
+        assert!(
+            (time - 0.5).abs() < 1e-9 && reason.ends_with("is still too long for x0"),
+            "{method:?} {time} {reason}"
+        );
     }
 }
 
