@@ -355,8 +355,8 @@ fn worth(name: &str, record: &Record) -> String {
     let clocks = record.clocks;
     if clocks.deviation > 0.0 && record.alike.is_none() {
         text += &format!(
-            "  the motion looks {:.3} s behind the force, {:.1e} s more each second; friction that builds up along a way \
-             looks late too, so that this may be too much: the fit of a law looks for the delay again\n",
+            "  the motion looks {:.5} s behind the force, {:.1e} s more each second; friction that builds up over a \
+             distance also looks late, so this may be an overestimate: the fit of a law looks for the delay again\n",
             clocks.delay, clocks.drift
         );
     }

@@ -281,14 +281,14 @@ pub(super) fn spread(information: &DMatrix<f64>, is_certain: &dyn Fn(usize) -> b
     }
 }
 
-/// Factor between the foreseen and the true change of the force, up to which straight lines are believed, and part of
-/// the foreseen change by which the true one may differ from it (chosen).
-const STRAIGHT: f64 = 3.0;
+/// Part of the foreseen change of the force that the true one must reach for straight lines to be believed, and part by
+/// which it may differ from the foreseen one (chosen): it is then at most twice as large.
+const REACHED: f64 = 1.0 / 3.0;
 const ASTRAY: f64 = 1.0;
 
 /// Whether the force changes as the sensitivities foresee, when an unknown alone moves by a standard deviation: as much,
-/// and at the same samples. A law with memory of random numbers changes as much and elsewhere: its sum of squares has
-/// ends everywhere.
+/// and at the same samples. A law with memory of random numbers changes as much and elsewhere: its sum of squares
+/// has local minima everywhere.
 pub(super) fn is_smooth(
     problem: &Problem,
     places: &[f64],
@@ -310,8 +310,7 @@ pub(super) fn is_smooth(
             let astray: Vec<f64> = found.iter().zip(&foreseen).map(|(found, foreseen)| found - foreseen).collect();
             let [found, foreseen, astray] = [&found, &foreseen, &astray].map(|change| squares(change).sqrt());
             // Less than the noise does not matter.
-            found.max(foreseen) < 0.1 * seen.noise
-                || ((1.0 / STRAIGHT..=STRAIGHT).contains(&(found / foreseen)) && astray <= ASTRAY * foreseen)
+            found.max(foreseen) < 0.1 * seen.noise || (found >= REACHED * foreseen && astray <= ASTRAY * foreseen)
         })
     };
     // At an end of the range one side is enough.

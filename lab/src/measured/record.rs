@@ -131,11 +131,14 @@ pub enum MeasuredError {
     /// Force and motion cannot be smoothed alike.
     #[error(
         "nothing is left between rest, turns and the ends: the body must keep its direction for longer than {window} s, \
-         in which force and motion are smoothed; move it farther or slower, sample faster, or give a shorter window"
+         in which force and motion are smoothed, and for {doubt} s at each side, in which the delay is sought; move it \
+         farther or slower, sample faster, or give a shorter window or delay"
     )]
     NoStroke {
         /// Length of the shortest window that was tried, s.
         window: f64,
+        /// Largest deviation of the delay that was allowed for, s.
+        doubt: f64,
     },
     /// Friction would drive the slider.
     #[error(
@@ -377,7 +380,7 @@ impl Motion {
         };
         let shortest = rig.window.unwrap_or(alike::shortest(record.quality.interval));
         let found = alike::alike(&record, rig.mass, &raw, rig.window, doubt, is_held);
-        found.ok_or(MeasuredError::NoStroke { window: shortest })
+        found.ok_or(MeasuredError::NoStroke { window: shortest, doubt })
     }
 
     /// Displacement, velocity and acceleration at a time, as the nearest samples have them.
@@ -424,7 +427,7 @@ impl Motion {
         if inside.len() < LEAST {
             let force = [begin, own.time[own.time.len() - 1]];
             if own.time.iter().filter(|t| **t >= begin).count() < LEAST {
-                let wanted = format!("so short that {LEAST} samples are left up to {} s", force[1]);
+                let wanted = format!("short enough to leave at least {LEAST} samples before {} s", force[1]);
                 return Err(MeasuredError::Rig { name: "skip", value: rig.skip, wanted });
             }
             return Err(MeasuredError::Apart { force, motion: [first, last] });

@@ -311,8 +311,11 @@ fn impossible_rigs_are_refused() {
         (Rig { delay: Delay::Find(4.0), ..rig() }, "longest delay = 4: must be at most half of the record, 3.9995 s"),
         (Rig { delay: Delay::Find(0.0), ..rig() }, "longest delay = 0: must be > 0, in s"),
         (Rig { delay: Delay::Known(f64::INFINITY), ..rig() }, "delay = inf: must be a finite number, in s"),
-        (Rig { skip: 7.995, ..rig() }, "skip = 7.995: must be so short that 20 samples are left up to 7.999 s"),
-        (Rig { skip: 100.0, ..rig() }, "skip = 100: must be so short that 20 samples are left up to 7.999 s"),
+        (
+            Rig { skip: 7.995, ..rig() },
+            "skip = 7.995: must be short enough to leave at least 20 samples before 7.999 s",
+        ),
+        (Rig { skip: 100.0, ..rig() }, "skip = 100: must be short enough to leave at least 20 samples before 7.999 s"),
         (Rig { delay: Delay::Known(9.0), ..rig() }, "they do not overlap"),
         (Rig { normal_force: None, ..rig() }, "no column 'normal_force', and no value was given for it"),
     ];

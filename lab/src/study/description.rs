@@ -44,7 +44,8 @@ pub enum Spread {
     Normal([f64; 2]),
 }
 
-/// The distributions by name. What is none is refused in other words than those for a badly written enumeration.
+/// The distributions by name. Anything else gets a clearer message than that
+/// for an unknown variant of an enumeration.
 fn spreads<'a, D: Deserializer<'a>>(all: D) -> Result<BTreeMap<String, Spread>, D::Error> {
     let spread = |(name, value): (String, toml::Value)| {
         if !value.is_table() {
