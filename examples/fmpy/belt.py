@@ -202,7 +202,7 @@ def run_belt(
     """Couples the BeltRig FMU with a friction FMU; `parameters` are those of the friction FMU, `rig` start values of
     the rig. Every `every`-th communication point is recorded.
     """
-    steps = round(time / step)
+    steps = round(time / step) if math.isfinite(time) else 0
     if steps < 1:
         raise CouplingError(f"time = {time} s: must be at least one step of {step} s")
     rig_path, friction_path = path_of("BeltRig", fmu_dir), friction_path_of(model, fmu_dir)

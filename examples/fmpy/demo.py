@@ -3,6 +3,7 @@
 motion, and a car on four posts with and without friction in its struts.
 """
 
+import argparse
 import sys
 from pathlib import Path
 
@@ -26,14 +27,14 @@ LEVELS = (0.0, 50.0)
 FREQUENCY = 2.0
 
 
-def run_on_belt(models: list[str]) -> list[BeltRun]:
-    """Runs the models and prints a line of the table for each."""
-    print(f"Block on a moving belt, {TIME:g} s. The step of each law is halved until the last period")
+def run_on_belt(models: list[str], time: float) -> list[BeltRun]:
+    """Runs the models for `time` and prints a line of the table for each."""
+    print(f"Block on a moving belt, {time:g} s. The step of each law is halved until the last period")
     print(f"changes by at most {AGREEMENT:.1%}; it is then within {2.0 * AGREEMENT:.0%} of that of a converged run.\n")
     print(f"{'model':19} {'step':>11} {'period':>10} {'at half step':>13} {'difference':>11} {'steps/s':>9}  remarks")
     runs = []
     for model in models:
-        found = converged(model, TIME)
+        found = converged(model, time)
         times = f"{1e3 * found.step:8.4g} ms {found.value:8.4f} s {found.finer:11.4f} s"
         remarks = "; ".join(found.remarks)
         line = f"{model:19} {times} {found.difference:+11.3%} {found.speed:9.0f}  {remarks}"
@@ -53,10 +54,15 @@ def run_posts() -> list[Run]:
 
 def program() -> None:
     """Runs all models and prints where the results are."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument(
+        "--time", type=float, default=TIME, help=f"duration of the runs on the belt in s (default: {TIME:g})"
+    )
+    time = parser.parse_args().time
     models = laws_in(FMUS)
     if not models:
         raise CouplingError(f"no friction FMU in {FMUS}: run `python3 tasks.py pack`")
-    runs = run_on_belt(models)
+    runs = run_on_belt(models, time)
     draw_comparison(runs, OUT / "comparison.png")
     result = replay(friction_path_of(REPLAYED), read_motion(MOTION))
     draw_replay(result, OUT / "replay.png")

@@ -91,7 +91,7 @@ def test_replay_writes_table_and_picture(tmp_path):
 
 
 def test_demo_shows_all_models(tmp_path):
-    done = start("demo.py", folder=tmp_path)
+    done = start("demo.py", "--time", "20", folder=tmp_path)
     assert done.returncode == 0, done.stderr
     lines = [line.split() for line in done.stdout.splitlines()]
     table = {line[0]: line for line in lines if len(line) > 8 and line[2] == "ms"}
