@@ -9,6 +9,9 @@ use super::{Dual, Real, elementary};
 pub const DIRECTIONS: usize = 4;
 
 /// A value and its derivatives in [`DIRECTIONS`] directions, each of them that of a [`Dual`].
+///
+/// A question about all directions at once has one answer: [`Real::is`] is false if the number changes in any of them.
+/// [`Real::rises`] has none, and is false; laws that have rates use [`Real::pushed_back`], which looks at each direction.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gradient {
     /// The value.

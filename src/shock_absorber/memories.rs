@@ -120,6 +120,11 @@ impl<T: Evaluate> ShockAbsorber<T> {
     #[inline(never)]
     fn add_slopes(&self, setting: &Setting, memories: &mut [[T; MEMORY]; 2]) {
         let mut slopes = self.setting.slopes();
+        // Of numbers with several slopes none is *the* slope: they have to be refused, not taken for constants.
+        if row_of(&slopes).iter().any(|slope| slope.is_nan()) {
+            memories.as_flattened_mut().iter_mut().for_each(|number| *number = T::with_slope(number.value(), f64::NAN));
+            return;
+        }
         let fastest = slopes.keep_those_of_reals(setting);
         if fastest == 0.0 {
             return;

@@ -3,6 +3,9 @@
 use crate::common::Bench;
 use crate::{NONE, TABLE, law, strut};
 use approx::abs_diff_eq;
+use stribeck::model::output_in;
+use stribeck::number::Gradient;
+use stribeck::shock_absorber::ShockAbsorber;
 
 /// Exact derivatives against central differences, with friction of both kinds, side load and all forces at work.
 #[test]
@@ -94,4 +97,25 @@ fn directional_derivatives_before_the_run() {
             }
         }
     }
+}
+
+/// Before the run the friction follows from a search that knows one direction only: with several at once its slopes are
+/// no numbers, not 0.
+#[test]
+fn several_directions_before_the_run_are_refused() {
+    let mut strut = strut(&[law("LuGre")]);
+    strut.set("velocity", -0.07);
+    let [velocity, force] = ["velocity", "force"].map(|name| strut.column(name));
+    let mut row: Vec<Gradient> = strut.instance.row().iter().map(|value| Gradient::from(*value)).collect();
+    output_in::<ShockAbsorber, Gradient>(&mut row, &[]);
+    assert_eq!(row[force].slopes, [0.0; 4]);
+    row[velocity].slopes[1] = 1.0;
+    output_in::<ShockAbsorber, Gradient>(&mut row, &[]);
+    assert!(row[force].slopes[1].is_nan(), "{:?}", row[force]);
+    strut.step(1e-3);
+    let mut row: Vec<Gradient> = strut.instance.row().iter().map(|value| Gradient::from(*value)).collect();
+    row[velocity].slopes[1] = 1.0;
+    output_in::<ShockAbsorber, Gradient>(&mut row, &[]);
+    let expected = strut.instance.derivative([(velocity, 1.0)].into_iter())[force].slope;
+    assert!(expected != 0.0 && row[force].slopes == [0.0, expected, 0.0, 0.0], "{:?} {expected}", row[force]);
 }
