@@ -58,6 +58,7 @@ const HOUSES: &[House] = &[
             "palette",
             "picture",
             "report",
+            "standard_output",
             "damper",
             "tyre",
             "command",

@@ -1,6 +1,9 @@
 //! `stribeck`: the bench. Lists and shows models, runs systems of them, fits laws to measurements, and reads files of
 //! dampers and tyres.
 
+#[macro_use]
+mod standard_output;
+
 mod command;
 mod damper;
 mod tyre;

@@ -1,7 +1,7 @@
 //! The command line as a user meets it.
 
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 fn stribeck(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_stribeck")).args(arguments).output().expect("the program starts")
@@ -36,6 +36,21 @@ fn refusals_name_what_is_wrong_and_what_was_meant() {
     for arguments in [&["run", "--vary", "mass=1:2:1"][..], &["study", "s.toml", "--out", "o", "--threads", "0"]] {
         assert_eq!(stribeck(arguments).status.code(), Some(2), "a usage error of the arguments: {arguments:?}");
     }
+}
+
+/// `stribeck show ... | head -1`.
+#[test]
+fn output_that_nobody_reads_is_no_failure() {
+    let mut program = Command::new(env!("CARGO_BIN_EXE_stribeck"));
+    let mut child = program
+        .args(["systems", "belt"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!((output.status.code(), String::from_utf8(output.stderr).expect("text")), (Some(0), String::new()));
 }
 
 #[test]

@@ -56,15 +56,12 @@ fn report(arguments: &Arguments, choice: &Choice, outcomes: &[Outcome]) -> Resul
         let file = std::io::BufWriter::new(file);
         table(outcomes, file).map_err(|source| Failure::File { path: path.clone(), source })?;
     }
-    let stdout = std::io::stdout();
-    let mut out = stdout.lock();
-    // The runs have not failed if nobody reads on.
-    let _ = if arguments.json {
+    if arguments.json {
         let runs: Vec<_> = outcomes.iter().map(|outcome| as_json(choice, None, outcome)).collect();
-        writeln!(out, "{}", json!({ "runs": runs }))
+        println!("{}", json!({ "runs": runs }));
     } else {
-        outcomes.iter().try_for_each(|outcome| writeln!(out, "{}", line(choice, None, outcome)))
-    };
+        outcomes.iter().for_each(|outcome| println!("{}", line(choice, None, outcome)));
+    }
     Ok(())
 }
 

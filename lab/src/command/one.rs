@@ -74,15 +74,12 @@ fn report(arguments: &Arguments, choice: &Choice, outcomes: &[(Option<f64>, Outc
         let file = std::io::BufWriter::new(file);
         table(choice, outcomes, file).map_err(|source| Failure::File { path: path.clone(), source })?;
     }
-    let stdout = std::io::stdout();
-    let mut out = stdout.lock();
-    // The run has not failed if nobody reads on.
-    let _ = if arguments.json {
+    if arguments.json {
         let runs: Vec<_> = outcomes.iter().map(|(value, outcome)| as_json(choice, *value, outcome)).collect();
-        writeln!(out, "{}", json!({ "runs": runs }))
+        println!("{}", json!({ "runs": runs }));
     } else {
-        outcomes.iter().try_for_each(|(value, outcome)| writeln!(out, "{}", line(choice, *value, outcome)))
-    };
+        outcomes.iter().for_each(|(value, outcome)| println!("{}", line(choice, *value, outcome)));
+    }
     Ok(())
 }
 
