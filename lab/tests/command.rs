@@ -53,6 +53,29 @@ fn output_that_nobody_reads_is_no_failure() {
     assert_eq!((output.status.code(), String::from_utf8(output.stderr).expect("text")), (Some(0), String::new()));
 }
 
+/// k x + F_0, and x = 20 mm + 10 mm sin(4 pi t).
+#[test]
+fn a_system_without_states_is_evaluated() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [system, out] =
+        ["spring.toml", "out.csv"].map(|name| folder.path().join(name).to_str().expect("text").to_owned());
+    let spring = "title = \"Spring\"\nsource = \"Chosen\"\nuntil = 1.0\nevery = 0.1\n[part.spring]\nmodel = \"CoilSpring\"\n\
+                  [input]\n\"spring.compression\" = { sine = { mean = 0.02, amplitude = 0.01, frequency = 2.0 } }\n\
+                  [show]\nforce = \"spring.force\"\n";
+    std::fs::write(&system, spring).expect("a file");
+    assert!(stribeck(&["run", "--system", &system, "--out", &out]).status.success());
+    let rows = text(Path::new(&out));
+    let numbers = rows.lines().skip(1).map(|row| row.split(',').map(|cell| cell.parse().expect("a number")).collect());
+    let numbers: Vec<Vec<f64>> = numbers.collect();
+    assert_eq!(numbers.len(), 11);
+    for row in numbers {
+        let expected = 150.0 + 45_000.0 * (0.02 + 0.01 * (4.0 * std::f64::consts::PI * row[0]).sin());
+        assert!((row[1] - expected).abs() < 1e-9, "{row:?} {expected}");
+    }
+    let refused = refusal(&["run", "--system", &system, "--solver", "bdf"]);
+    assert!(refused.ends_with("solver bdf: the system has no continuous state that it could integrate"), "{refused}");
+}
+
 #[test]
 fn a_run_that_does_not_converge_says_why_and_keeps_its_results() {
     let folder = tempfile::tempdir().expect("a folder");

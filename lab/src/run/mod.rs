@@ -136,6 +136,11 @@ fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSo
                 if settings.events && motion.indicators() > 0 && !foreign.has_events() {
                     return Err(Fault::value(format_args!("solver {solver}: does not locate events; run it without")));
                 }
+                if states.is_empty() {
+                    let text =
+                        format_args!("solver {solver}: the system has no continuous state that it could integrate");
+                    return Err(Fault::value(text));
+                }
                 Ok(solve_foreign(foreign, motion, states, &options, recorder))
             });
         }

@@ -160,7 +160,7 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
         }
     }
 
-    /// Error or change, in parts of the tolerance.
+    /// Error or change, in parts of the tolerance; 0 without states.
     fn norm(&self, of: &[f64; N], other: &[f64; N]) -> f64 {
         let Options { relative, absolute, .. } = *self.options;
         let part = |i: usize| {
@@ -168,7 +168,7 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             let part = of[i] / (absolute * self.scales[i] + relative * size);
             part * part
         };
-        ((0..N).map(part).sum::<f64>() / self.equations.states() as f64).sqrt()
+        ((0..N).map(part).sum::<f64>() / self.equations.states().max(1) as f64).sqrt()
     }
 
     /// A step in which the states change by a hundredth of their size; see E. Hairer, S. P. Norsett, G. Wanner, Solving
