@@ -53,6 +53,21 @@ fn output_that_nobody_reads_is_no_failure() {
     assert_eq!((output.status.code(), String::from_utf8(output.stderr).expect("text")), (Some(0), String::new()));
 }
 
+/// A device that is full.
+#[cfg(target_os = "linux")]
+#[test]
+fn output_that_cannot_be_written_is_a_failure() {
+    for arguments in
+        [&["models"][..], &["run", "--until", "1"], &["compare", "--law", "Dahl", "--until", "1", "--json"]]
+    {
+        let full = std::fs::File::options().write(true).open("/dev/full").expect("a device");
+        let mut program = Command::new(env!("CARGO_BIN_EXE_stribeck"));
+        let output = program.args(arguments).stdout(full).output().expect("the program starts");
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        assert!(String::from_utf8(output.stderr).expect("text").starts_with("stribeck: standard output: "));
+    }
+}
+
 /// k x + F_0, and x = 20 mm + 10 mm sin(4 pi t).
 #[test]
 fn a_system_without_states_is_evaluated() {
