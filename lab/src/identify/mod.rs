@@ -596,15 +596,15 @@ fn warnings(
 /// the former two are 6 % and 21 %).
 const BLURRED: f64 = 0.02;
 
-/// Warns of a velocity that is not known well enough where friction rises with it around rest. In 52 records of the law
-/// of Andersson, with 0.05 of the speed at which it has risen, the slope was 2.3 % too high, as much as half its interval,
-/// and 20 of 42 intervals held it; with 0.025 (Bengisu and Akay), 0.4 % and 115 of 120.
+/// Warns of a velocity that is not known well enough where friction rises with it around rest. In 55 records of the law
+/// of Andersson, with 0.05 of the speed at which it has risen, the slope was 2.4 % too high, as much as half its interval,
+/// and 21 of 44 intervals held it; with 0.025 (Bengisu and Akay), 0.3 % and 124 of 129.
 fn blurred_slope(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
     let slope = estimates.iter().find(|one| one.name == "transition_slope")?;
     let error = experiment.velocity_error;
     (error * slope.value > BLURRED).then(|| {
         format!(
-            "{}: the velocity around rest is known to {error:.1e} m/s only, with {} = {:.1e} s/m: it is found too high, and \
+            "{}: the velocity around rest is known to {error:.1e} m/s only, with {} = {:.1e} s/m: the slope comes out too high, and \
              its interval may not hold; measure the velocity, or sample the motion faster",
             experiment.name, slope.name, slope.value
         )

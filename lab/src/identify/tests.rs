@@ -441,7 +441,7 @@ fn a_velocity_that_is_known_too_badly_is_warned_of() {
     let data = measured("Bernard", &[], &standard(1000), 0.01, 2);
     for (velocity_error, is_warned) in [(5e-6, false), (2e-5, true)] {
         let fit = fitted("Bernard", &[Experiment { velocity_error, ..data.clone() }], &quick());
-        let warned = fit.warnings.iter().any(|text| text.contains("it is found too high"));
+        let warned = fit.warnings.iter().any(|text| text.contains("the slope comes out too high"));
         assert_eq!(warned, is_warned, "{velocity_error}: {:?}", fit.warnings);
     }
 }
