@@ -120,7 +120,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
     #[inline(never)]
     fn add_slopes(&self, setting: &Setting, memories: &mut [[T; MEMORY]; 2]) {
         let mut slopes = self.setting.slopes();
-        // Of numbers with several slopes none is *the* slope: they have to be refused, not taken for constants.
+        // A number with several slopes has no single one: it must be refused, not taken for a constant.
         if row_of(&slopes).iter().any(|slope| slope.is_nan()) {
             memories.as_flattened_mut().iter_mut().for_each(|number| *number = T::with_slope(number.value(), f64::NAN));
             return;
