@@ -71,7 +71,7 @@ class Identification:
         """For each record what is to be known of it: which columns were taken, what is missing or doubtful."""
         self.records = records
         """For each record the arrays `time`, `velocity`, `normal_force`, `force`, `explained` by the best law, and
-        whether each sample was `fitted`: those at rest are not."""
+        whether each sample was `fitted`: those at rest and at the ends are not."""
 
     @property
     def best(self) -> Fit:

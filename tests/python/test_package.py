@@ -597,8 +597,9 @@ def test_identify_gives_the_numbers_of_the_command_line(rig):
     assert numpy.sqrt(numpy.sum(rest**2) / (rest.size - 2)) == pytest.approx(found.best.rms, rel=1e-12)
     again = stribeck.simulate("Dahl", velocity=record["velocity"], normal_force=20.0, dt=1e-3, **found.best.values)
     acceleration = numpy.gradient(record["velocity"], 1e-3)
-    # The window of the filter and the differences of the second order.
-    assert numpy.abs(again["friction_force"] + 2.0 * acceleration - record["explained"]).max() < 0.05
+    # The window of the filter and the differences of the second order; at the ends the filter has one side only.
+    apart = again["friction_force"] + 2.0 * acceleration - record["explained"]
+    assert numpy.abs(apart[record["fitted"]]).max() < 0.05
     assert "mu_k = 0.2" in repr(found)
 
 

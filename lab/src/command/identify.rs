@@ -49,7 +49,7 @@ pub struct Arguments {
     /// Normal force in N, if the record has none
     #[arg(long)]
     normal_force: Option<f64>,
-    /// Window in s for smoothing and differentiating the motion (default: 5 to 31 samples, whichever explains most; for
+    /// Window in s for smoothing and differentiating the motion (default: 5 to 131 samples, with the least error of velocity and acceleration; for
     /// an axis 9 to 191 samples, force and motion alike)
     #[arg(long)]
     window: Option<f64>,
@@ -348,8 +348,9 @@ fn worth(name: &str, record: &Record) -> String {
         );
     } else if record.is_differentiated {
         text += &format!(
-            "  velocity from the displacement, in a window of {:.4} s; known to {:.1e} m/s around rest\n",
-            record.window, record.velocity_error
+            "  velocity from the displacement, in a window of {:.4} s; known to {:.1e} m/s around rest; acceleration in a \
+             window of {:.4} s\n",
+            record.window, record.velocity_error, record.acceleration_window
         );
     }
     let clocks = record.clocks;

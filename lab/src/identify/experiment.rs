@@ -30,6 +30,8 @@ pub struct Experiment {
     pub rest: Rest,
     /// Time to each side in which the filter of the motion mixes samples, s.
     pub reach: f64,
+    /// Time at each end in which that filter has samples on one side only, and samples are left out, s.
+    pub ends: f64,
     /// Further data of a record whose force and motion are smoothed alike.
     pub alike: Option<Alike>,
 }
@@ -49,9 +51,11 @@ pub struct Rest {
 pub(super) const UNKNOWN_DIRECTION: f64 = 3.0;
 
 impl Experiment {
-    /// A record of a rig, without the samples whose direction of motion is not known; with them if they are the greater
-    /// part, as where all motion is slow.
+    /// A record of a rig, without the samples at its ends, where the filter of the motion has samples on one side only,
+    /// and without those whose direction of motion is not known; with these if they are the greater part, as where all
+    /// motion is slow.
     pub fn new(name: &str, record: &Record) -> Experiment {
+        let reach = 0.5 * record.window.max(record.acceleration_window);
         let all = Experiment {
             name: name.to_owned(),
             time: record.time.clone(),
@@ -64,13 +68,30 @@ impl Experiment {
             delay_range: record.delay_range,
             left_out: Vec::new(),
             rest: Rest::default(),
-            reach: 0.5 * record.window,
+            reach,
+            ends: if record.alike.is_none() { reach } else { 0.0 },
             alike: record.alike.clone(),
         };
         let rest = Rest { speed: UNKNOWN_DIRECTION * all.velocity_error, reach: 0.0 };
-        let left_out = all.at_rest(rest);
-        let count = left_out.iter().filter(|is_left_out| **is_left_out).count();
-        if 2 * count > left_out.len() { all } else { Experiment { left_out, rest, ..all } }
+        let count = all.at_rest(rest).iter().filter(|is_at_rest| **is_at_rest).count();
+        let rest = if 2 * count > all.time.len() { Rest::default() } else { rest };
+        all.without(rest)
+    }
+
+    /// The same without its ends and what is at rest.
+    fn without(self, rest: Rest) -> Experiment {
+        Experiment { left_out: self.left_out(rest), rest, ..self }
+    }
+
+    /// Whether each sample is at rest or at an end; empty if none is.
+    fn left_out(&self, rest: Rest) -> Vec<bool> {
+        let mut found = self.at_rest(rest);
+        if self.ends > 0.0 {
+            let [first, last] = [self.time[0] + self.ends, self.time[self.time.len() - 1] - self.ends];
+            found.resize(self.time.len(), false);
+            found.iter_mut().zip(&self.time).for_each(|(found, t)| *found |= !(first..=last).contains(t));
+        }
+        found
     }
 
     /// The same without samples below a speed, and without those that the filter of the motion mixes with them.
@@ -79,7 +100,7 @@ impl Experiment {
             return Err(Fault::value(format_args!("rest = {rest}: must be >= 0 and finite, in m/s")));
         }
         let rest = Rest { speed: rest, reach: self.reach };
-        Ok(Experiment { left_out: self.at_rest(rest), rest, ..self })
+        Ok(self.without(rest))
     }
 
     /// Whether each sample is at rest; empty if none is.
@@ -104,7 +125,7 @@ impl Experiment {
 
     /// The same, with the samples left out that are at rest if the motion has another delay.
     pub(super) fn at_delay(&self, delay: f64) -> Experiment {
-        let left_out = self.shifted(delay - self.delay).at_rest(self.rest);
+        let left_out = self.shifted(delay - self.delay).left_out(self.rest);
         Experiment { left_out, ..self.clone() }
     }
 
@@ -167,6 +188,7 @@ impl Experiment {
             left_out: self.left_out.iter().copied().step_by(parts).collect(),
             rest: self.rest,
             reach: self.reach,
+            ends: self.ends,
             alike: self.alike.as_ref().map(|alike| Alike {
                 jerk: take(&alike.jerk),
                 least_speed: take(&alike.least_speed),

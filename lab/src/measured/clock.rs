@@ -3,8 +3,6 @@
 use nalgebra::{SMatrix, SVector};
 use stribeck::number::Real;
 
-use super::polynomial::Local;
-
 /// How far the motion is behind the force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clocks {
@@ -61,11 +59,15 @@ const WAYS: [f64; 3] = [3e-3, 2e-2, 0.1];
 const TERMS: usize = 3 + SPEEDS.len() + WAYS.len();
 
 impl<'a> Pair<'a> {
-    /// Prepares what may explain the force.
-    pub fn new(time: &'a [f64], force: &'a [f64], motion: &Local) -> Pair<'a> {
-        let [begin, end] = motion.ends();
+    /// Prepares what may explain the force: displacement, velocity and acceleration of the motion, between its ends.
+    pub fn new(
+        time: &'a [f64],
+        force: &'a [f64],
+        [begin, end]: [f64; 2],
+        motion: &dyn Fn(f64) -> [f64; 3],
+    ) -> Pair<'a> {
         let step = (end - begin) / (PLACES - 1) as f64;
-        let moved: Vec<[f64; 3]> = (0..PLACES).map(|at| motion.at(begin + step * at as f64)).collect();
+        let moved: Vec<[f64; 3]> = (0..PLACES).map(|at| motion(begin + step * at as f64)).collect();
         let largest = |number: usize| moved.iter().map(|all| all[number].abs()).fold(f64::MIN_POSITIVE, f64::max);
         let [fastest, steepest] = [largest(1), largest(2)];
         let ends = moved

@@ -32,6 +32,7 @@ mod record;
 mod stencil;
 #[cfg(test)]
 mod tests;
+mod window;
 
 pub use alike::Alike;
 pub use clock::Clocks;

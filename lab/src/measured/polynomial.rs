@@ -29,13 +29,22 @@ impl<'a> Local<'a> {
         Local { time, values, window }
     }
 
-    /// First and last time.
-    pub fn ends(&self) -> [f64; 2] {
-        [self.time[0], self.time[self.time.len() - 1]]
-    }
-
     /// Value, first and second derivative at a time.
     pub fn at(&self, time: f64) -> [f64; 3] {
+        let (gram, right, half) = self.equations(time);
+        let [value, slope, bend, _] = gram.lu().solve(&right).map_or([f64::NAN; TERMS], |found| found.into());
+        [value, slope / half, 2.0 * bend / (half * half)]
+    }
+
+    /// Their variances by white noise of variance 1.
+    pub fn variances(&self, time: f64) -> [f64; 3] {
+        let (gram, _, half) = self.equations(time);
+        let inverse = gram.try_inverse().map_or([f64::NAN; 3], |all| [0, 1, 2].map(|term| all[(term, term)]));
+        [inverse[0], inverse[1] / half.powi(2), 4.0 * inverse[2] / half.powi(4)]
+    }
+
+    /// Normal equations of the coefficients over the time in halves of the window, and that half.
+    fn equations(&self, time: f64) -> (SMatrix<f64, TERMS, TERMS>, SVector<f64, TERMS>, f64) {
         let (from, to) = self.samples(time);
         let half = f64::max(0.5 * (self.time[to - 1] - self.time[from]), f64::MIN_POSITIVE);
         // Sums of the powers of the time, and of them times the values.
@@ -51,9 +60,7 @@ impl<'a> Local<'a> {
                 power *= s;
             }
         }
-        let gram = SMatrix::<f64, TERMS, TERMS>::from_fn(|row, column| sums[row + column]);
-        let [value, slope, bend, _] = gram.lu().solve(&right).map_or([f64::NAN; TERMS], |found| found.into());
-        [value, slope / half, 2.0 * bend / (half * half)]
+        (SMatrix::from_fn(|row, column| sums[row + column]), right, half)
     }
 
     /// The samples of the window around a time; at least one more than the polynomial has terms.
@@ -71,6 +78,17 @@ impl<'a> Local<'a> {
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
+
+    /// Five samples at distance h: the weights of the value at the middle are (-3, 12, 17, 12, -3) / 35, those of the slope
+    /// (1, -8, 0, 8, -1) / 12h, those of the second derivative (2, -1, -2, -1, 2) / 7h2.
+    #[test]
+    fn the_noise_of_derivatives_is_that_of_the_weights() {
+        let time: Vec<f64> = (0..9).map(|k| f64::from(k) * 0.1).collect();
+        let found = Local::new(&time, &[0.0; 9], 0.45).variances(0.4);
+        for (found, expected) in found.into_iter().zip([17.0 / 35.0, 130.0 / 1.44, 14.0 / 49.0 * 1e4]) {
+            assert_relative_eq!(found, expected, max_relative = 1e-9);
+        }
+    }
 
     #[test]
     fn cubics_are_differentiated_exactly_also_between_uneven_samples_and_at_the_ends() {
@@ -99,6 +117,8 @@ mod tests {
             let found = slopes.iter().map(|slope| slope * slope).sum::<f64>() / slopes.len() as f64;
             let expected = 75.0 / (n * n * n * 1e-6);
             assert!((found / expected - 1.0).abs() < 0.1, "{n}: {found} instead of {expected}");
+            let foreseen = local.variances(time[5000])[1];
+            assert!((found / foreseen - 1.0).abs() < 0.07, "{n}: {found}, foreseen {foreseen}");
         }
     }
 }

@@ -5,6 +5,7 @@ use super::clock::{Clocks, Pair};
 use super::polynomial::Local;
 use super::quality::{Quality, median, noise, quality};
 use super::stencil::derivatives;
+use super::window::{error, windows};
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, SheetError, TIME, VELOCITY, text};
 
 /// Properties of a rig.
@@ -14,8 +15,8 @@ pub struct Rig {
     pub mass: f64,
     /// Normal force, N, if the file does not have it.
     pub normal_force: Option<f64>,
-    /// Window in which the motion is smoothed and differentiated, s; if it is not given, 5 to 31 samples, whichever
-    /// lets the motion explain most of the force.
+    /// Window in which the motion is smoothed and differentiated, s; if it is not given, 5 to 131 samples, one for the
+    /// velocity and one for the acceleration, with the least error of each.
     pub window: Option<f64>,
     /// How far the motion is behind the force.
     pub delay: Delay,
@@ -158,9 +159,6 @@ const DOUBT: f64 = 3.0;
 /// Least number of samples.
 const LEAST: usize = 20;
 
-/// Samples in a window unless it is given (chosen): the one with which the motion explains most of the force.
-const WINDOWS: [f64; 6] = [5.0, 7.0, 11.0, 15.0, 21.0, 31.0];
-
 /// Force and motion of a slider, on the clock of the force.
 #[derive(Clone, Debug)]
 pub struct Record {
@@ -178,12 +176,14 @@ pub struct Record {
     pub normal_force: Vec<f64>,
     /// Friction force f_f = F - m a, N.
     pub friction_force: Vec<f64>,
-    /// Window of the filter, s.
+    /// Window of the filter of the velocity, s; 0 if that was measured.
     pub window: f64,
+    /// Window of the filter of the acceleration, s.
+    pub acceleration_window: f64,
     /// Whether the velocity comes from the displacement.
     pub is_differentiated: bool,
-    /// Error of the velocity around rest, m/s: its noise if it was measured; otherwise how much it changes (root mean
-    /// square) with a window of half the length, or twice the change with one half as long again if it has five samples.
+    /// Error of the velocity around rest, m/s, root mean square: its noise if it was measured; otherwise what the filter
+    /// lets pass of the noise of the displacement and swallows of the motion.
     pub velocity_error: f64,
     /// Median interval between samples of the motion, s.
     pub motion_interval: f64,
@@ -360,14 +360,15 @@ impl Motion {
 
     /// The record with the motion smoothed.
     fn record(&self, own: &Own, rig: &Rig) -> Result<Record, MeasuredError> {
-        let (window, clocks) = self.tuned(own, rig, rig.window);
-        self.joined(own, rig, window, clocks)
+        let windows = self.windows(rig.window);
+        self.joined(own, rig, windows, self.clocks(own, rig, windows))
     }
 
     /// The record with force and motion smoothed alike.
     fn of_axis(&self, own: &Own, rig: &Rig) -> Result<Record, MeasuredError> {
-        let (window, clocks) = self.tuned(own, rig, None);
-        let record = self.joined(own, rig, window, clocks)?;
+        let windows = self.windows(None);
+        let clocks = self.clocks(own, rig, windows);
+        let record = self.joined(own, rig, windows, clocks)?;
         let doubt = match rig.delay {
             Delay::Known(_) => 0.0,
             Delay::Find(longest) => longest,
@@ -395,31 +396,64 @@ impl Motion {
         }
     }
 
-    /// Window and clocks, as they are known or as they let the motion explain most of the force.
-    fn tuned(&self, own: &Own, rig: &Rig, window: Option<f64>) -> (f64, Clocks) {
-        let interval = self.interval();
-        let windows =
-            window.map_or_else(|| WINDOWS.map(|samples| (samples - 0.5) * interval).to_vec(), |one| vec![one]);
-        if let ([window], Delay::Known(delay)) = (windows.as_slice(), rig.delay) {
-            return (*window, Clocks::known(delay));
+    /// Windows for velocity and acceleration: the given one, or those with the least error.
+    fn windows(&self, given: Option<f64>) -> [f64; 2] {
+        let best = |values: &[f64]| windows(&self.time, values, self.interval());
+        match (given, &self.velocity) {
+            (Some(window), None) => [window; 2],
+            (Some(window), Some(_)) => [0.0, window],
+            (None, None) => best(&self.displacement),
+            (None, Some(velocity)) => [0.0, best(velocity)[0]],
         }
-        let tried = windows.into_iter().map(|window| {
-            let pair = Pair::new(own.time, own.force, &Local::new(&self.time, &self.displacement, window));
-            let clocks = match rig.delay {
-                Delay::Known(delay) => Clocks::known(delay),
-                Delay::Find(longest) => pair.find(longest),
-                Delay::OfController => Clocks::known(alike::middle(interval)),
-            };
-            (pair.unexplained(&clocks), window, clocks)
-        });
-        let best = tried.min_by(|a, b| a.0.total_cmp(&b.0));
-        best.map_or((0.0, Clocks::known(0.0)), |(_, window, clocks)| (window, clocks))
+    }
+
+    /// Clocks, as they are known or as they let the motion explain most of the force.
+    fn clocks(&self, own: &Own, rig: &Rig, windows: [f64; 2]) -> Clocks {
+        match rig.delay {
+            Delay::Known(delay) => Clocks::known(delay),
+            Delay::Find(longest) => {
+                let ends = [self.time[0], self.time[self.time.len() - 1]];
+                Pair::new(own.time, own.force, ends, &|time| self.at(windows, time)).find(longest)
+            }
+            Delay::OfController => Clocks::known(alike::middle(self.interval())),
+        }
     }
 
     /// Force and motion on the clock of the force, where both are known.
-    fn joined(&self, own: &Own, rig: &Rig, window: f64, clocks: Clocks) -> Result<Record, MeasuredError> {
-        let position = Local::new(&self.time, &self.displacement, window);
+    fn joined(&self, own: &Own, rig: &Rig, windows: [f64; 2], clocks: Clocks) -> Result<Record, MeasuredError> {
+        let inside = self.overlap(own, rig, clocks)?;
         let interval = self.interval();
+        let take = |values: &[f64]| -> Vec<f64> { inside.iter().map(|at| values[*at]).collect() };
+        let time = take(own.time);
+        let moved: Vec<[f64; 3]> = time.iter().map(|t| self.at(windows, clocks.of_motion(*t))).collect();
+        let [displacement, velocity, acceleration] =
+            [0, 1, 2].map(|n| moved.iter().map(|all| all[n]).collect::<Vec<f64>>());
+        let force = take(own.force);
+        let friction_force = force.iter().zip(&acceleration).map(|(force, a)| force - rig.mass * a).collect();
+        let mut record = Record {
+            normal_force: take(own.load),
+            is_differentiated: self.velocity.is_none(),
+            window: windows[0],
+            acceleration_window: windows[1],
+            motion_interval: interval,
+            delay_range: (clocks.deviation > 0.0).then(|| around(clocks.delay, DOUBT * interval.max(clocks.deviation))),
+            alike: None,
+            velocity_error: self.velocity_error(windows[0]),
+            quality: Quality::default(),
+            time,
+            force,
+            displacement,
+            velocity,
+            acceleration,
+            friction_force,
+            clocks,
+        };
+        record.quality = quality(&record);
+        Ok(record)
+    }
+
+    /// Samples of the force at which the motion is known too.
+    fn overlap(&self, own: &Own, rig: &Rig, clocks: Clocks) -> Result<Vec<usize>, MeasuredError> {
         let [first, last] = [self.time[0], self.time[self.time.len() - 1]];
         let begin = own.time[0] + rig.skip;
         let is_inside = |t: f64| t >= begin && (first..=last).contains(&clocks.of_motion(t));
@@ -432,55 +466,32 @@ impl Motion {
             }
             return Err(MeasuredError::Apart { force, motion: [first, last] });
         }
-        let take = |values: &[f64]| -> Vec<f64> { inside.iter().map(|at| values[*at]).collect() };
-        let time = take(own.time);
-        let moved: Vec<[f64; 3]> = time.iter().map(|t| self.at(&position, window, clocks.of_motion(*t))).collect();
-        let [displacement, velocity, acceleration] =
-            [0, 1, 2].map(|n| moved.iter().map(|all| all[n]).collect::<Vec<f64>>());
-        let force = take(own.force);
-        let friction_force = force.iter().zip(&acceleration).map(|(force, a)| force - rig.mass * a).collect();
-        let mut record = Record {
-            normal_force: take(own.load),
-            is_differentiated: self.velocity.is_none(),
-            window,
-            motion_interval: interval,
-            delay_range: (clocks.deviation > 0.0).then(|| around(clocks.delay, DOUBT * interval.max(clocks.deviation))),
-            alike: None,
-            velocity_error: 0.0,
-            quality: Quality::default(),
-            time,
-            force,
-            displacement,
-            velocity,
-            acceleration,
-            friction_force,
-            clocks,
-        };
-        record.velocity_error =
-            self.velocity.as_ref().map_or_else(|| self.velocity_error(&record), |velocity| noise(velocity));
-        record.quality = quality(&record);
-        Ok(record)
+        Ok(inside)
     }
 
-    /// Noise and what the filter swallows, together: the change of the velocity with another window, where it is below a
-    /// tenth of the largest one.
-    fn velocity_error(&self, record: &Record) -> f64 {
-        // A window of five samples cannot be halved. One half as long again changes the noise about half as much.
-        let least = (WINDOWS[0] + 0.5) * record.motion_interval;
-        let (length, factor) = if record.window > least { (0.5 * record.window, 1.0) } else { (1.5 * least, 2.0) };
-        let other = Local::new(&self.time, &self.displacement, length);
-        let fastest = record.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-        let slow = record.time.iter().zip(&record.velocity).filter(|(_, v)| v.abs() < 0.1 * fastest);
-        let changes: Vec<f64> = slow.map(|(t, v)| other.at(record.clocks.of_motion(*t))[1] - v).collect();
-        factor * (changes.iter().map(|one| one * one).sum::<f64>() / changes.len().max(1) as f64).sqrt()
+    /// Error of the velocity around rest: its noise, or its error in a window where it is below a tenth of the largest one.
+    fn velocity_error(&self, window: f64) -> f64 {
+        if let Some(velocity) = &self.velocity {
+            return noise(velocity);
+        }
+        let local = Local::new(&self.time, &self.displacement, window);
+        let speeds: Vec<f64> = self.time.iter().map(|t| local.at(*t)[1].abs()).collect();
+        let fastest = speeds.iter().fold(0.0, |most: f64, speed| most.max(*speed));
+        let slow = (0..speeds.len()).filter(|at| speeds[*at] < 0.1 * fastest).collect();
+        error(&self.time, &self.displacement, self.interval(), slow, window)
     }
 
     /// Displacement, velocity and acceleration at a time. A velocity that was measured is not smoothed.
-    fn at(&self, position: &Local, window: f64, time: f64) -> [f64; 3] {
+    fn at(&self, [of_velocity, of_acceleration]: [f64; 2], time: f64) -> [f64; 3] {
+        let in_window = |values, window| Local::new(&self.time, values, window).at(time);
         match &self.velocity {
-            None => position.at(time),
+            None => {
+                let [x, v, a] = in_window(&self.displacement, of_velocity);
+                let is_one = of_velocity == of_acceleration;
+                [x, v, if is_one { a } else { in_window(&self.displacement, of_acceleration)[2] }]
+            }
             Some(velocity) => {
-                let [_, acceleration, _] = Local::new(&self.time, velocity, window).at(time);
+                let [_, acceleration, _] = in_window(velocity, of_acceleration);
                 let [x, v] =
                     [&self.displacement, velocity].map(|values| super::cycle::interpolate(&self.time, values, time));
                 [x, v, acceleration]
