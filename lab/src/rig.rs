@@ -16,7 +16,8 @@
 //! | drift      | 0.1 % of the force  | of the load cell, over the record                                          |
 //! | camera     | 100 Hz, 20 um       | displacement on a clock that is 12 ms late and gains 0.1 ms per second     |
 //!
-//! all chosen, and each can be left out; without a camera the displacement is that of an encoder, 1 kHz and 0.1 um.
+//! all chosen, and each can be left out; without a camera the displacement is that of an encoder, 1 kHz and 0.1 um. The
+//! seed also chooses where between two of their steps encoder or camera begin to count.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -121,6 +122,7 @@ impl VirtualRig {
         let clean = |at: usize| self.mass * motion(at as f64 * INTERVAL)[2] + friction[at];
         let level = (0..count).map(|at| clean(at).abs()).fold(0.0, f64::max);
         let mut random = fastrand::Rng::with_seed(self.seed);
+        let zero = self.zero();
         let Faults { noise, hysteresis, drift, camera, .. } = self.faults;
         let mut shown = clean(0);
         let mut force =
@@ -134,7 +136,7 @@ impl VirtualRig {
             let gauss = radius * Real::cos(TAU * random.f64());
             let measured = shown + level * (noise * gauss + drift * t / self.duration);
             let _ = write!(force, "{t:.3},{measured:.6}");
-            let position = rounded(motion(t)[0], ENCODER);
+            let position = rounded(motion(t)[0] + zero * ENCODER, ENCODER);
             let _ = if camera { writeln!(force) } else { writeln!(force, ",{position:.7}") };
         }
         Ok(Files { force, camera: camera.then(|| self.seen()) })
@@ -170,6 +172,11 @@ impl VirtualRig {
         Ok(forces.into_iter().step_by(FINER).collect())
     }
 
+    /// Where encoder and camera begin to count, as a part of their resolution.
+    fn zero(&self) -> f64 {
+        fastrand::Rng::with_seed(!self.seed).f64()
+    }
+
     /// Table of the camera, from a little before the record to a little after it.
     fn seen(&self) -> String {
         let mut text = "time [s],displacement [m]\n".to_owned();
@@ -177,7 +184,7 @@ impl VirtualRig {
         for frame in 0..=frames {
             let t = frame as f64 * FRAME - 0.1;
             let shown = t + DELAY + GAIN * (t - 0.5 * self.duration);
-            let _ = writeln!(text, "{shown:.6},{:.6}", rounded(motion(t)[0], PIXEL));
+            let _ = writeln!(text, "{shown:.6},{:.6}", rounded(motion(t)[0] + self.zero() * PIXEL, PIXEL));
         }
         text
     }
