@@ -131,7 +131,7 @@ impl Ended<'_> {
 fn is_open(unknown: &Unknown, value: f64, [low, high]: [f64; 2]) -> bool {
     let far = DETERMINED * WIDTH;
     match unknown.scale {
-        Scale::Logarithmic => 0.5 * Real::ln(high / low) > far,
+        Scale::Logarithmic => low <= 0.0 || 0.5 * Real::ln(high / low) > far,
         Scale::Linear | Scale::Mixed(_) => 0.5 * (high - low) > far * unknown.large(value),
     }
 }

@@ -18,10 +18,10 @@ const RISE: f64 = WIDTH * WIDTH;
 const TRIALS: usize = 12;
 
 /// Interval of an unknown: as far as the sum of squares, at the best values of the others, rises by less than noise can
-/// make it. An end at an end of the range is open.
+/// make it, and farther by the error of the velocity. An end at an end of the range is open.
 pub(super) fn profile(problem: &Problem, best: &Found, seen: &Residuals, trust: &Trust, number: usize) -> [f64; 2] {
     let [value, slope] = problem.unknowns[number].value(best.places[number]);
-    let step = (trust.deviations[number] / slope.abs().max(f64::MIN_POSITIVE)).clamp(1e-9, 0.5);
+    let step = (trust.by_noise(number) / slope.abs().max(f64::MIN_POSITIVE)).clamp(1e-9, 0.5);
     let variance = seen.rise();
     let end = |direction: f64| {
         let rise = |distance: f64| {
@@ -32,8 +32,9 @@ pub(super) fn profile(problem: &Problem, best: &Found, seen: &Residuals, trust: 
         let distance = crossing(rise, WIDTH * step, most);
         problem.unknowns[number].value(best.places[number] + direction * distance)[0]
     };
-    let [low, high] = [end(-1.0), end(1.0)];
-    [low.min(value), high.max(value)]
+    let blur = WIDTH * trust.blurs[number];
+    let [low, high] = [end(-1.0), end(1.0)].map(|end| ((end - value).powi(2) + blur * blur).sqrt());
+    [value - low, value + high]
 }
 
 /// The distance, at most `most`, at which the rise reaches its limit. The rise is about a parabola.

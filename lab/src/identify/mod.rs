@@ -12,6 +12,7 @@
 
 #[cfg(test)]
 mod axis_tests;
+mod blur;
 #[cfg(test)]
 mod ended_tests;
 mod estimate;

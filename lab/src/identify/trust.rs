@@ -7,7 +7,7 @@
 //! ```text
 //! s2   = tau r'r / (n - k)                           variance of the noise, as of independent samples
 //! C    = (D J'J D / s2 + I)^-1                       D: a large change of each unknown
-//! sd_i = D_i sqrt(C_ii)
+//! sd_i = sqrt(D_i2 C_ii + B_ii)                    B: covariance by the error of the velocity
 //! tau  = 1 + 2 sum of the autocorrelations of r up to the first lag M >= 5 tau(M)
 //! ```
 //!
@@ -24,6 +24,7 @@ use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
 
+use super::blur::blur;
 use super::loss::Loss;
 use super::problem::Problem;
 use super::unknown::{Scale, Target, Unknown};
@@ -106,9 +107,14 @@ impl Residuals {
 
 /// Knowledge of the unknowns, in the order of the problem.
 pub(super) struct Trust {
+    /// Standard deviations, by the noise of the force and by the error of the velocity.
     pub deviations: Vec<f64>,
-    /// Covariance of the values.
+    /// The part of them by the error of the velocity.
+    pub blurs: Vec<f64>,
+    /// Covariance of the values, by both.
     pub covariance: DMatrix<f64>,
+    /// The part of it by the noise of the force.
+    gain: DMatrix<f64>,
     pub verdicts: Vec<Verdict>,
     /// Sensitivities of the forces.
     pub columns: Vec<Vec<f64>>,
@@ -161,6 +167,19 @@ pub(super) fn residuals(all: &[f64], lengths: &[usize], unknowns: usize, loss: L
 /// on it is not determined either.
 const UNKNOWN: f64 = 10.0;
 
+/// What the data tell of large changes of the unknowns.
+fn information(columns: &[Vec<f64>], large: &[f64], variance: f64) -> DMatrix<f64> {
+    DMatrix::from_fn(columns.len(), columns.len(), |a, b| {
+        let sum: f64 = columns[a].iter().zip(&columns[b]).map(|(a, b)| a * b).sum();
+        sum * large[a] * large[b] / variance
+    })
+}
+
+/// Standard deviations.
+fn deviations(covariance: &DMatrix<f64>) -> Vec<f64> {
+    covariance.diagonal().iter().map(|one| one.sqrt()).collect()
+}
+
 /// Looks at the sensitivities of the unknowns at places.
 pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trust {
     let values = problem.values(places);
@@ -168,15 +187,15 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
     let columns = problem.sensitivities(places);
     let count = columns.len();
     let variance = seen.variance().max(f64::MIN_POSITIVE);
-    let information = DMatrix::from_fn(count, count, |a, b| {
-        let sum: f64 = columns[a].iter().zip(&columns[b]).map(|(a, b)| a * b).sum();
-        sum * large[a] * large[b] / variance
-    });
+    let information = information(&columns, &large, variance);
     // The delay of an axis is searched wherever it can be.
     let is_axis = problem.experiments.iter().any(|one| one.alike.is_some());
     let scaled = spread(&information, &|number| is_axis && problem.unknowns[number].target == Target::Delay);
     let spectrum = information.clone().symmetric_eigen().eigenvalues;
-    let covariance = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] * large[a] * large[b]);
+    let gain = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] * large[a] * large[b]);
+    let blur = blur(problem, places, &columns, &(&gain / variance));
+    let covariance = &gain + &blur;
+    let [deviations, blurs] = [&covariance, &blur].map(deviations);
     let correlation = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] / (scaled[(a, a)] * scaled[(b, b)]).sqrt());
     let verdict = |number: usize| {
         let alone = 1.0 / (1.0 + information[(number, number)]).sqrt();
@@ -185,16 +204,20 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
             .max_by(|a, b| correlation[(number, *a)].abs().total_cmp(&correlation[(number, *b)].abs()))
             .map(|other| problem.unknowns[other].name.as_str());
         let known = scaled[(number, number)].sqrt();
-        let one =
-            Known { value: values[number], place: places[number], known, deviation: known * large[number], alone };
-        let is_smooth = known > DETERMINED || is_smooth(problem, places, seen, number, one.deviation, &columns[number]);
+        let deviation = deviations[number];
+        let is_blurred = deviation > DETERMINED * large[number];
+        let one = Known { value: values[number], place: places[number], known, deviation, alone, is_blurred };
+        let by_noise = known * large[number];
+        let is_smooth = known > DETERMINED || is_smooth(problem, places, seen, number, by_noise, &columns[number]);
         verdict(&problem.unknowns[number], &one, partner, is_smooth)
     };
     Trust {
-        deviations: (0..count).map(|number| covariance[(number, number)].sqrt()).collect(),
         verdicts: (0..count).map(verdict).collect(),
         condition: (spectrum.max() / spectrum.min().max(f64::MIN_POSITIVE)).sqrt(),
+        deviations,
+        blurs,
         covariance,
+        gain,
         correlation,
         columns,
         variance,
@@ -202,6 +225,11 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
 }
 
 impl Trust {
+    /// Standard deviation of an unknown by the noise of the force alone.
+    pub fn by_noise(&self, number: usize) -> f64 {
+        self.gain[(number, number)].sqrt()
+    }
+
     /// Shift of the unknowns that an error of the explained forces causes, in standard deviations; the largest one.
     pub fn shift(&self, error: &[f64]) -> f64 {
         self.shifts(error).into_iter().fold(0.0, f64::max)
@@ -211,7 +239,7 @@ impl Trust {
     fn shifts(&self, error: &[f64]) -> Vec<f64> {
         let pull = |column: &Vec<f64>| column.iter().zip(error).map(|(a, b)| a * b).sum::<f64>() / self.variance;
         let pull = DVector::from_iterator(self.columns.len(), self.columns.iter().map(pull));
-        let shifts = &self.covariance * pull;
+        let shifts = &self.gain * pull;
         shifts.iter().zip(&self.deviations).map(|(shift, deviation)| (shift / deviation).abs()).collect()
     }
 
@@ -324,13 +352,15 @@ struct Known {
     /// Standard deviation as a part of a large change.
     known: f64,
     deviation: f64,
-    /// The same if the others were known.
+    /// Part of a large change if the others were known.
     alone: f64,
+    /// Whether the error of the velocity leaves it open.
+    is_blurred: bool,
 }
 
 fn verdict(unknown: &Unknown, one: &Known, partner: Option<&str>, is_smooth: bool) -> Verdict {
     let can_be_zero = unknown.scale != Scale::Logarithmic && unknown.range[0] == 0.0;
-    let Known { value, place, known, deviation, alone } = *one;
+    let Known { value, place, known, deviation, alone, is_blurred } = *one;
     if known > DETERMINED {
         let reason = match partner {
             _ if alone > DETERMINED => format!("it hardly changes the force; {}", remedy(unknown)),
@@ -338,6 +368,10 @@ fn verdict(unknown: &Unknown, one: &Known, partner: Option<&str>, is_smooth: boo
             None => format!("only together with others; {}", remedy(unknown)),
         };
         Verdict::Undetermined(reason)
+    } else if is_blurred {
+        Verdict::Undetermined(
+            "the velocity is not known well enough; measure it, or sample the motion faster".to_owned(),
+        )
     } else if !is_smooth {
         Verdict::Undetermined("the force changes with it in jumps, so that no interval can be given".to_owned())
     } else if can_be_zero && value < WIDTH * deviation {
