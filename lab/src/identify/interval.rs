@@ -8,7 +8,7 @@
 use std::sync::atomic::Ordering;
 
 use super::problem::Problem;
-use super::search::{Found, Watch, polish};
+use super::search::{Found, Watch, polish, polish_until};
 use super::trust::{Residuals, Trust, Verdict, WIDTH};
 
 /// Rise of the sum of squares, in variances, at the ends of an interval that holds in 95 % of cases.
@@ -23,10 +23,12 @@ pub(super) fn profile(problem: &Problem, best: &Found, seen: &Residuals, trust: 
     let [value, slope] = problem.unknowns[number].value(best.places[number]);
     let step = (trust.by_noise(number) / slope.abs().max(f64::MIN_POSITIVE)).clamp(1e-9, 0.5);
     let variance = seen.rise();
+    let gain = gain(best, seen);
     let end = |direction: f64| {
         let rise = |distance: f64| {
             let place = best.places[number] + direction * distance;
-            2.0 * (held(problem, best, number, place).cost - best.cost) / variance
+            let from = along(problem, best, trust, number, place);
+            2.0 * (held(problem, &from, number, place, gain).cost - best.cost) / variance
         };
         let most = if direction > 0.0 { 1.0 - best.places[number] } else { best.places[number] };
         let distance = crossing(rise, WIDTH * step, most);
@@ -35,6 +37,20 @@ pub(super) fn profile(problem: &Problem, best: &Found, seen: &Residuals, trust: 
     let blur = WIDTH * trust.blurs[number];
     let [low, high] = [end(-1.0), end(1.0)].map(|end| ((end - value).powi(2) + blur * blur).sqrt());
     [value - low, value + high]
+}
+
+/// The best place, with the others where straight lines expect them for an unknown at a place.
+fn along(problem: &Problem, best: &Found, trust: &Trust, number: usize, place: f64) -> Found {
+    let values = |places: &[f64]| problem.values(places);
+    let mut moved = best.clone();
+    moved.places[number] = place.clamp(0.0, 1.0);
+    let change = values(&moved.places)[number] - values(&best.places)[number];
+    for other in (0..moved.places.len()).filter(|other| *other != number) {
+        let [_, slope] = problem.unknowns[other].value(best.places[other]);
+        let expected = change * trust.follows(other, number) / slope.abs().max(f64::MIN_POSITIVE);
+        moved.places[other] = (moved.places[other] + expected).clamp(0.0, 1.0);
+    }
+    moved
 }
 
 /// The distance, at most `most`, at which the rise reaches its limit. The rise is about a parabola.
@@ -75,11 +91,12 @@ const MOVED: [f64; 2] = [3.0, 0.1];
 pub(super) fn dependent(problem: &Problem, best: &Found, seen: &Residuals, trust: &Trust) -> Vec<(usize, usize)> {
     let values = problem.values(&best.places);
     let variance = seen.rise();
+    let gain = gain(best, seen);
     let mut found = Vec::new();
     let free = (0..values.len()).filter(|number| matches!(trust.verdicts[*number], Verdict::Undetermined(_)));
     for number in free {
         for place in ELSEWHERE {
-            let end = held(problem, best, number, place);
+            let end = held(problem, best, number, place, gain);
             if 2.0 * (end.cost - best.cost) / variance > RISE {
                 continue;
             }
@@ -96,14 +113,22 @@ pub(super) fn dependent(problem: &Problem, best: &Found, seen: &Residuals, trust
     found
 }
 
-/// The best place with an unknown held at a part of its range.
-fn held(problem: &Problem, best: &Found, number: usize, place: f64) -> Found {
+/// Part of the rise at the end of an interval that a step of least squares on the way there need not gain (chosen).
+const UNSEEN: f64 = 1e-3;
+
+/// The same as a part of the cost.
+fn gain(best: &Found, seen: &Residuals) -> f64 {
+    UNSEEN * RISE * seen.rise() / (2.0 * best.cost).max(f64::MIN_POSITIVE)
+}
+
+/// The best place with an unknown held at a part of its range, from a place on.
+fn held(problem: &Problem, from: &Found, number: usize, place: f64, gain: f64) -> Found {
     let mut pinned = problem.clone();
     pinned.pin(number, place);
-    let mut from = best.clone();
+    let mut from = from.clone();
     from.places[number] = place.clamp(0.0, 1.0);
     from.cost = f64::INFINITY;
-    polish(&pinned, &from)
+    polish_until(&pinned, &from, gain)
 }
 
 /// Places of the unknowns in fits to the explained forces with blocks of residuals from random places, as long as ten

@@ -240,14 +240,22 @@ fn patience(generations: u64) -> u64 {
 /// Steps of least squares (chosen).
 const MOST_STEPS: u64 = 60;
 
+/// Part of the cost that a step of least squares must gain for another one to follow (chosen).
+const GAIN: f64 = 1e-10;
+
 /// Follows the slopes from a place; the free unknowns of the problem only.
 pub(super) fn polish(problem: &Problem, from: &Found) -> Found {
+    polish_until(problem, from, GAIN)
+}
+
+/// The same until a step gains less than a part of the cost.
+pub(super) fn polish_until(problem: &Problem, from: &Found, gain: f64) -> Found {
     let is_free = |number: &usize| problem.pinned[*number].is_none();
     let start: Vec<f64> = (0..problem.unknowns.len()).filter(is_free).map(|number| from.places[number]).collect();
     if start.is_empty() {
         return from.clone();
     }
-    let solver = BoundedLevenbergMarquardt::new().with_relative_cost_change_tolerance(1e-10);
+    let solver = BoundedLevenbergMarquardt::new().with_relative_cost_change_tolerance(gain);
     let executor = Executor::new(problem.clone(), solver, PointState::new(start)).max_iter(MOST_STEPS);
     let Ok(result) = executor.run() else { return from.clone() };
     let work = |count: u64| count * problem.unknowns.len() as u64;

@@ -230,6 +230,11 @@ impl Trust {
         self.gain[(number, number)].sqrt()
     }
 
+    /// Change of the best value of one unknown with the value of another.
+    pub fn follows(&self, one: usize, other: usize) -> f64 {
+        self.gain[(one, other)] / self.gain[(other, other)]
+    }
+
     /// Shift of the unknowns that an error of the explained forces causes, in standard deviations; the largest one.
     pub fn shift(&self, error: &[f64]) -> f64 {
         self.shifts(error).into_iter().fold(0.0, f64::max)
