@@ -20,24 +20,34 @@ use nalgebra::{DMatrix, DVector};
 use super::Experiment;
 use super::problem::Problem;
 
+/// Places at which the windows may begin, as parts of them, over which the covariance is averaged (chosen): a sensitivity
+/// that changes its sign within a window cancels in that window alone.
+const PHASES: usize = 8;
+
 /// Covariance of the unknowns by the error of the velocity. `columns` are the sensitivities of the force, and `gain` times
 /// them the shift of the unknowns by a force.
 pub(super) fn blur(problem: &Problem, places: &[f64], columns: &[Vec<f64>], gain: &DMatrix<f64>) -> DMatrix<f64> {
     let count = columns.len();
     let mut sum = DMatrix::zeros(count, count);
     let Some(changes) = changes(problem, places) else { return sum };
-    for window in windows(problem.experiments) {
-        let pull = |column: &Vec<f64>| window.clone().map(|at| column[at] * changes[at]).sum::<f64>();
-        let shift = gain * DVector::from_iterator(count, columns.iter().map(pull));
-        sum += &shift * shift.transpose();
+    for phase in 0..PHASES {
+        for window in windows(problem.experiments, phase as f64 / PHASES as f64) {
+            let pull = |column: &Vec<f64>| window.clone().map(|at| column[at] * changes[at]).sum::<f64>();
+            let shift = gain * DVector::from_iterator(count, columns.iter().map(pull));
+            sum += &shift * shift.transpose() / PHASES as f64;
+        }
     }
     sum
 }
 
+/// Error of the velocity; 0 if none is known. An axis has none: its force and its motion are smoothed alike.
+pub(super) fn error(experiment: &Experiment) -> f64 {
+    let is_known = experiment.alike.is_none() && experiment.velocity_error.is_finite();
+    if is_known { experiment.velocity_error } else { 0.0 }
+}
+
 /// Change of the force by a change of the velocity by its error, at the samples that count; None if no error is known.
-/// An axis has none: its force and its motion are smoothed alike.
 fn changes(problem: &Problem, places: &[f64]) -> Option<Vec<f64>> {
-    let error = |one: &Experiment| if one.alike.is_none() { one.velocity_error } else { 0.0 };
     if problem.experiments.iter().all(|one| error(one) == 0.0) {
         return None;
     }
@@ -49,26 +59,33 @@ fn changes(problem: &Problem, places: &[f64]) -> Option<Vec<f64>> {
         let experiments: Vec<Experiment> = problem.experiments.iter().map(faster).collect();
         Problem { experiments: &experiments, ..problem.clone() }.residuals(places)
     };
-    let (slower, faster) = (moved(-1.0)?, moved(1.0)?);
-    Some(slower.iter().zip(&faster).map(|(slower, faster)| 0.5 * (faster - slower)).collect())
+    let half = |slower: &[f64], faster: &[f64], part: f64| {
+        slower.iter().zip(faster).map(|(slower, faster)| part * (faster - slower)).collect()
+    };
+    // Where the law is refused on one side, the other one must do.
+    match (moved(-1.0), moved(1.0)) {
+        (Some(slower), Some(faster)) => Some(half(&slower, &faster, 0.5)),
+        (Some(slower), None) => Some(half(&slower, &problem.residuals(places)?, 1.0)),
+        (None, Some(faster)) => Some(half(&problem.residuals(places)?, &faster, 1.0)),
+        (None, None) => None,
+    }
 }
 
-/// Samples that count, as they are numbered in the residuals, in windows of the filter of the motion.
-fn windows(experiments: &[Experiment]) -> Vec<Range<usize>> {
+/// Samples that count, as they are numbered in the residuals, in windows of the filter of the motion; the first one is
+/// shorter by a part of itself.
+fn windows(experiments: &[Experiment], phase: f64) -> Vec<Range<usize>> {
     let mut list = Vec::new();
     let mut number = 0;
     for one in experiments {
-        let counting = (0..one.time.len()).filter(|at| one.counts(*at));
-        let mut begin = f64::NEG_INFINITY;
-        for at in counting {
-            let end = begin + 2.0 * one.reach;
+        let mut current = None;
+        for at in (0..one.time.len()).filter(|at| one.counts(*at)) {
+            let is_white = one.window == 0.0;
+            let passed = if is_white { number as f64 } else { (one.time[at] - one.time[0]) / one.window + phase };
             match list.last_mut() {
-                Some(Range { end: last, .. }) if one.time[at] <= end => *last = number + 1,
-                _ => {
-                    begin = one.time[at];
-                    list.push(number..number + 1);
-                }
+                Some(Range { end, .. }) if current == Some(passed.floor()) => *end = number + 1,
+                _ => list.push(number..number + 1),
             }
+            current = Some(passed.floor());
             number += 1;
         }
     }
@@ -97,13 +114,13 @@ mod tests {
     /// and c the same; with errors of n windows, each shifts mu_k by a part 1/n of that, and they add up to 1 / sqrt(n).
     #[test]
     fn an_error_of_the_velocity_looks_like_another_level() {
-        let even = standard(400);
-        let velocity = (0..400).map(|at| 1.0 + f64::from(at % 2)).collect();
-        let sliding = Experiment { velocity, normal_force: vec![20.0; 400], velocity_error: 0.01, ..even };
+        let even = standard(1600);
+        let velocity = (0..1600).map(|at| 1.0 + f64::from(at % 2)).collect();
+        let sliding = Experiment { velocity, normal_force: vec![20.0; 1600], velocity_error: 0.01, ..even };
         let values = [("mu_k", 0.2), ("viscous_coefficient", 3.0)];
         let data = [measured("CoulombViscous", &values, &sliding, 0.0, 1)];
-        let found = |reach: f64| {
-            let data = [Experiment { reach, ..data[0].clone() }];
+        let found = |window: f64| {
+            let data = [Experiment { window, ..data[0].clone() }];
             let problem = whole_problem("CoulombViscous", &data);
             let places =
                 values.map(|(name, value)| place(problem.unknowns.iter().find(|one| one.name == name).unwrap(), value));
@@ -118,16 +135,17 @@ mod tests {
             trust.blurs[0]
         };
         let whole = 3.0 * 0.01 / 20.0;
-        assert_relative_eq!(found(10.0), whole, max_relative = 1e-3);
-        // 100 samples of 10 ms in each window.
-        assert_relative_eq!(found(0.4975), whole / 2.0, max_relative = 1e-3);
+        assert_relative_eq!(found(1000.0), whole, max_relative = 1e-3);
+        // Windows of 1 s: four, or three and two parts of one, k/8 and 1 - k/8.
+        let squares = 3.0 + (140.0 + 204.0) / 512.0;
+        assert_relative_eq!(found(1.0), whole * f64::sqrt(squares) / 4.0, max_relative = 0.02);
     }
 
     #[test]
     fn a_steep_slope_at_rest_is_not_determined_where_the_velocity_is_not_known() {
         let data = measured("Threlfall", &[], &standard(1000), 0.01, 2);
         let verdict = |velocity_error: f64| {
-            let data = [Experiment { velocity_error, reach: 0.01, ..data.clone() }];
+            let data = [Experiment { velocity_error, window: 0.02, ..data.clone() }];
             let problem = whole_problem("Threlfall", &data);
             let number = problem.unknowns.iter().position(|one| one.name == "transition_velocity").unwrap();
             let places: Vec<f64> = problem

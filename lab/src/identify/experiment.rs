@@ -30,8 +30,10 @@ pub struct Experiment {
     pub rest: Rest,
     /// Time to each side in which the filter of the motion mixes samples, s.
     pub reach: f64,
-    /// Time at each end in which that filter has samples on one side only, and samples are left out, s.
-    pub ends: f64,
+    /// Times between which that filter has samples on both sides, s; samples beyond them are left out.
+    pub ends: [f64; 2],
+    /// Time in which an error of the velocity has one sign, s: the window of its filter.
+    pub window: f64,
     /// Further data of a record whose force and motion are smoothed alike.
     pub alike: Option<Alike>,
 }
@@ -45,6 +47,9 @@ pub struct Rest {
     pub reach: f64,
 }
 
+/// Ends of an experiment whose motion needs no filter.
+pub(super) const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
 /// Errors of the velocity below which the direction of motion is not known (chosen). A law that jumps there is off by
 /// twice its level in samples that get the wrong sign: fifteen of 4001 decided that regularised laws explained the
 /// records of `Coulomb`, `CoulombViscous` and `Stribeck` better than these themselves.
@@ -56,6 +61,7 @@ impl Experiment {
     /// motion is slow.
     pub fn new(name: &str, record: &Record) -> Experiment {
         let reach = 0.5 * record.window.max(record.acceleration_window);
+        let [first, last] = record.motion_ends;
         let all = Experiment {
             name: name.to_owned(),
             time: record.time.clone(),
@@ -69,7 +75,8 @@ impl Experiment {
             left_out: Vec::new(),
             rest: Rest::default(),
             reach,
-            ends: if record.alike.is_none() { reach } else { 0.0 },
+            ends: if record.alike.is_none() { [first + reach, last - reach] } else { EVERYWHERE },
+            window: record.window,
             alike: record.alike.clone(),
         };
         let rest = Rest { speed: UNKNOWN_DIRECTION * all.velocity_error, reach: 0.0 };
@@ -86,20 +93,22 @@ impl Experiment {
     /// Whether each sample is at rest or at an end; empty if none is.
     fn left_out(&self, rest: Rest) -> Vec<bool> {
         let mut found = self.at_rest(rest);
-        if self.ends > 0.0 {
-            let [first, last] = [self.time[0] + self.ends, self.time[self.time.len() - 1] - self.ends];
+        let [first, last] = self.ends;
+        let is_beyond = |t: &f64| !(first..=last).contains(t);
+        if self.time.iter().any(is_beyond) {
             found.resize(self.time.len(), false);
-            found.iter_mut().zip(&self.time).for_each(|(found, t)| *found |= !(first..=last).contains(t));
+            found.iter_mut().zip(&self.time).for_each(|(found, t)| *found |= is_beyond(t));
         }
         found
     }
 
-    /// The same without samples below a speed, and without those that the filter of the motion mixes with them.
+    /// The same without samples below a speed, and without those that the filter of the motion mixes with them; with all
+    /// of them for a speed of 0.
     pub fn without_rest(self, rest: f64) -> Result<Experiment, Fault> {
         if !(rest >= 0.0 && rest.is_finite()) {
             return Err(Fault::value(format_args!("rest = {rest}: must be >= 0 and finite, in m/s")));
         }
-        let rest = Rest { speed: rest, reach: self.reach };
+        let rest = if rest > 0.0 { Rest { speed: rest, reach: self.reach } } else { Rest::default() };
         Ok(self.without(rest))
     }
 
@@ -189,6 +198,7 @@ impl Experiment {
             rest: self.rest,
             reach: self.reach,
             ends: self.ends,
+            window: self.window,
             alike: self.alike.as_ref().map(|alike| Alike {
                 jerk: take(&alike.jerk),
                 least_speed: take(&alike.least_speed),

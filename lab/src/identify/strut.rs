@@ -111,7 +111,8 @@ fn experiment(stroke: &Stroke, load: f64, asymmetry: f64) -> Experiment {
         left_out: Vec::new(),
         rest: super::experiment::Rest::default(),
         reach: 0.0,
-        ends: 0.0,
+        ends: super::experiment::EVERYWHERE,
+        window: 0.0,
         alike: None,
     }
 }

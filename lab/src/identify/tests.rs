@@ -33,7 +33,8 @@ pub(super) fn standard(samples: u32) -> Experiment {
         left_out: Vec::new(),
         rest: Rest::default(),
         reach: 0.0,
-        ends: 0.0,
+        ends: experiment::EVERYWHERE,
+        window: 0.0,
         alike: None,
         time,
     }
@@ -390,7 +391,30 @@ fn a_turn_between_two_samples_is_rest_for_a_filter() {
     let numbers = |found: Experiment| (0..10).filter(|at| !found.counts(*at)).collect::<Vec<usize>>();
     assert_eq!(numbers(moved.clone().without_rest(0.1).unwrap()), [3, 4, 5]);
     assert_eq!(numbers(Experiment { reach: 0.0, ..moved.clone() }.without_rest(0.6).unwrap()), [4, 5]);
-    assert!(numbers(Experiment { reach: 0.0, ..moved }.without_rest(0.1).unwrap()).is_empty());
+    assert!(numbers(Experiment { reach: 0.0, ..moved.clone() }.without_rest(0.1).unwrap()).is_empty());
+    // Nothing is at rest below 0 m/s, but the filter has samples on both sides from the second to the eighth only.
+    assert!(numbers(moved.clone().without_rest(0.0).unwrap()).is_empty());
+    let ends = [moved.time[1], moved.time[7]];
+    assert_eq!(numbers(Experiment { ends, ..moved }.without_rest(0.0).unwrap()), [0, 8, 9]);
+}
+
+/// A motion that is known before and after the force has no ends there.
+#[test]
+fn only_samples_at_the_ends_of_the_motion_are_left_out() {
+    let rows = |from: i32, to: i32, name: &str, of: &dyn Fn(f64) -> f64| {
+        let row = |k: i32| format!("{},{}\n", f64::from(k) * 1e-3, of(f64::from(k) * 1e-3));
+        format!("time,{name}\n") + &(from..to).map(row).collect::<String>()
+    };
+    let moved = |t: f64| 0.01 * (3.0 * t).sin();
+    let force = rows(0, 2000, "force", &|t| 2.0 * (1e3 * (3.0 * t).cos()).tanh());
+    let counted = |motion: String| {
+        let [force, motion] = [&force, &motion].map(|text| crate::sheet::Sheet::parse(text).unwrap());
+        let rig = crate::measured::Rig { normal_force: Some(20.0), window: Some(0.1), ..Default::default() };
+        Experiment::new("rig", &crate::measured::Record::of(&force, Some(&motion), &rig).unwrap())
+    };
+    let [short, long] = [(0, 2000), (-100, 2100)].map(|(from, to)| counted(rows(from, to, "displacement", &moved)));
+    assert!(!short.counts(49) && short.counts(51) && !short.counts(1951));
+    assert!(long.counts(0) && long.counts(1999));
 }
 
 /// Criterion of two fits with k = 1: (n / tau) 2 ln(ratio of what is left).

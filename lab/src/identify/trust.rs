@@ -24,7 +24,7 @@ use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::blur::blur;
+use super::blur;
 use super::loss::Loss;
 use super::problem::Problem;
 use super::unknown::{Scale, Target, Unknown};
@@ -180,6 +180,15 @@ fn deviations(covariance: &DMatrix<f64>) -> Vec<f64> {
     covariance.diagonal().iter().map(|one| one.sqrt()).collect()
 }
 
+/// Whether an unknown is a speed below the error of the velocity, or the reciprocal of one.
+fn is_within(unknown: &Unknown, value: f64, error: f64) -> bool {
+    match unknown.unit {
+        "m/s" => value < error,
+        "s/m" => value * error > 1.0,
+        _ => false,
+    }
+}
+
 /// Looks at the sensitivities of the unknowns at places.
 pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trust {
     let values = problem.values(places);
@@ -193,10 +202,11 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
     let scaled = spread(&information, &|number| is_axis && problem.unknowns[number].target == Target::Delay);
     let spectrum = information.clone().symmetric_eigen().eigenvalues;
     let gain = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] * large[a] * large[b]);
-    let blur = blur(problem, places, &columns, &(&gain / variance));
+    let blur = blur::blur(problem, places, &columns, &(&gain / variance));
     let covariance = &gain + &blur;
     let [deviations, blurs] = [&covariance, &blur].map(deviations);
     let correlation = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] / (scaled[(a, a)] * scaled[(b, b)]).sqrt());
+    let error = problem.experiments.iter().map(blur::error).fold(0.0, f64::max);
     let verdict = |number: usize| {
         let alone = 1.0 / (1.0 + information[(number, number)]).sqrt();
         let partner = (0..count)
@@ -205,7 +215,8 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
             .map(|other| problem.unknowns[other].name.as_str());
         let known = scaled[(number, number)].sqrt();
         let deviation = deviations[number];
-        let is_blurred = deviation > DETERMINED * large[number];
+        let is_blurred =
+            deviation > DETERMINED * large[number] || is_within(&problem.unknowns[number], values[number], error);
         let one = Known { value: values[number], place: places[number], known, deviation, alone, is_blurred };
         let by_noise = known * large[number];
         let is_smooth = known > DETERMINED || is_smooth(problem, places, seen, number, by_noise, &columns[number]);

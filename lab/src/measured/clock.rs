@@ -26,6 +26,11 @@ impl Clocks {
     pub fn of_motion(&self, time: f64) -> f64 {
         time + self.delay + self.drift * (time - self.middle)
     }
+
+    /// Times of the motion on the clock of the force.
+    pub(super) fn ends(&self, of_motion: [f64; 2]) -> [f64; 2] {
+        of_motion.map(|time| (time - self.delay + self.drift * self.middle) / (1.0 + self.drift))
+    }
 }
 
 /// Places of the delays that are tried first, to each side (chosen).

@@ -142,8 +142,9 @@ pub fn noise(force: &[f64]) -> f64 {
     median(&mut third) / (0.6745 * f64::sqrt(20.0))
 }
 
-fn resolution(displacement: &[f64]) -> f64 {
-    let steps = displacement.windows(2).map(|pair| (pair[1] - pair[0]).abs()).filter(|step| *step > 0.0);
+/// Least change from one sample to the next; 0 if there is none.
+pub(super) fn resolution(values: &[f64]) -> f64 {
+    let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).filter(|step| *step > 0.0);
     let least = steps.fold(f64::INFINITY, f64::min);
     if least.is_finite() { least } else { 0.0 }
 }

@@ -3,9 +3,9 @@
 use super::alike::{self, Alike};
 use super::clock::{Clocks, Pair};
 use super::polynomial::Local;
-use super::quality::{Quality, median, noise, quality};
+use super::quality::{Quality, median, noise, quality, resolution};
 use super::stencil::derivatives;
-use super::window::{error, windows};
+use super::window::{Signal, shortest};
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, SheetError, TIME, VELOCITY, text};
 
 /// Properties of a rig.
@@ -15,8 +15,8 @@ pub struct Rig {
     pub mass: f64,
     /// Normal force, N, if the file does not have it.
     pub normal_force: Option<f64>,
-    /// Window in which the motion is smoothed and differentiated, s; if it is not given, 5 to 131 samples, one for the
-    /// velocity and one for the acceleration, with the least error of each.
+    /// Window in which the motion is smoothed and differentiated, s; if it is not given, 5 to 391 samples and at most
+    /// a tenth of the record, one for the velocity and one for the acceleration, with the least error of each.
     pub window: Option<f64>,
     /// How far the motion is behind the force.
     pub delay: Delay,
@@ -187,6 +187,8 @@ pub struct Record {
     pub velocity_error: f64,
     /// Median interval between samples of the motion, s.
     pub motion_interval: f64,
+    /// First and last time of the motion on the clock of the force, s.
+    pub motion_ends: [f64; 2],
     /// Clocks of force and motion.
     pub clocks: Clocks,
     /// Range in which the delay is, s; None if it is known.
@@ -360,13 +362,13 @@ impl Motion {
 
     /// The record with the motion smoothed.
     fn record(&self, own: &Own, rig: &Rig) -> Result<Record, MeasuredError> {
-        let windows = self.windows(rig.window);
+        let windows = self.windows(own, rig, rig.window);
         self.joined(own, rig, windows, self.clocks(own, rig, windows))
     }
 
     /// The record with force and motion smoothed alike.
     fn of_axis(&self, own: &Own, rig: &Rig) -> Result<Record, MeasuredError> {
-        let windows = self.windows(None);
+        let windows = self.windows(own, rig, None);
         let clocks = self.clocks(own, rig, windows);
         let record = self.joined(own, rig, windows, clocks)?;
         let doubt = match rig.delay {
@@ -397,14 +399,27 @@ impl Motion {
     }
 
     /// Windows for velocity and acceleration: the given one, or those with the least error.
-    fn windows(&self, given: Option<f64>) -> [f64; 2] {
-        let best = |values: &[f64]| windows(&self.time, values, self.interval());
+    fn windows(&self, own: &Own, rig: &Rig, given: Option<f64>) -> [f64; 2] {
+        let given = given.map(|window| window.max(shortest(self.interval())));
         match (given, &self.velocity) {
             (Some(window), None) => [window; 2],
             (Some(window), Some(_)) => [0.0, window],
-            (None, None) => best(&self.displacement),
-            (None, Some(velocity)) => [0.0, best(velocity)[0]],
+            (None, None) => self.signal(&self.displacement, own, rig).windows(),
+            (None, Some(velocity)) => [0.0, self.signal(velocity, own, rig).windows()[0]],
         }
+    }
+
+    /// Samples of the motion, and those that belong to the force as far as the delay is known.
+    fn signal<'a>(&'a self, values: &'a [f64], own: &Own, rig: &Rig) -> Signal<'a> {
+        let doubt = match rig.delay {
+            Delay::Known(delay) => [delay; 2],
+            Delay::Find(longest) => [-longest, longest],
+            Delay::OfController => around(alike::middle(self.interval()), alike::doubt(self.interval())),
+        };
+        let [begin, end] = [own.time[0] + rig.skip + doubt[0], own.time[own.time.len() - 1] + doubt[1]];
+        let part = self.time.partition_point(|t| *t < begin)..self.time.partition_point(|t| *t <= end);
+        let part = if part.len() < LEAST { 0..self.time.len() } else { part };
+        Signal { time: &self.time, values, interval: self.interval(), part }
     }
 
     /// Clocks, as they are known or as they let the motion explain most of the force.
@@ -438,7 +453,8 @@ impl Motion {
             motion_interval: interval,
             delay_range: (clocks.deviation > 0.0).then(|| around(clocks.delay, DOUBT * interval.max(clocks.deviation))),
             alike: None,
-            velocity_error: self.velocity_error(windows[0]),
+            velocity_error: self.velocity_error(own, rig, windows[0]),
+            motion_ends: clocks.ends([self.time[0], self.time[self.time.len() - 1]]),
             quality: Quality::default(),
             time,
             force,
@@ -469,16 +485,12 @@ impl Motion {
         Ok(inside)
     }
 
-    /// Error of the velocity around rest: its noise, or its error in a window where it is below a tenth of the largest one.
-    fn velocity_error(&self, window: f64) -> f64 {
-        if let Some(velocity) = &self.velocity {
-            return noise(velocity);
+    /// Error of the velocity around rest: its noise if it was measured, otherwise its error in a window.
+    fn velocity_error(&self, own: &Own, rig: &Rig, window: f64) -> f64 {
+        match &self.velocity {
+            Some(velocity) => noise(velocity).max(resolution(velocity) / f64::sqrt(12.0)),
+            None => self.signal(&self.displacement, own, rig).error(window),
         }
-        let local = Local::new(&self.time, &self.displacement, window);
-        let speeds: Vec<f64> = self.time.iter().map(|t| local.at(*t)[1].abs()).collect();
-        let fastest = speeds.iter().fold(0.0, |most: f64, speed| most.max(*speed));
-        let slow = (0..speeds.len()).filter(|at| speeds[*at] < 0.1 * fastest).collect();
-        error(&self.time, &self.displacement, self.interval(), slow, window)
     }
 
     /// Displacement, velocity and acceleration at a time. A velocity that was measured is not smoothed.

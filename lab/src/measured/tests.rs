@@ -324,3 +324,29 @@ fn impossible_rigs_are_refused() {
         assert!(refused.contains(wanted), "{refused} instead of {wanted}");
     }
 }
+
+/// A fast and rough motion comes before the one that is looked at.
+#[test]
+fn what_is_skipped_chooses_no_window() {
+    let rough = |t: f64| if t < 2.0 { 1e-3 * (TAU * 50.0 * t).sin() } else { 0.0 };
+    let text = file(|t| format!("{t},{},{:.6}", force(t), motion(t)[0] + rough(t)));
+    let skipped = record(&text, &Rig { skip: 2.5, ..rig() }).unwrap();
+    let mut lines: Vec<&str> = text.lines().collect();
+    lines.drain(1..2501);
+    let cut = record(&lines.join("\n"), &rig()).unwrap();
+    assert!((skipped.window / cut.window - 1.0).abs() < 1e-9);
+    assert!((skipped.acceleration_window / cut.acceleration_window - 1.0).abs() < 1e-9);
+    assert!((skipped.velocity_error / cut.velocity_error - 1.0).abs() < 0.1);
+    let whole = record(&text, &rig()).unwrap();
+    assert!(whole.window < 0.5 * cut.window, "{} {}", whole.window, cut.window);
+    // The filter has samples before what is not skipped.
+    assert_eq!(skipped.motion_ends[0], 0.0);
+}
+
+/// A window shorter than the shortest one is that.
+#[test]
+fn a_window_of_no_length_has_five_samples() {
+    let text = file(|t| format!("{t},{},{}", force(t), motion(t)[0]));
+    let found = record(&text, &Rig { window: Some(0.0), ..rig() }).unwrap();
+    assert!([found.window, found.acceleration_window].iter().all(|window| (window - 0.0045).abs() < 1e-9));
+}
