@@ -593,8 +593,8 @@ fn warnings(
 }
 
 /// Error of the velocity, as a part of the speed at which friction falls, from which its parameters are biased (chosen:
-/// a camera of 100 Hz with 0.012 of it makes the static level 1 %, that speed 5 % and sigma_1 71 % wrong; with 0.025 it
-/// makes them 5 %, 16 % and four times wrong).
+/// a camera of 100 Hz with 0.013 of it makes the static level 1 % and that speed 7 % wrong, with 0.026 4 % and 11 %, and
+/// sigma_1 three times too large with both).
 const BLURRED: f64 = 0.01;
 
 /// Warns of a velocity that is not known well enough where friction falls with it: the static level then looks lower
