@@ -15,7 +15,7 @@
 
 use std::ops::Range;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use super::Experiment;
 use super::problem::Problem;
@@ -33,8 +33,13 @@ pub(super) fn blur(problem: &Problem, places: &[f64], columns: &[Vec<f64>], gain
     for phase in 0..PHASES {
         for window in windows(problem.experiments, phase as f64 / PHASES as f64) {
             let pull = |column: &Vec<f64>| window.clone().map(|at| column[at] * changes[at]).sum::<f64>();
-            let shift = gain * DVector::from_iterator(count, columns.iter().map(pull));
-            sum += &shift * shift.transpose() / PHASES as f64;
+            let pulls: Vec<f64> = columns.iter().map(pull).collect();
+            let shift =
+                |one: usize| pulls.iter().enumerate().map(|(other, pull)| gain[(one, other)] * pull).sum::<f64>();
+            let shifts: Vec<f64> = (0..count).map(shift).collect();
+            for (a, b) in (0..count).flat_map(|a| (0..count).map(move |b| (a, b))) {
+                sum[(a, b)] += shifts[a] * shifts[b] / PHASES as f64;
+            }
         }
     }
     sum

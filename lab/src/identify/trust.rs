@@ -202,8 +202,8 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
     let scaled = spread(&information, &|number| is_axis && problem.unknowns[number].target == Target::Delay);
     let spectrum = information.clone().symmetric_eigen().eigenvalues;
     let gain = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] * large[a] * large[b]);
-    let blur = blur::blur(problem, places, &columns, &(&gain / variance));
-    let covariance = &gain + &blur;
+    let blur = blur::blur(problem, places, &columns, &gain.map(|one| one / variance));
+    let covariance = DMatrix::from_fn(count, count, |a, b| gain[(a, b)] + blur[(a, b)]);
     let [deviations, blurs] = [&covariance, &blur].map(deviations);
     let correlation = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] / (scaled[(a, a)] * scaled[(b, b)]).sqrt());
     let error = problem.experiments.iter().map(blur::error).fold(0.0, f64::max);

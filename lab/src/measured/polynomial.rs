@@ -39,8 +39,12 @@ impl<'a> Local<'a> {
     /// Their variances by white noise of variance 1.
     pub fn variances(&self, time: f64) -> [f64; 3] {
         let (gram, _, half) = self.equations(time);
-        let inverse = gram.try_inverse().map_or([f64::NAN; 3], |all| [0, 1, 2].map(|term| all[(term, term)]));
-        [inverse[0], inverse[1] / half.powi(2), 4.0 * inverse[2] / half.powi(4)]
+        let factors = gram.lu();
+        let of_inverse = |term: usize| {
+            let unit = SVector::from_fn(|row, _| if row == term { 1.0 } else { 0.0 });
+            factors.solve(&unit).map_or(f64::NAN, |column| column[term])
+        };
+        [of_inverse(0), of_inverse(1) / half.powi(2), 4.0 * of_inverse(2) / half.powi(4)]
     }
 
     /// Normal equations of the coefficients over the time in halves of the window, and that half.
