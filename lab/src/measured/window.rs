@@ -46,8 +46,10 @@ const LONGEST: f64 = 0.1;
 /// Part of the largest speed below which a motion is around rest (chosen).
 const SLOW: f64 = 0.1;
 
-/// Power of the window with which it misses value, first and second derivative.
+/// Power of the window with which it misses value, first and second derivative; and the first one where a motion starts
+/// with a kink.
 const ORDERS: [i32; 3] = [4, 4, 2];
+const ORDER_OF_KINK: i32 = 2;
 
 /// Length of a window of so many samples.
 fn length(samples: f64, interval: f64) -> f64 {
@@ -80,7 +82,7 @@ impl Signal<'_> {
         let tried: Vec<Tried> = lengths.iter().map(|length| Tried::new(self, &places, *length)).collect();
         let noise = tried[0].noise(self, &places);
         [1, 2].map(|derivative| {
-            let missed = |pair: &[Tried]| pair[1].missed(&pair[0], &places, derivative, noise);
+            let missed = |pair: &[Tried]| pair[1].missed(&pair[0], &places, derivative, noise, ORDERS[derivative]);
             let pairs: Vec<[f64; 2]> = tried.windows(2).map(missed).collect();
             let missed = pairs.iter().take(1).map(|[shorter, _]| shorter).chain(pairs.iter().map(|[_, longer]| longer));
             let costs = tried.iter().zip(missed).map(|(one, missed)| noise * one.gains[derivative] + MISSED * missed);
@@ -96,7 +98,7 @@ impl Signal<'_> {
         let places = Places::new(self, self.slow(window), lengths[1]);
         let [shorter, longer] = lengths.map(|length| Tried::new(self, &places, length));
         let noise = Tried::new(self, &places, shortest).noise(self, &places);
-        let missed = longer.missed(&shorter, &places, 1, noise);
+        let missed = longer.missed(&shorter, &places, 1, noise, ORDER_OF_KINK);
         let taken = usize::from(longer.length == window);
         (noise * [shorter, longer][taken].gains[1] + missed[taken]).sqrt()
     }
@@ -190,11 +192,11 @@ impl Tried {
     }
 
     /// Mean square of what is missed of a derivative in a shorter window and in this one, with noise of this variance.
-    fn missed(&self, shorter: &Tried, places: &Places, derivative: usize, noise: f64) -> [f64; 2] {
+    fn missed(&self, shorter: &Tried, places: &Places, derivative: usize, noise: f64, order: i32) -> [f64; 2] {
         let change = |number: usize| self.found[number][derivative] - shorter.found[number][derivative];
         let by_noise = noise * (shorter.gains[derivative] - self.gains[derivative]);
         let beyond_noise = places.mean(|number| change(number).powi(2)) - by_noise;
-        let ratio = (shorter.length / self.length).powi(ORDERS[derivative]);
+        let ratio = (shorter.length / self.length).powi(order);
         let missed = beyond_noise.max(0.0) / (1.0 - ratio).powi(2);
         [missed * ratio * ratio, missed]
     }
