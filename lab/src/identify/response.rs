@@ -1,7 +1,7 @@
 //! The response of a law to an experiment, and its sensitivities.
 //!
-//! Between two samples the law is led at their mean velocity and load, which is exact in the displacement; at a sample
-//! it has the velocity and the load of the sample. A record that begins in motion begins in steady sliding; one that
+//! Between two samples the law is led at their mean velocity, load and acceleration, which is exact in the displacement;
+//! at a sample it has those of the sample. A record that begins in motion begins in steady sliding; one that
 //! begins at rest begins with the start values of the law, such as unloaded bristles.
 
 use stribeck::instance::{Instance, Phase, Refused};
@@ -16,13 +16,15 @@ pub(super) struct Ports {
     velocity: usize,
     load: usize,
     force: usize,
+    /// Input of the laws that differ as the contact speeds up or slows down.
+    acceleration: Option<usize>,
 }
 
 impl Ports {
     /// None for a law of a contact that slides in two directions.
     pub fn of(law: &ModelType) -> Option<Ports> {
         let [velocity, load, force] = ["velocity", "normal_force", "friction_force"].map(|name| law.find(name));
-        Some(Ports { velocity: velocity?, load: load?, force: force? })
+        Some(Ports { velocity: velocity?, load: load?, force: force?, acceleration: law.find("acceleration") })
     }
 }
 
@@ -52,12 +54,15 @@ pub(super) fn forces(
     instance.reset();
     instance.set_all(Phase::Setup, values.iter().copied())?;
     instance.check().map_err(Refused::Value)?;
-    let [v, n] = [&experiment.velocity, &experiment.normal_force];
-    let set = |instance: &mut Instance, v: f64, n: f64| {
+    let Experiment { velocity: v, normal_force: n, acceleration: a, .. } = experiment;
+    let set = |instance: &mut Instance, v: f64, n: f64, a: f64| {
+        if let Some(acceleration) = ports.acceleration {
+            instance.set_column(acceleration, a)?;
+        }
         instance.set_column(ports.velocity, v)?;
         instance.set_column(ports.load, n)
     };
-    set(instance, v[0], n[0])?;
+    set(instance, v[0], n[0], a[0])?;
     if let Some(time) = run_up(experiment) {
         instance.step(time).map_err(Refused::NotFinite)?;
     }
@@ -66,10 +71,11 @@ pub(super) fn forces(
     for at in 1..v.len() {
         let step = (experiment.time[at] - experiment.time[at - 1]) / parts as f64;
         for part in 0..parts {
-            set(instance, between(v, at, part, parts), between(n, at, part, parts))?;
+            let [v, n, a] = [v, n, a].map(|values| between(values, at, part, parts));
+            set(instance, v, n, a)?;
             instance.step(step).map_err(Refused::NotFinite)?;
         }
-        set(instance, v[at], n[at])?;
+        set(instance, v[at], n[at], a[at])?;
         found.push(instance.get_column(ports.force)?);
     }
     Ok(found)
@@ -117,12 +123,15 @@ impl Exact {
         for (column, component) in seeds {
             row[*column].slope += component;
         }
-        let [v, n] = [&experiment.velocity, &experiment.normal_force];
-        let set = |row: &mut [Dual], v: f64, n: f64| {
+        let Experiment { velocity: v, normal_force: n, acceleration: a, .. } = experiment;
+        let set = |row: &mut [Dual], v: f64, n: f64, a: f64| {
+            if let Some(acceleration) = ports.acceleration {
+                row[acceleration] = Dual::from(a);
+            }
             row[ports.velocity] = Dual::from(v);
             row[ports.load] = Dual::from(n);
         };
-        set(&mut row, v[0], n[0]);
+        set(&mut row, v[0], n[0], a[0]);
         if let Some(time) = run_up(experiment) {
             (self.step)(&mut row, time);
         }
@@ -131,10 +140,11 @@ impl Exact {
         for at in 1..v.len() {
             let step = (experiment.time[at] - experiment.time[at - 1]) / parts as f64;
             for part in 0..parts {
-                set(&mut row, between(v, at, part, parts), between(n, at, part, parts));
+                let [v, n, a] = [v, n, a].map(|values| between(values, at, part, parts));
+                set(&mut row, v, n, a);
                 (self.step)(&mut row, step);
             }
-            set(&mut row, v[at], n[at]);
+            set(&mut row, v[at], n[at], a[at]);
             (self.output)(&mut row);
             found.push(row[ports.force]);
         }

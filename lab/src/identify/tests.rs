@@ -350,6 +350,29 @@ fn the_law_that_made_the_data_ranks_first_or_is_tied() {
     }
 }
 
+/// The records of the virtual rig follow slopes of the velocity; a fit leads the law through its samples. Where the
+/// acceleration changes its sign, noise may take the other curve; without an acceleration, eight times the noise was left.
+#[test]
+fn laws_that_differ_as_the_contact_speeds_up_explain_their_own_records() {
+    for law in ["NonReversible", "Wojewoda"] {
+        let rig = crate::rig::VirtualRig {
+            law: by_name(law).unwrap(),
+            values: Vec::new(),
+            mass: 2.0,
+            normal_force: 20.0,
+            duration: 2.0,
+            faults: crate::rig::Faults::NOISE,
+            seed: 1,
+        };
+        let known = crate::measured::Rig { mass: 2.0, normal_force: Some(20.0), ..Default::default() };
+        let sheet = crate::sheet::Sheet::parse(&rig.record().unwrap().force).unwrap();
+        let data = Experiment::new(law, &crate::measured::Record::of(&sheet, None, &known).unwrap());
+        let fit = fitted(law, slice::from_ref(&data), &Task { mass: 2.0, ..quick() });
+        let noise = crate::measured::noise(&data.force);
+        assert!(fit.residuals.rms < 3.0 * noise, "{law}: {} N, noise {noise} N", fit.residuals.rms);
+    }
+}
+
 /// A record of friction in which the measured velocity has noise of 0.1 mm/s.
 fn record_of_noisy_velocity(law: &str) -> Experiment {
     let clean = measured(law, &[], &standard(2000), 0.01, 1);
