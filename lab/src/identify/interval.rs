@@ -41,10 +41,9 @@ pub(super) fn profile(problem: &Problem, best: &Found, seen: &Residuals, trust: 
 
 /// The best place, with the others where straight lines expect them for an unknown at a place.
 fn along(problem: &Problem, best: &Found, trust: &Trust, number: usize, place: f64) -> Found {
-    let values = |places: &[f64]| problem.values(places);
     let mut moved = best.clone();
     moved.places[number] = place.clamp(0.0, 1.0);
-    let change = values(&moved.places)[number] - values(&best.places)[number];
+    let change = problem.values(&moved.places)[number] - problem.values(&best.places)[number];
     for other in (0..moved.places.len()).filter(|other| *other != number) {
         let [_, slope] = problem.unknowns[other].value(best.places[other]);
         let expected = change * trust.follows(other, number) / slope.abs().max(f64::MIN_POSITIVE);

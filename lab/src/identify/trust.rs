@@ -114,7 +114,7 @@ pub(super) struct Trust {
     /// Covariance of the values, by both.
     pub covariance: DMatrix<f64>,
     /// The part of it by the noise of the force.
-    gain: DMatrix<f64>,
+    noise_covariance: DMatrix<f64>,
     pub verdicts: Vec<Verdict>,
     /// Sensitivities of the forces.
     pub columns: Vec<Vec<f64>>,
@@ -167,7 +167,7 @@ pub(super) fn residuals(all: &[f64], lengths: &[usize], unknowns: usize, loss: L
 /// on it is not determined either.
 const UNKNOWN: f64 = 10.0;
 
-/// What the data tell of large changes of the unknowns.
+/// Information of the data about the unknowns, in large changes of them.
 fn information(columns: &[Vec<f64>], large: &[f64], variance: f64) -> DMatrix<f64> {
     DMatrix::from_fn(columns.len(), columns.len(), |a, b| {
         let sum: f64 = columns[a].iter().zip(&columns[b]).map(|(a, b)| a * b).sum();
@@ -201,9 +201,9 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
     let is_axis = problem.experiments.iter().any(|one| one.alike.is_some());
     let scaled = spread(&information, &|number| is_axis && problem.unknowns[number].target == Target::Delay);
     let spectrum = information.clone().symmetric_eigen().eigenvalues;
-    let gain = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] * large[a] * large[b]);
-    let blur = blur::blur(problem, places, &columns, &gain.map(|one| one / variance));
-    let covariance = DMatrix::from_fn(count, count, |a, b| gain[(a, b)] + blur[(a, b)]);
+    let noise_covariance = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] * large[a] * large[b]);
+    let blur = blur::blur(problem, places, &columns, &noise_covariance.map(|one| one / variance));
+    let covariance = DMatrix::from_fn(count, count, |a, b| noise_covariance[(a, b)] + blur[(a, b)]);
     let [deviations, blurs] = [&covariance, &blur].map(deviations);
     let correlation = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] / (scaled[(a, a)] * scaled[(b, b)]).sqrt());
     let error = problem.experiments.iter().map(blur::error).fold(0.0, f64::max);
@@ -228,7 +228,7 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
         deviations,
         blurs,
         covariance,
-        gain,
+        noise_covariance,
         correlation,
         columns,
         variance,
@@ -238,12 +238,12 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
 impl Trust {
     /// Standard deviation of an unknown by the noise of the force alone.
     pub fn by_noise(&self, number: usize) -> f64 {
-        self.gain[(number, number)].sqrt()
+        self.noise_covariance[(number, number)].sqrt()
     }
 
     /// Change of the best value of one unknown with the value of another.
     pub fn follows(&self, one: usize, other: usize) -> f64 {
-        self.gain[(one, other)] / self.gain[(other, other)]
+        self.noise_covariance[(one, other)] / self.noise_covariance[(other, other)]
     }
 
     /// Shift of the unknowns that an error of the explained forces causes, in standard deviations; the largest one.
@@ -255,7 +255,7 @@ impl Trust {
     fn shifts(&self, error: &[f64]) -> Vec<f64> {
         let pull = |column: &Vec<f64>| column.iter().zip(error).map(|(a, b)| a * b).sum::<f64>() / self.variance;
         let pull = DVector::from_iterator(self.columns.len(), self.columns.iter().map(pull));
-        let shifts = &self.gain * pull;
+        let shifts = &self.noise_covariance * pull;
         shifts.iter().zip(&self.deviations).map(|(shift, deviation)| (shift / deviation).abs()).collect()
     }
 
