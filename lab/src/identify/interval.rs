@@ -17,27 +17,124 @@ const RISE: f64 = WIDTH * WIDTH;
 /// Trials on the way to an end (chosen).
 const TRIALS: usize = 12;
 
-/// Interval of an unknown: as far as the sum of squares, at the best values of the others, rises by less than noise can
-/// make it, and farther by the error of the velocity. An end at an end of the range is open.
-pub(super) fn profile(problem: &Problem, best: &Found, seen: &Residuals, trust: &Trust, number: usize) -> [f64; 2] {
-    let [value, slope] = problem.unknowns[number].value(best.places[number]);
-    let step = (trust.by_noise(number) / slope.abs().max(f64::MIN_POSITIVE)).clamp(1e-9, 0.5);
-    let variance = seen.rise();
-    let gain = gain(best, seen);
-    let end = |direction: f64| {
+/// A fit at its end.
+pub(super) struct Ended<'a> {
+    pub problem: &'a Problem<'a>,
+    pub best: &'a Found,
+    pub seen: &'a Residuals,
+    pub trust: &'a Trust,
+}
+
+impl Ended<'_> {
+    /// Interval of an unknown: as far as the sum of squares, at the best values of the others, rises by less than noise
+    /// can make it, and farther by the error of the velocity. An end at an end of the range is open. It covers what
+    /// explains the force as well nearby.
+    pub fn profile(&self, number: usize, near: &[Near]) -> [f64; 2] {
+        let value = self.problem.unknowns[number].value(self.best.places[number])[0];
+        let blur = WIDTH * self.trust.blurs[number];
+        let distance = |direction| ((self.end(number, direction) - value).powi(2) + blur * blur).sqrt();
+        let [low, high] = [-1.0, 1.0].map(distance);
+        let around = |[least, most]: [f64; 2], place: &Near| {
+            let (other, part) = (place.values[number], place.part);
+            [least.min(other - part * low), most.max(other + part * high)]
+        };
+        near.iter().fold([value - low, value + high], around)
+    }
+
+    /// Value at which the sum of squares has risen to its limit.
+    fn end(&self, number: usize, direction: f64) -> f64 {
+        let Ended { problem, best, trust, .. } = *self;
+        let mut last: Option<(f64, Found)> = None;
         let rise = |distance: f64| {
             let place = best.places[number] + direction * distance;
-            let from = along(problem, best, trust, number, place);
-            2.0 * (held(problem, &from, number, place, gain).cost - best.cost) / variance
+            let from = match &last {
+                Some((farther, end)) => part_of_the_way(best, end, distance / farther),
+                None => along(problem, best, trust, number, place),
+            };
+            let end = held(problem, &from, number, place, self.gain());
+            let rise = self.rise(&end);
+            last = Some((distance, end));
+            rise
         };
         let most = if direction > 0.0 { 1.0 - best.places[number] } else { best.places[number] };
-        let distance = crossing(rise, WIDTH * step, most);
+        let distance = crossing(rise, WIDTH * self.step(number), most);
         problem.unknowns[number].value(best.places[number] + direction * distance)[0]
-    };
-    let blur = WIDTH * trust.blurs[number];
-    let [low, high] = [end(-1.0), end(1.0)].map(|end| ((end - value).powi(2) + blur * blur).sqrt());
-    [value - low, value + high]
+    }
+
+    /// What explains the force as well with each unknown held elsewhere with which it changes in jumps. Along the joint
+    /// profile of two unknowns, the width of one is that of an ellipse.
+    pub fn near(&self) -> Vec<Near> {
+        let Ended { problem, best, trust, .. } = *self;
+        let mut found = Vec::new();
+        if !trust.verdicts.iter().any(|verdict| matches!(verdict, Verdict::Determined | Verdict::AtMost(_))) {
+            return found;
+        }
+        for number in (0..problem.unknowns.len()).filter(|number| trust.jumps[*number]) {
+            let steps = DISTANCES.iter().flat_map(|distance| [-distance, *distance]);
+            let places = steps.map(|distance| best.places[number] + distance * self.step(number));
+            for place in places.filter(|place| (0.0..=1.0).contains(place)) {
+                let from = along(problem, best, trust, number, place);
+                let end = held(problem, &from, number, place, self.gain());
+                let left = 1.0 - self.rise(&end) / RISE;
+                if left > 0.0 {
+                    found.push(Near { values: problem.values(&end.places), part: left.min(1.0).sqrt() });
+                }
+            }
+        }
+        found
+    }
+
+    /// Rise of the sum of squares from the best place, in variances.
+    fn rise(&self, end: &Found) -> f64 {
+        2.0 * (end.cost - self.best.cost) / self.seen.rise()
+    }
+
+    /// Standard deviation of the place of an unknown by the noise of the force.
+    fn step(&self, number: usize) -> f64 {
+        let [_, slope] = self.problem.unknowns[number].value(self.best.places[number]);
+        (self.trust.by_noise(number) / slope.abs().max(f64::MIN_POSITIVE)).clamp(1e-9, 0.5)
+    }
+
+    /// Unknowns that move when one that the data do not determine is held elsewhere, where the force is explained as
+    /// well: pairs of the one that moves and the one it depends on.
+    pub fn dependent(&self) -> Vec<(usize, usize)> {
+        let Ended { problem, best, trust, .. } = *self;
+        let values = problem.values(&best.places);
+        let mut found = Vec::new();
+        let free = (0..values.len()).filter(|number| matches!(trust.verdicts[*number], Verdict::Undetermined(_)));
+        for (number, place) in free.flat_map(|number| ELSEWHERE.map(|place| (number, place))) {
+            let end = held(problem, best, number, place, self.gain());
+            if self.rise(&end) > RISE {
+                continue;
+            }
+            for (other, (value, moved)) in values.iter().zip(problem.values(&end.places)).enumerate() {
+                let change = (moved - value).abs();
+                let is_far = change > MOVED[0] * trust.deviations[other]
+                    && change > MOVED[1] * problem.unknowns[other].large(*value);
+                if other != number && is_far && found.iter().all(|(known, _)| *known != other) {
+                    found.push((other, number));
+                }
+            }
+        }
+        found
+    }
+
+    /// Gain of a step of least squares, as a part of the cost, from which another one follows.
+    fn gain(&self) -> f64 {
+        UNSEEN * RISE * self.seen.rise() / (2.0 * self.best.cost).max(f64::MIN_POSITIVE)
+    }
 }
+
+/// Values of the unknowns that explain the force about as well as the best ones.
+pub(super) struct Near {
+    values: Vec<f64>,
+    /// Part that is left of the width of the intervals.
+    part: f64,
+}
+
+/// Distances, in standard deviations, at which an unknown is held with which the force changes in jumps (chosen): what the
+/// slopes know of it is too much.
+const DISTANCES: [f64; 7] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0];
 
 /// The best place, with the others where straight lines expect them for an unknown at a place.
 fn along(problem: &Problem, best: &Found, trust: &Trust, number: usize, place: f64) -> Found {
@@ -52,13 +149,23 @@ fn along(problem: &Problem, best: &Found, trust: &Trust, number: usize, place: f
     moved
 }
 
+/// Places on the line from the best place to an end.
+fn part_of_the_way(best: &Found, end: &Found, part: f64) -> Found {
+    let places = best.places.iter().zip(&end.places);
+    let places = places.map(|(best, end)| (best + part * (end - best)).clamp(0.0, 1.0)).collect();
+    Found { places, ..best.clone() }
+}
+
+/// Part of its half width to which an end of an interval is found (chosen).
+const NEAR: f64 = 0.02;
+
 /// The distance, at most `most`, at which the rise reaches its limit. The rise is about a parabola.
-fn crossing(rise: impl Fn(f64) -> f64, first: f64, most: f64) -> f64 {
+fn crossing(mut rise: impl FnMut(f64) -> f64, first: f64, most: f64) -> f64 {
     let (mut inside, mut outside) = (0.0, None);
     let mut distance = first.min(most);
     for _ in 0..TRIALS {
         let found = rise(distance);
-        if (found / RISE - 1.0).abs() < 0.02 {
+        if (found / RISE - 1.0).abs() < 2.0 * NEAR {
             return distance;
         }
         if found < RISE {
@@ -69,11 +176,15 @@ fn crossing(rise: impl Fn(f64) -> f64, first: f64, most: f64) -> f64 {
         } else {
             outside = Some(distance);
         }
+        // Where the force changes in jumps, no distance has that rise.
+        if let Some(outside) = outside.filter(|outside| outside - inside < NEAR * outside) {
+            return outside;
+        }
         let guess = if found > 0.0 { distance * (RISE / found).sqrt() } else { 2.0 * distance };
         distance = match outside {
             Some(outside) if guess <= inside || guess >= outside => 0.5 * (inside + outside),
             Some(_) => guess,
-            None => guess.clamp(1.2 * distance, 4.0 * distance).min(most),
+            None => guess.clamp((1.0 + NEAR) * distance, 4.0 * distance).min(most),
         };
     }
     distance
@@ -85,40 +196,8 @@ const ELSEWHERE: [f64; 4] = [0.1, 0.37, 0.63, 0.9];
 /// Movement, in standard deviations and as a part of a large change, from which an unknown depends on another (chosen).
 const MOVED: [f64; 2] = [3.0, 0.1];
 
-/// Unknowns that move when one that the data do not determine is held elsewhere, where the force is explained as well:
-/// pairs of the one that moves and the one it depends on.
-pub(super) fn dependent(problem: &Problem, best: &Found, seen: &Residuals, trust: &Trust) -> Vec<(usize, usize)> {
-    let values = problem.values(&best.places);
-    let variance = seen.rise();
-    let gain = gain(best, seen);
-    let mut found = Vec::new();
-    let free = (0..values.len()).filter(|number| matches!(trust.verdicts[*number], Verdict::Undetermined(_)));
-    for number in free {
-        for place in ELSEWHERE {
-            let end = held(problem, best, number, place, gain);
-            if 2.0 * (end.cost - best.cost) / variance > RISE {
-                continue;
-            }
-            for (other, (value, moved)) in values.iter().zip(problem.values(&end.places)).enumerate() {
-                let change = (moved - value).abs();
-                let is_far = change > MOVED[0] * trust.deviations[other]
-                    && change > MOVED[1] * problem.unknowns[other].large(*value);
-                if other != number && is_far && found.iter().all(|(known, _)| *known != other) {
-                    found.push((other, number));
-                }
-            }
-        }
-    }
-    found
-}
-
 /// Part of the rise at the end of an interval that a step of least squares on the way there need not gain (chosen).
-const UNSEEN: f64 = 1e-3;
-
-/// The same as a part of the cost.
-fn gain(best: &Found, seen: &Residuals) -> f64 {
-    UNSEEN * RISE * seen.rise() / (2.0 * best.cost).max(f64::MIN_POSITIVE)
-}
+const UNSEEN: f64 = 1e-2;
 
 /// The best place with an unknown held at a part of its range, from a place on.
 fn held(problem: &Problem, from: &Found, number: usize, place: f64, gain: f64) -> Found {
@@ -173,4 +252,104 @@ pub(super) fn quantiles(mut values: Vec<f64>) -> [f64; 2] {
     values.sort_by(f64::total_cmp);
     let at = |share: f64| values[((share * values.len() as f64) as usize).min(values.len() - 1)];
     [at(0.025), at(0.975)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::search::Searches;
+    use super::super::tests::{fitted, measured, quick, standard, whole_problem};
+    use super::super::trust::residuals;
+    use super::super::{Fit, Verdict, doubted};
+    use super::*;
+
+    fn of<'a>(fit: &'a Fit, name: &str) -> &'a super::super::Estimate {
+        fit.estimates.iter().find(|one| one.name == name).unwrap()
+    }
+
+    /// A residual sum that rises as a parabola or in stairs.
+    #[test]
+    fn an_end_is_found_near_a_given_rise() {
+        let parabola = crossing(|distance| RISE * (distance / 3.0).powi(2), 1.0, 100.0);
+        assert!((parabola / 3.0 - 1.0).abs() <= NEAR, "{parabola}");
+        // A stair of 0.2 has no such rise; the limit is passed at 5.
+        let mut calls = 0;
+        let mut stairs = |distance: f64| {
+            calls += 1;
+            if distance < 5.0 { 0.1 * distance } else { 2.0 * RISE }
+        };
+        let end = crossing(&mut stairs, 1.0, 100.0);
+        assert!((5.0..=5.0 * (1.0 + NEAR)).contains(&end) && calls < TRIALS, "{end} {calls}");
+        assert_eq!(crossing(|_| 0.0, 1.0, 2.5), 2.5);
+    }
+
+    /// Coarse samples of a fast relaxation: whole intervals are far off, and yet they give the same ends.
+    #[test]
+    fn intervals_that_are_not_divided_give_the_same_ends() {
+        let data = [measured("MaxwellSlip", &[], &standard(600), 0.01, 3)];
+        let mut problem = whole_problem("MaxwellSlip", &data);
+        problem.parts = 8;
+        let start = |name: &str| problem.law.table.at(problem.law.find(name).unwrap()).start;
+        let place = |number: usize| {
+            let unknown = &problem.unknowns[number];
+            let truth =
+                if unknown.name == "mu_s - mu_k" { start("mu_s") - start("mu_k") } else { start(&unknown.name) };
+            let (mut low, mut high) = (0.0, 1.0);
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if unknown.value(middle)[0] < truth { low = middle } else { high = middle }
+            }
+            low
+        };
+        let places = (0..problem.unknowns.len()).map(place).collect();
+        let best = polish(&problem, &problem.judge(Found { places, cost: 0.0, evaluations: 0 }));
+        let left = problem.residuals(&best.places).unwrap();
+        let seen = residuals(&left, &problem.lengths(), problem.unknowns.len(), problem.loss);
+        let trust = doubted(&problem, &best, &seen, false, Searches::Agree, &[]);
+        let quick = problem.undivided(&best.places).unwrap();
+        let coarse = Problem { parts: 1, ..problem.clone() }.judge(best.clone());
+        let number = problem.unknowns.iter().position(|one| one.name == "sigma_0").unwrap();
+        assert!(2.0 * (coarse.cost - best.cost) / seen.rise() > RISE, "{} {}", coarse.cost, best.cost);
+        let [whole, quick] = [&problem, &quick].map(|problem| {
+            let best = problem.judge(best.clone());
+            Ended { problem, best: &best, seen: &seen, trust: &trust }.profile(number, &[])
+        });
+        let width = whole[1] - whole[0];
+        assert!(whole.iter().zip(quick).all(|(a, b)| (a - b).abs() < 0.03 * width), "{whole:?} {quick:?}");
+    }
+
+    /// The bond of ResetIntegrator breaks between two samples: its stiffness moves the force in jumps, and the damping is
+    /// known only as far as the stiffness is.
+    #[test]
+    fn an_interval_covers_what_explains_the_force_as_well_nearby() {
+        let data = [measured("ResetIntegrator", &[], &standard(2000), 0.01, 2)];
+        let fit = fitted("ResetIntegrator", &data, &super::super::Task { profiles: true, ..quick() });
+        assert!(of(&fit, "sigma_0").verdict.to_string().contains("in jumps"), "{:?}", of(&fit, "sigma_0").verdict);
+        let damping = of(&fit, "sigma_1");
+        assert_eq!(damping.verdict, Verdict::Determined);
+        let [low, high] = damping.interval();
+        // Other pairs of both on a grid, with the levels at their best values: a part of the joint region.
+        let problem = whole_problem("ResetIntegrator", &data);
+        let column = |name: &str| problem.law.find(name).unwrap();
+        let cost = |stiffness: f64, damping: f64| {
+            let mut columns = fit.columns.clone();
+            columns.push((column("sigma_0"), stiffness));
+            columns.push((column("sigma_1"), damping));
+            let mut instance = stribeck::instance::Instance::new(problem.law);
+            let forces = super::super::response::forces(&mut instance, problem.ports, &columns, &data[0], fit.parts);
+            forces.unwrap().iter().zip(&data[0].force).map(|(a, b)| (a - b).powi(2)).sum::<f64>()
+        };
+        let stiffness = of(&fit, "sigma_0").value;
+        let (least, variance) = (cost(stiffness, damping.value), fit.residuals.variance());
+        let mut reached = [damping.value; 2];
+        for part in -30..=30 {
+            for other in 0..=60 {
+                let [stiffness, damping] = [stiffness * (1.0 + 5e-4 * f64::from(part)), 200.0 + 4.0 * f64::from(other)];
+                if cost(stiffness, damping) - least < 0.5 * RISE * variance {
+                    reached = [reached[0].min(damping), reached[1].max(damping)];
+                }
+            }
+        }
+        assert!(reached[1] - reached[0] > 4.0, "{reached:?}");
+        assert!(low <= reached[0] && reached[1] <= high, "{low} {high} {reached:?}");
+    }
 }

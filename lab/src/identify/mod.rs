@@ -52,8 +52,7 @@ pub use unknown::{Scale, Target, Unknown, Wishes};
 pub use unseen::{Unseen, held_out};
 
 use crate::system::Fault;
-use estimate::Ended;
-use interval::{dependent, repetitions};
+use interval::{Ended, repetitions};
 use loss::Loss;
 use problem::Problem;
 use response::{Exact, Ports};
@@ -469,10 +468,13 @@ fn finish(problem: &Problem, task: &Task, watch: Watch, best: &Found, doubts: &D
     let is_ended = || watch.cancel.load(Ordering::Relaxed);
     let trust =
         doubted(problem, best, &seen, task.profiles && !is_ended(), searches.believed(task.method), &doubts.ends);
-    let repeated = repetitions(problem, best, &seen, task.repetitions, task.seed, watch);
+    let undivided = if problem.parts > 1 { problem.undivided(&best.places) } else { None };
+    let quick = undivided.as_ref().unwrap_or(problem);
+    let best_quick = quick.judge(best.clone());
+    let repeated = repetitions(quick, &best_quick, &seen, task.repetitions, task.seed, watch);
     let is_cancelled = is_ended();
-    let estimates =
-        Ended { problem, best, seen: &seen, trust: &trust }.estimates(task.profiles && !is_cancelled, &repeated);
+    let ended = Ended { problem: quick, best: &best_quick, seen: &seen, trust: &trust };
+    let estimates = ended.estimates(task.profiles && !is_cancelled, &repeated);
     let point = problem.point(&best.places);
     let explained = problem.explained(&mut Instance::new(problem.law), &point, problem.parts);
     let explained = explained.map_err(|reason| refused(reason.to_string()))?;
@@ -515,7 +517,7 @@ fn doubted(
     if let Some(reason) = searches.doubt() {
         trust.verdicts.iter_mut().for_each(|verdict| *verdict = Verdict::Undetermined(reason.to_owned()));
     } else if profiles {
-        for (number, other) in dependent(problem, best, seen, &trust) {
+        for (number, other) in (Ended { problem, best, seen, trust: &trust }).dependent() {
             let name = &problem.unknowns[other].name;
             trust.verdicts[number] = Verdict::Undetermined(format!("it depends on {name}, which is not determined"));
         }

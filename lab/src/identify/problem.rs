@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use basin::{
     BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix, Jacobian, Residual,
 };
+use nalgebra::{DMatrix, DVector};
 use stribeck::instance::{Instance, Phase, Refused};
 use stribeck::model::ModelType;
 
@@ -35,7 +36,7 @@ pub(super) struct Problem<'a> {
     pub parts: usize,
     /// Unknowns that are held at a place, for profiles.
     pub pinned: Vec<Option<f64>>,
-    /// Forces that are fitted instead of the measured ones, for repetitions.
+    /// Forces that are fitted instead of the measured ones.
     pub instead: Option<Vec<f64>>,
     pub low: Vec<f64>,
     pub high: Vec<f64>,
@@ -47,6 +48,23 @@ const REFUSED: f64 = 1e9;
 /// Step of central differences of a place: about a hundredth of a value on a logarithmic scale (chosen), so that a law
 /// whose memory has the steps of the samples moves by more than one of them.
 const STEP: f64 = 1e-3;
+
+/// What columns cannot explain of values; None if they do not differ from each other.
+fn beyond(columns: &[Vec<f64>], mut values: Vec<f64>) -> Option<Vec<f64>> {
+    let sizes: Vec<f64> = columns.iter().map(|column| dot(column, column).sqrt().max(f64::MIN_POSITIVE)).collect();
+    let count = columns.len();
+    let alike = DMatrix::from_fn(count, count, |a, b| dot(&columns[a], &columns[b]) / (sizes[a] * sizes[b]));
+    let pull = DVector::from_fn(count, |a, _| dot(&columns[a], &values) / sizes[a]);
+    let parts = alike.cholesky()?.solve(&pull);
+    for (column, (part, size)) in columns.iter().zip(parts.iter().zip(&sizes)) {
+        values.iter_mut().zip(column).for_each(|(value, slope)| *value -= part / size * slope);
+    }
+    Some(values)
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
 
 /// Values of the unknowns as a law and a rig take them.
 pub(super) struct Point {
@@ -162,6 +180,21 @@ impl Problem<'_> {
         let explained = self.explained(&mut instance, &self.point(places), self.parts).ok()?;
         let explained = self.counting(explained);
         Some(explained.iter().zip(self.measured()).map(|(explained, measured)| explained - measured).collect())
+    }
+
+    /// The same with intervals between samples that are not divided, and with forces that have their least squares at the
+    /// same place, with the same residuals as far as the unknowns cannot explain them. Near the place, the error of the
+    /// steps hardly changes.
+    pub fn undivided(&self, places: &[f64]) -> Option<Problem<'_>> {
+        let quick = Problem { parts: 1, instead: None, ..self.clone() };
+        let [coarse, left] = [quick.residuals(places)?, self.residuals(places)?];
+        let inside = (0..places.len()).filter(|number| places[*number] > 0.0 && places[*number] < 1.0);
+        let columns: Vec<Vec<f64>> = inside.map(|number| quick.sensitivity(places, number)).collect();
+        let left = beyond(&columns, left)?;
+        let measured = quick.measured();
+        let explained = measured.iter().zip(&coarse).map(|(force, residual)| force + residual);
+        let forces = explained.zip(&left).map(|(force, residual)| force - residual).collect();
+        Some(Problem { instead: Some(forces), ..quick })
     }
 
     /// Derivatives of the residuals with respect to the value of each unknown, a column for each.

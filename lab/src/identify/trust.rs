@@ -116,6 +116,8 @@ pub(super) struct Trust {
     /// The part of it by the noise of the force.
     noise_covariance: DMatrix<f64>,
     pub verdicts: Vec<Verdict>,
+    /// Whether the force changes in jumps with an unknown that it determines otherwise.
+    pub jumps: Vec<bool>,
     /// Sensitivities of the forces.
     pub columns: Vec<Vec<f64>>,
     /// Variance of the noise, as of independent samples.
@@ -189,6 +191,13 @@ fn is_within(unknown: &Unknown, value: f64, error: f64) -> bool {
     }
 }
 
+/// The other unknown with which the data tell an unknown only together.
+fn partner(correlation: &DMatrix<f64>, number: usize) -> Option<usize> {
+    let size = |other: &usize| correlation[(number, *other)].abs();
+    let others = (0..correlation.nrows()).filter(|other| *other != number && size(other) > TOGETHER);
+    others.max_by(|a, b| size(a).total_cmp(&size(b)))
+}
+
 /// Looks at the sensitivities of the unknowns at places.
 pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trust {
     let values = problem.values(places);
@@ -207,23 +216,23 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
     let [deviations, blurs] = [&covariance, &blur].map(deviations);
     let correlation = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] / (scaled[(a, a)] * scaled[(b, b)]).sqrt());
     let error = problem.experiments.iter().map(blur::error).fold(0.0, f64::max);
+    let known: Vec<f64> = scaled.diagonal().iter().map(|one| one.sqrt()).collect();
+    let is_jumpy = |number: usize| {
+        let by_noise = known[number] * large[number];
+        known[number] <= DETERMINED && !is_smooth(problem, places, seen, number, by_noise, &columns[number])
+    };
+    let jumps: Vec<bool> = (0..count).map(is_jumpy).collect();
     let verdict = |number: usize| {
         let alone = 1.0 / (1.0 + information[(number, number)]).sqrt();
-        let partner = (0..count)
-            .filter(|other| *other != number && correlation[(number, *other)].abs() > TOGETHER)
-            .max_by(|a, b| correlation[(number, *a)].abs().total_cmp(&correlation[(number, *b)].abs()))
-            .map(|other| problem.unknowns[other].name.as_str());
-        let known = scaled[(number, number)].sqrt();
-        let deviation = deviations[number];
-        let is_blurred =
-            deviation > DETERMINED * large[number] || is_within(&problem.unknowns[number], values[number], error);
-        let one = Known { value: values[number], place: places[number], known, deviation, alone, is_blurred };
-        let by_noise = known * large[number];
-        let is_smooth = known > DETERMINED || is_smooth(problem, places, seen, number, by_noise, &columns[number]);
-        verdict(&problem.unknowns[number], &one, partner, is_smooth)
+        let partner = partner(&correlation, number).map(|other| problem.unknowns[other].name.as_str());
+        let [value, deviation, known] = [values[number], deviations[number], known[number]];
+        let is_blurred = deviation > DETERMINED * large[number] || is_within(&problem.unknowns[number], value, error);
+        let one = Known { value, place: places[number], known, deviation, alone, is_blurred };
+        verdict(&problem.unknowns[number], &one, partner, !jumps[number])
     };
     Trust {
         verdicts: (0..count).map(verdict).collect(),
+        jumps,
         condition: (spectrum.max() / spectrum.min().max(f64::MIN_POSITIVE)).sqrt(),
         deviations,
         blurs,
