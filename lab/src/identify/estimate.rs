@@ -2,7 +2,7 @@
 
 use stribeck::number::Real;
 
-use super::interval::{Ended, Near, quantiles};
+use super::interval::{Ended, quantiles};
 use super::trust::{DETERMINED, Verdict, WIDTH};
 use super::unknown::{Scale, Target, Unknown};
 
@@ -54,20 +54,18 @@ impl Ended<'_> {
     pub fn estimates(&self, profiles: bool, places: &[Vec<f64>]) -> Vec<Estimate> {
         let values = self.problem.values(&self.best.places);
         let repeated = Repeated(places.iter().map(|places| self.problem.values(places)).collect());
-        let near = if profiles { self.near() } else { Vec::new() };
-        let one = |number: usize| self.estimate(number, values[number], profiles.then_some(&near), &repeated);
+        let one = |number: usize| self.estimate(number, values[number], profiles, &repeated);
         let mut list: Vec<Estimate> = (0..values.len()).map(one).collect();
         let level = self.static_level(&values, &list, &repeated);
         list.extend(level);
         list
     }
 
-    fn estimate(&self, number: usize, value: f64, near: Option<&Vec<Near>>, repeated: &Repeated) -> Estimate {
+    fn estimate(&self, number: usize, value: f64, profiles: bool, repeated: &Repeated) -> Estimate {
         let unknown = &self.problem.unknowns[number];
         let deviation = self.trust.deviations[number];
         let verdict = self.trust.verdicts[number].clone();
-        let is_told = matches!(verdict, Verdict::Determined | Verdict::AtMost(_));
-        let profile = near.filter(|_| is_told).map(|near| self.profile(number, near));
+        let profile = (profiles && verdict.is_told()).then(|| self.profile(number));
         let verdict = match profile {
             Some(ends) if is_open(unknown, value, ends) => Verdict::Undetermined(format!(
                 "other values of the others explain the force as well, with {} from {:.3e} to {:.3e}",

@@ -9,7 +9,7 @@ use std::sync::atomic::Ordering;
 
 use super::problem::Problem;
 use super::search::{Found, Watch, polish, polish_until};
-use super::trust::{Residuals, Trust, Verdict, WIDTH};
+use super::trust::{Elsewhere, Residuals, Trust, Verdict, WIDTH};
 
 /// Rise of the sum of squares, in variances, at the ends of an interval that holds in 95 % of cases.
 const RISE: f64 = WIDTH * WIDTH;
@@ -28,17 +28,18 @@ pub(super) struct Ended<'a> {
 impl Ended<'_> {
     /// Interval of an unknown: as far as the sum of squares, at the best values of the others, rises by less than noise
     /// can make it, and farther by the error of the velocity. An end at an end of the range is open. It covers what
-    /// explains the force as well nearby.
-    pub fn profile(&self, number: usize, near: &[Near]) -> [f64; 2] {
+    /// explains the force as well elsewhere: along the joint profile of two unknowns, the width of one is that of an
+    /// ellipse.
+    pub fn profile(&self, number: usize) -> [f64; 2] {
         let value = self.problem.unknowns[number].value(self.best.places[number])[0];
         let blur = WIDTH * self.trust.blurs[number];
         let distance = |direction| ((self.end(number, direction) - value).powi(2) + blur * blur).sqrt();
         let [low, high] = [-1.0, 1.0].map(distance);
-        let around = |[least, most]: [f64; 2], place: &Near| {
-            let (other, part) = (place.values[number], place.part);
+        let around = |[least, most]: [f64; 2], place: &Elsewhere| {
+            let (other, part) = (self.problem.values(&place.end.places)[number], place.part);
             [least.min(other - part * low), most.max(other + part * high)]
         };
-        near.iter().fold([value - low, value + high], around)
+        self.trust.elsewhere.iter().fold([value - low, value + high], around)
     }
 
     /// Value at which the sum of squares has risen to its limit.
@@ -61,23 +62,25 @@ impl Ended<'_> {
         problem.unknowns[number].value(best.places[number] + direction * distance)[0]
     }
 
-    /// What explains the force as well with each unknown held elsewhere with which it changes in jumps. Along the joint
-    /// profile of two unknowns, the width of one is that of an ellipse.
-    pub fn near(&self) -> Vec<Near> {
+    /// What explains the force as well with each unknown held elsewhere that the data do not determine: far from the best
+    /// place, and close to it if the force changes with it in jumps.
+    pub fn elsewhere(&self) -> Vec<Elsewhere> {
         let Ended { problem, best, trust, .. } = *self;
+        let is_free = |number: &usize| matches!(trust.verdicts[*number], Verdict::Undetermined(_));
         let mut found = Vec::new();
-        if !trust.verdicts.iter().any(|verdict| matches!(verdict, Verdict::Determined | Verdict::AtMost(_))) {
+        if !trust.verdicts.iter().any(Verdict::is_told) {
             return found;
         }
-        for number in (0..problem.unknowns.len()).filter(|number| trust.jumps[*number]) {
-            let steps = DISTANCES.iter().flat_map(|distance| [-distance, *distance]);
-            let places = steps.map(|distance| best.places[number] + distance * self.step(number));
-            for place in places.filter(|place| (0.0..=1.0).contains(place)) {
-                let from = along(problem, best, trust, number, place);
+        for number in (0..problem.unknowns.len()).filter(is_free) {
+            let steps = DISTANCES.iter().flat_map(|distance| [-distance, *distance]).filter(|_| trust.jumps[number]);
+            let close = steps.map(|distance| best.places[number] + distance * self.step(number));
+            let close = close.filter(|place| (0.0..=1.0).contains(place));
+            let starts = close.map(|place| (place, along(problem, best, trust, number, place)));
+            for (place, from) in FAR.map(|place| (place, best.clone())).into_iter().chain(starts) {
                 let end = held(problem, &from, number, place, self.gain());
                 let left = 1.0 - self.rise(&end) / RISE;
                 if left > 0.0 {
-                    found.push(Near { values: problem.values(&end.places), part: left.min(1.0).sqrt() });
+                    found.push(Elsewhere { number, end, part: left.min(1.0).sqrt() });
                 }
             }
         }
@@ -95,24 +98,18 @@ impl Ended<'_> {
         (self.trust.by_noise(number) / slope.abs().max(f64::MIN_POSITIVE)).clamp(1e-9, 0.5)
     }
 
-    /// Unknowns that move when one that the data do not determine is held elsewhere, where the force is explained as
-    /// well: pairs of the one that moves and the one it depends on.
+    /// Unknowns that move when one that the data do not determine is held elsewhere: pairs of the one that moves and the
+    /// one it depends on.
     pub fn dependent(&self) -> Vec<(usize, usize)> {
-        let Ended { problem, best, trust, .. } = *self;
-        let values = problem.values(&best.places);
-        let mut found = Vec::new();
-        let free = (0..values.len()).filter(|number| matches!(trust.verdicts[*number], Verdict::Undetermined(_)));
-        for (number, place) in free.flat_map(|number| ELSEWHERE.map(|place| (number, place))) {
-            let end = held(problem, best, number, place, self.gain());
-            if self.rise(&end) > RISE {
-                continue;
-            }
-            for (other, (value, moved)) in values.iter().zip(problem.values(&end.places)).enumerate() {
+        let values = self.problem.values(&self.best.places);
+        let mut found: Vec<(usize, usize)> = Vec::new();
+        for place in &self.trust.elsewhere {
+            for (other, (value, moved)) in values.iter().zip(self.problem.values(&place.end.places)).enumerate() {
                 let change = (moved - value).abs();
-                let is_far = change > MOVED[0] * trust.deviations[other]
-                    && change > MOVED[1] * problem.unknowns[other].large(*value);
-                if other != number && is_far && found.iter().all(|(known, _)| *known != other) {
-                    found.push((other, number));
+                let is_far = change > MOVED[0] * self.trust.deviations[other]
+                    && change > MOVED[1] * self.problem.unknowns[other].large(*value);
+                if other != place.number && is_far && found.iter().all(|(known, _)| *known != other) {
+                    found.push((other, place.number));
                 }
             }
         }
@@ -125,16 +122,12 @@ impl Ended<'_> {
     }
 }
 
-/// Values of the unknowns that explain the force about as well as the best ones.
-pub(super) struct Near {
-    values: Vec<f64>,
-    /// Part that is left of the width of the intervals.
-    part: f64,
-}
-
 /// Distances, in standard deviations, at which an unknown is held with which the force changes in jumps (chosen): what the
 /// slopes know of it is too much.
 const DISTANCES: [f64; 7] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0];
+
+/// Places, as parts of its range, at which an unknown that the data do not determine is held.
+const FAR: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
 /// The best place, with the others where straight lines expect them for an unknown at a place.
 fn along(problem: &Problem, best: &Found, trust: &Trust, number: usize, place: f64) -> Found {
@@ -189,9 +182,6 @@ fn crossing(mut rise: impl FnMut(f64) -> f64, first: f64, most: f64) -> f64 {
     }
     distance
 }
-
-/// Places, as parts of its range, at which an unknown that the data do not determine is held.
-const ELSEWHERE: [f64; 4] = [0.1, 0.37, 0.63, 0.9];
 
 /// Movement, in standard deviations and as a part of a large change, from which an unknown depends on another (chosen).
 const MOVED: [f64; 2] = [3.0, 0.1];
@@ -256,13 +246,37 @@ pub(super) fn quantiles(mut values: Vec<f64>) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::AtomicBool;
+
     use super::super::search::Searches;
     use super::super::tests::{fitted, measured, quick, standard, whole_problem};
     use super::super::trust::residuals;
-    use super::super::{Fit, Verdict, doubted};
+    use super::super::unknown::Unknown;
+    use super::super::{Estimate, Fit, Task, Verdict, doubted, judge};
     use super::*;
 
-    fn of<'a>(fit: &'a Fit, name: &str) -> &'a super::super::Estimate {
+    /// Places of the start values of a law, but for some of them.
+    fn places(problem: &Problem, others: &[(&str, f64)]) -> Vec<f64> {
+        let start = |name: &str| problem.law.table.at(problem.law.find(name).unwrap()).start;
+        let place = |unknown: &Unknown| {
+            let usual =
+                if unknown.name == "mu_s - mu_k" { start("mu_s") - start("mu_k") } else { start(&unknown.name) };
+            let value = others.iter().find(|(name, _)| *name == unknown.name).map_or(usual, |(_, value)| *value);
+            let (mut low, mut high) = (0.0, 1.0);
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if unknown.value(middle)[0] < value { low = middle } else { high = middle }
+            }
+            low
+        };
+        problem.unknowns.iter().map(place).collect()
+    }
+
+    fn polished(problem: &Problem, places: Vec<f64>) -> Found {
+        polish(problem, &problem.judge(Found { places, cost: 0.0, evaluations: 0 }))
+    }
+
+    fn of<'a>(fit: &'a Fit, name: &str) -> &'a Estimate {
         fit.estimates.iter().find(|one| one.name == name).unwrap()
     }
 
@@ -288,20 +302,7 @@ mod tests {
         let data = [measured("MaxwellSlip", &[], &standard(600), 0.01, 3)];
         let mut problem = whole_problem("MaxwellSlip", &data);
         problem.parts = 8;
-        let start = |name: &str| problem.law.table.at(problem.law.find(name).unwrap()).start;
-        let place = |number: usize| {
-            let unknown = &problem.unknowns[number];
-            let truth =
-                if unknown.name == "mu_s - mu_k" { start("mu_s") - start("mu_k") } else { start(&unknown.name) };
-            let (mut low, mut high) = (0.0, 1.0);
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                if unknown.value(middle)[0] < truth { low = middle } else { high = middle }
-            }
-            low
-        };
-        let places = (0..problem.unknowns.len()).map(place).collect();
-        let best = polish(&problem, &problem.judge(Found { places, cost: 0.0, evaluations: 0 }));
+        let best = polished(&problem, places(&problem, &[]));
         let left = problem.residuals(&best.places).unwrap();
         let seen = residuals(&left, &problem.lengths(), problem.unknowns.len(), problem.loss);
         let trust = doubted(&problem, &best, &seen, false, Searches::Agree, &[]);
@@ -311,10 +312,26 @@ mod tests {
         assert!(2.0 * (coarse.cost - best.cost) / seen.rise() > RISE, "{} {}", coarse.cost, best.cost);
         let [whole, quick] = [&problem, &quick].map(|problem| {
             let best = problem.judge(best.clone());
-            Ended { problem, best: &best, seen: &seen, trust: &trust }.profile(number, &[])
+            Ended { problem, best: &best, seen: &seen, trust: &trust }.profile(number)
         });
         let width = whole[1] - whole[0];
         assert!(whole.iter().zip(quick).all(|(a, b)| (a - b).abs() < 0.03 * width), "{whole:?} {quick:?}");
+    }
+
+    /// A curve without transition behind a stiff spring is the best of all places around it, and far from the truth.
+    #[test]
+    fn a_place_that_explains_more_is_found_elsewhere() {
+        let data = [measured("SpeckerDynamic", &[], &standard(2000), 0.01, 3)];
+        let problem = whole_problem("SpeckerDynamic", &data);
+        let [truth, other] = [&[][..], &[("transition_velocity", 3e-6), ("sigma_0", 7e6)]]
+            .map(|others| polished(&problem, places(&problem, others)));
+        let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
+        let judged = |best: &Found| judge(&problem, best, &Task::default(), watch, Searches::Agree, &[]).unwrap();
+        let wrong = judged(&other);
+        assert!(other.cost - truth.cost > 10.0 * wrong.seen.rise(), "{} {}", other.cost, truth.cost);
+        let found = polish(&problem, wrong.better(&other).unwrap());
+        assert!((found.cost / truth.cost - 1.0).abs() < 1e-6, "{} {}", found.cost, truth.cost);
+        assert!(judged(&truth).better(&truth).is_none());
     }
 
     /// The bond of ResetIntegrator breaks between two samples: its stiffness moves the force in jumps, and the damping is
@@ -322,7 +339,7 @@ mod tests {
     #[test]
     fn an_interval_covers_what_explains_the_force_as_well_nearby() {
         let data = [measured("ResetIntegrator", &[], &standard(2000), 0.01, 2)];
-        let fit = fitted("ResetIntegrator", &data, &super::super::Task { profiles: true, ..quick() });
+        let fit = fitted("ResetIntegrator", &data, &Task { profiles: true, ..quick() });
         assert!(of(&fit, "sigma_0").verdict.to_string().contains("in jumps"), "{:?}", of(&fit, "sigma_0").verdict);
         let damping = of(&fit, "sigma_1");
         assert_eq!(damping.verdict, Verdict::Determined);

@@ -344,12 +344,23 @@ fn fit_from(
         best = polish(&problem, &problem.judge(best));
         (best, shift) = refine(&mut problem, best, task, watch);
     }
-    let mut fit = finish(&problem, task, watch, &best, &Doubts { searches, ends, shift })?;
+    let mut judged = judge(&problem, &best, task, watch, searches, &ends)?;
+    for _ in 0..RETURNS {
+        let Some(better) = judged.better(&best) else { break };
+        best = polish(&problem, better);
+        (best, shift) = refine(&mut problem, best, task, watch);
+        judged = judge(&problem, &best, task, watch, searches, &ends)?;
+    }
+    let mut fit = finish(&problem, task, watch, &best, &judged, shift)?;
     if task.folds > 0 && !fit.is_cancelled && !is_far {
         fit.saw(folds(law, experiments, task.folds, task, watch)?);
     }
     Ok(fit)
 }
+
+/// How often a fit goes on from a better place that is found while it is judged (chosen): the searches see fewer samples
+/// and intervals that are not divided, and may agree on another place.
+const RETURNS: usize = 3;
 
 /// The experiments with the samples left out that are at rest with the delay that was found; None if they are the same.
 fn at_rest_anew(problem: &Problem, places: &[f64]) -> Option<Vec<Experiment>> {
@@ -450,44 +461,72 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
     })
 }
 
-/// Unknowns that the searches leave open.
-struct Doubts {
+/// A best place with what is left there, and how far it can be trusted.
+struct Judged {
     searches: Searches,
-    /// Places at which the two best ended.
-    ends: Vec<Vec<f64>>,
-    /// Shift of the unknowns if the intervals between samples are divided once more, in standard deviations.
-    shift: f64,
+    seen: Residuals,
+    trust: Trust,
 }
 
-/// Everything about a best place.
-fn finish(problem: &Problem, task: &Task, watch: Watch, best: &Found, doubts: &Doubts) -> Result<Fit, Fault> {
-    let searches = doubts.searches;
-    let refused = |reason: String| Fault::value(format_args!("{}: {reason}", problem.law.name));
-    let left = problem.residuals(&best.places).ok_or_else(|| refused("the law is refused at the best place".into()))?;
+impl Judged {
+    /// A place that explains the force better, by more than the noise of a sample.
+    fn better(&self, best: &Found) -> Option<&Found> {
+        let ends = self.trust.elsewhere.iter().map(|place| &place.end);
+        let least = ends.min_by(|a, b| a.cost.total_cmp(&b.cost))?;
+        (2.0 * (best.cost - least.cost) > self.seen.rise()).then_some(least)
+    }
+}
+
+/// Judges a best place. `ends` are the places at which the two best searches ended.
+fn judge(
+    problem: &Problem,
+    best: &Found,
+    task: &Task,
+    watch: Watch,
+    searches: Searches,
+    ends: &[Vec<f64>],
+) -> Result<Judged, Fault> {
+    let Some(left) = problem.residuals(&best.places) else {
+        return Err(Fault::value(format_args!("{}: the law is refused at the best place", problem.law.name)));
+    };
     let seen = residuals(&left, &problem.lengths(), problem.unknowns.len(), problem.loss);
+    let profiles = task.profiles && !watch.cancel.load(Ordering::Relaxed);
+    let trust = doubted(problem, best, &seen, profiles, searches.believed(task.method), ends);
+    Ok(Judged { searches, seen, trust })
+}
+
+/// Everything about a best place. `shift` is that of the unknowns if the intervals between samples are divided once more,
+/// in standard deviations.
+fn finish(
+    problem: &Problem,
+    task: &Task,
+    watch: Watch,
+    best: &Found,
+    judged: &Judged,
+    shift: f64,
+) -> Result<Fit, Fault> {
+    let Judged { searches, seen, trust } = judged;
     let is_ended = || watch.cancel.load(Ordering::Relaxed);
-    let trust =
-        doubted(problem, best, &seen, task.profiles && !is_ended(), searches.believed(task.method), &doubts.ends);
     let undivided = if problem.parts > 1 { problem.undivided(&best.places) } else { None };
     let quick = undivided.as_ref().unwrap_or(problem);
     let best_quick = quick.judge(best.clone());
-    let repeated = repetitions(quick, &best_quick, &seen, task.repetitions, task.seed, watch);
+    let repeated = repetitions(quick, &best_quick, seen, task.repetitions, task.seed, watch);
     let is_cancelled = is_ended();
-    let ended = Ended { problem: quick, best: &best_quick, seen: &seen, trust: &trust };
+    let ended = Ended { problem: quick, best: &best_quick, seen, trust };
     let estimates = ended.estimates(task.profiles && !is_cancelled, &repeated);
     let point = problem.point(&best.places);
     let explained = problem.explained(&mut Instance::new(problem.law), &point, problem.parts);
-    let explained = explained.map_err(|reason| refused(reason.to_string()))?;
+    let explained = explained.map_err(|reason| Fault::value(format_args!("{}: {reason}", problem.law.name)))?;
     let of_matrix = |row: usize| trust.correlation.row(row).iter().copied().collect();
     Ok(Fit {
         law: problem.law,
         correlation: (0..problem.unknowns.len()).map(of_matrix).collect(),
         condition: trust.condition,
-        residuals: seen,
+        residuals: *seen,
         samples: problem.samples(),
         level: problem.measured().iter().fold(0.0, |most: f64, force| most.max(force.abs())),
         evaluations: best.evaluations,
-        searches,
+        searches: *searches,
         is_cancelled,
         is_exact: problem.exact.is_some(),
         mass: point.mass,
@@ -499,7 +538,7 @@ fn finish(problem: &Problem, task: &Task, watch: Watch, best: &Found, doubts: &D
         held: problem.held.clone(),
         fitted: problem.experiments.iter().map(Experiment::fitted).collect(),
         explained: split(&explained, &problem.experiments.iter().map(|one| one.time.len()).collect::<Vec<usize>>()),
-        warnings: warnings(problem, &seen, &estimates, searches, doubts.shift),
+        warnings: warnings(problem, seen, &estimates, *searches, shift),
         estimates,
     })
 }
@@ -517,6 +556,7 @@ fn doubted(
     if let Some(reason) = searches.doubt() {
         trust.verdicts.iter_mut().for_each(|verdict| *verdict = Verdict::Undetermined(reason.to_owned()));
     } else if profiles {
+        trust.elsewhere = Ended { problem, best, seen, trust: &trust }.elsewhere();
         for (number, other) in (Ended { problem, best, seen, trust: &trust }).dependent() {
             let name = &problem.unknowns[other].name;
             trust.verdicts[number] = Verdict::Undetermined(format!("it depends on {name}, which is not determined"));

@@ -27,6 +27,7 @@ use nalgebra::{DMatrix, DVector};
 use super::blur;
 use super::loss::Loss;
 use super::problem::Problem;
+use super::search::Found;
 use super::unknown::{Scale, Target, Unknown};
 
 /// Part of a large change up to which the data must know an unknown.
@@ -52,6 +53,13 @@ pub enum Verdict {
     Undetermined(String),
     /// It is at an end of the range in which it was searched: the range, or the law, is wrong.
     AtEnd(f64),
+}
+
+impl Verdict {
+    /// Whether the data tell an interval or an upper limit.
+    pub(super) fn is_told(&self) -> bool {
+        matches!(self, Verdict::Determined | Verdict::AtMost(_))
+    }
 }
 
 /// The text of a verdict, wherever it is shown.
@@ -118,6 +126,8 @@ pub(super) struct Trust {
     pub verdicts: Vec<Verdict>,
     /// Whether the force changes in jumps with an unknown that it determines otherwise.
     pub jumps: Vec<bool>,
+    /// What explains the force as well; empty unless it was looked for.
+    pub elsewhere: Vec<Elsewhere>,
     /// Sensitivities of the forces.
     pub columns: Vec<Vec<f64>>,
     /// Variance of the noise, as of independent samples.
@@ -126,6 +136,14 @@ pub(super) struct Trust {
     pub correlation: DMatrix<f64>,
     /// Ratio of the best to the worst known direction.
     pub condition: f64,
+}
+
+/// A place that explains the force about as well as the best one, with one unknown held.
+pub(super) struct Elsewhere {
+    pub number: usize,
+    pub end: Found,
+    /// Part that is left of the width of the intervals.
+    pub part: f64,
 }
 
 fn squares(values: &[f64]) -> f64 {
@@ -233,6 +251,7 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
     Trust {
         verdicts: (0..count).map(verdict).collect(),
         jumps,
+        elsewhere: Vec::new(),
         condition: (spectrum.max() / spectrum.min().max(f64::MIN_POSITIVE)).sqrt(),
         deviations,
         blurs,
@@ -274,8 +293,7 @@ impl Trust {
     pub fn doubt_ends(&mut self, [first, second]: [Vec<f64>; 2]) {
         let ends = first.iter().zip(&second);
         for ((verdict, deviation), (first, second)) in self.verdicts.iter_mut().zip(&self.deviations).zip(ends) {
-            let is_told = matches!(verdict, Verdict::Determined | Verdict::AtMost(_));
-            if is_told && (first - second).abs() > deviation.max(ROUNDING * first.abs()) {
+            if verdict.is_told() && (first - second).abs() > deviation.max(ROUNDING * first.abs()) {
                 *verdict = Verdict::Undetermined(format!(
                     "two searches end at {} and at {}, which explain the force alike",
                     digits(*first),
@@ -296,7 +314,7 @@ impl Trust {
         let far: Vec<f64> = residuals.iter().map(|one| if is_far(*one) { *one } else { 0.0 }).collect();
         let shifts = self.shifts(&far);
         for (verdict, shift) in self.verdicts.iter_mut().zip(shifts) {
-            if shift > MOVED && matches!(verdict, Verdict::Determined | Verdict::AtMost(_)) {
+            if shift > MOVED && verdict.is_told() {
                 *verdict = Verdict::Undetermined(format!(
                     "{count} of {} samples, more than {OUTLIER} times the noise off, shift it by {shift:.1} standard \
                      deviations; use the robust loss, or leave out rest",
