@@ -195,6 +195,8 @@ export class FitView {
 
   /** Reads one file, or two: the one without a force is the motion. */
   private async read(files: File[]): Promise<void> {
+    // What was wrong with the files before does not stand beside these while they are read.
+    this.page.fault("");
     try {
       if (files.length < 1 || files.length > 2) throw new RangeError(`${files.length} files: must be 1, or 2 with the motion`);
       const large = files.find((file) => file.size > LARGEST);
