@@ -148,3 +148,54 @@ pub(super) fn resolution(values: &[f64]) -> f64 {
     let least = steps.fold(f64::INFINITY, f64::min);
     if least.is_finite() { least } else { 0.0 }
 }
+
+/// Sizes of steps from which they are those of a resolution (chosen): a trapezoid that was computed has fewer.
+const SIZES: usize = 5;
+
+/// Part of the least change by which a change may differ from a multiple of it (chosen).
+const OFF: f64 = 0.01;
+
+/// Standard deviation of the error of rounding to the least change; 0 if the values do not look rounded: if changes are
+/// not multiples of it, or if there are neither steps between samples that stay the same, nor steps of many sizes.
+pub(super) fn rounding(values: &[f64]) -> f64 {
+    let resolution = resolution(values);
+    let is_alone = |of: &[f64]| of[0] == of[1] && of[1] != of[2] && of[2] == of[3];
+    let mut sizes = Vec::with_capacity(SIZES);
+    for pair in values.windows(2) {
+        let change = (pair[1] - pair[0]).abs() / resolution;
+        let size = change.round();
+        if (change - size).abs() > OFF {
+            return 0.0;
+        }
+        if size > 0.0 && sizes.len() < SIZES && !sizes.contains(&size) {
+            sizes.push(size);
+        }
+    }
+    let is_rounded = sizes.len() == SIZES || values.windows(4).any(is_alone);
+    if is_rounded { resolution / f64::sqrt(12.0) } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Rounding errors of a sine are even between -1/2 and 1/2; a trapezoid in whole steps has none.
+    #[test]
+    fn rounded_values_are_told_from_computed_ones() {
+        let sine = |step: f64| -> Vec<f64> {
+            (0..2000).map(|k| ((0.01 * f64::from(k)).sin() / step).round() * step).collect()
+        };
+        for step in [1e-4, 0.01, 0.3] {
+            let rounded = sine(step);
+            let errors = rounded.iter().enumerate().map(|(k, value)| (value - (0.01 * k as f64).sin()).powi(2));
+            let deviation = (errors.sum::<f64>() / 2000.0).sqrt();
+            assert_relative_eq!(rounding(&rounded), deviation, max_relative = 0.1);
+        }
+        let trapezoid = |k: usize| [k.min(100), 100, 400 - k.clamp(300, 400)].into_iter().min().unwrap() as f64 * 1e-3;
+        let values: Vec<f64> = (0..500).map(trapezoid).collect();
+        assert!(resolution(&values) > 9e-4);
+        assert_eq!(rounding(&values), 0.0);
+        assert_eq!(rounding(&[1.0; 9]), 0.0);
+    }
+}

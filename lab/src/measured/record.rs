@@ -3,7 +3,7 @@
 use super::alike::{self, Alike};
 use super::clock::{Clocks, Pair};
 use super::polynomial::Local;
-use super::quality::{Quality, median, noise, quality, resolution};
+use super::quality::{Quality, median, noise, quality, rounding};
 use super::stencil::derivatives;
 use super::window::{Signal, shortest};
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, SheetError, TIME, VELOCITY, text};
@@ -488,7 +488,7 @@ impl Motion {
     /// Error of the velocity around rest: its noise if it was measured, otherwise its error in a window.
     fn velocity_error(&self, own: &Own, rig: &Rig, window: f64) -> f64 {
         match &self.velocity {
-            Some(velocity) => noise(velocity).max(resolution(velocity) / f64::sqrt(12.0)),
+            Some(velocity) => noise(velocity).max(rounding(velocity)),
             None => self.signal(&self.displacement, own, rig).error(window),
         }
     }

@@ -23,7 +23,7 @@
 use std::ops::Range;
 
 use super::polynomial::Local;
-use super::quality::{GAP, resolution};
+use super::quality::{GAP, rounding};
 
 /// Samples in the windows that are tried (chosen).
 const WINDOWS: [f64; 14] = [5.0, 7.0, 9.0, 11.0, 15.0, 21.0, 31.0, 45.0, 65.0, 91.0, 131.0, 191.0, 271.0, 391.0];
@@ -205,10 +205,7 @@ impl Tried {
     fn noise(&self, signal: &Signal, places: &Places) -> f64 {
         let residual = |number: usize| signal.values[places.at[number]] - self.found[number][0];
         let values = &signal.values[signal.part.clone()];
-        // Samples that stay the same are rounded, unless nothing moves at all.
-        let is_rounded = values.windows(2).any(|pair| pair[0] == pair[1]);
-        let rounding = if is_rounded { resolution(values).powi(2) / 12.0 } else { 0.0 };
-        rounding.max(places.mean(|number| residual(number).powi(2)) / (1.0 - self.gains[0]))
+        rounding(values).powi(2).max(places.mean(|number| residual(number).powi(2)) / (1.0 - self.gains[0]))
     }
 }
 
