@@ -99,21 +99,10 @@ fn windows(experiments: &[Experiment], phase: f64) -> Vec<Range<usize>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{measured, standard, white_noise, whole_problem};
+    use super::super::tests::{measured, place, standard, white_noise, whole_problem};
     use super::super::trust::trust;
-    use super::super::unknown::Unknown;
     use super::super::{Experiment, Verdict};
     use approx::assert_relative_eq;
-
-    /// Where an unknown has a value.
-    fn place(unknown: &Unknown, value: f64) -> f64 {
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if unknown.value(middle)[0] < value { low = middle } else { high = middle }
-        }
-        low
-    }
 
     /// Sliding at 1 and 2 m/s in turn with f = mu_k f_n + c v: an error e of the velocity looks like mu_k f_n higher by c e,
     /// and c the same; with errors of n windows, each shifts mu_k by a part 1/n of that, and they add up to 1 / sqrt(n).

@@ -249,35 +249,25 @@ mod tests {
     use std::sync::atomic::AtomicBool;
 
     use super::super::search::Searches;
-    use super::super::tests::{fitted, measured, quick, standard, whole_problem};
+    use super::super::tests::{estimate, fitted, measured, place, quick, standard, whole_problem};
     use super::super::trust::residuals;
     use super::super::unknown::Unknown;
-    use super::super::{Estimate, Fit, Task, Verdict, doubted, judge};
+    use super::super::{Task, Verdict, doubted, judge};
     use super::*;
 
     /// Places of the start values of a law, but for some of them.
     fn places(problem: &Problem, others: &[(&str, f64)]) -> Vec<f64> {
         let start = |name: &str| problem.law.table.at(problem.law.find(name).unwrap()).start;
-        let place = |unknown: &Unknown| {
+        let of = |unknown: &Unknown| {
             let usual =
                 if unknown.name == "mu_s - mu_k" { start("mu_s") - start("mu_k") } else { start(&unknown.name) };
-            let value = others.iter().find(|(name, _)| *name == unknown.name).map_or(usual, |(_, value)| *value);
-            let (mut low, mut high) = (0.0, 1.0);
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                if unknown.value(middle)[0] < value { low = middle } else { high = middle }
-            }
-            low
+            place(unknown, others.iter().find(|(name, _)| *name == unknown.name).map_or(usual, |(_, value)| *value))
         };
-        problem.unknowns.iter().map(place).collect()
+        problem.unknowns.iter().map(of).collect()
     }
 
     fn polished(problem: &Problem, places: Vec<f64>) -> Found {
         polish(problem, &problem.judge(Found { places, cost: 0.0, evaluations: 0 }))
-    }
-
-    fn of<'a>(fit: &'a Fit, name: &str) -> &'a Estimate {
-        fit.estimates.iter().find(|one| one.name == name).unwrap()
     }
 
     /// A residual sum that rises as a parabola or in stairs.
@@ -340,8 +330,12 @@ mod tests {
     fn an_interval_covers_what_explains_the_force_as_well_nearby() {
         let data = [measured("ResetIntegrator", &[], &standard(2000), 0.01, 2)];
         let fit = fitted("ResetIntegrator", &data, &Task { profiles: true, ..quick() });
-        assert!(of(&fit, "sigma_0").verdict.to_string().contains("in jumps"), "{:?}", of(&fit, "sigma_0").verdict);
-        let damping = of(&fit, "sigma_1");
+        assert!(
+            estimate(&fit, "sigma_0").verdict.to_string().contains("in jumps"),
+            "{:?}",
+            estimate(&fit, "sigma_0").verdict
+        );
+        let damping = estimate(&fit, "sigma_1");
         assert_eq!(damping.verdict, Verdict::Determined);
         let [low, high] = damping.interval();
         // Other pairs of both on a grid, with the levels at their best values: a part of the joint region.
@@ -355,7 +349,7 @@ mod tests {
             let forces = super::super::response::forces(&mut instance, problem.ports, &columns, &data[0], fit.parts);
             forces.unwrap().iter().zip(&data[0].force).map(|(a, b)| (a - b).powi(2)).sum::<f64>()
         };
-        let stiffness = of(&fit, "sigma_0").value;
+        let stiffness = estimate(&fit, "sigma_0").value;
         let (least, variance) = (cost(stiffness, damping.value), fit.residuals.variance());
         let mut reached = [damping.value; 2];
         for part in -30..=30 {

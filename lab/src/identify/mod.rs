@@ -345,7 +345,9 @@ fn fit_from(
         (best, shift) = refine(&mut problem, best, task, watch);
     }
     let mut judged = judge(&problem, &best, task, watch, searches, &ends)?;
-    for _ in 0..RETURNS {
+    // A genetic algorithm alone stays where it ended.
+    let returns = if task.method == Method::Evolution { RETURNS } else { 0 };
+    for _ in 0..returns {
         let Some(better) = judged.better(&best) else { break };
         best = polish(&problem, better);
         (best, shift) = refine(&mut problem, best, task, watch);
