@@ -56,7 +56,7 @@ impl Ended<'_> {
         let repeated = Repeated(places.iter().map(|places| self.problem.values(places)).collect());
         let one = |number: usize| self.estimate(number, values[number], profiles, &repeated);
         let mut list: Vec<Estimate> = (0..values.len()).map(one).collect();
-        let level = self.static_level(&values, &list, &repeated);
+        let level = self.static_level(&values, &list, profiles, &repeated);
         list.extend(level);
         list
     }
@@ -86,7 +86,13 @@ impl Ended<'_> {
     }
 
     /// mu_s = mu_k + d.
-    fn static_level(&self, values: &[f64], known: &[Estimate], repeated: &Repeated) -> Option<Estimate> {
+    fn static_level(
+        &self,
+        values: &[f64],
+        known: &[Estimate],
+        profiles: bool,
+        repeated: &Repeated,
+    ) -> Option<Estimate> {
         let unknowns = &self.problem.unknowns;
         let (excess, over) = unknowns.iter().enumerate().find_map(|(number, unknown)| match unknown.target {
             Target::Excess { over, .. } => Some((number, over)),
@@ -110,7 +116,7 @@ impl Ended<'_> {
                 (Verdict::Determined, other) | (other, _) => other.clone(),
             },
             linear: around(value, deviation),
-            profile: None,
+            profile: (profiles && !self.trust.elsewhere.is_empty()).then(|| self.covering(sum, [WIDTH * deviation; 2])),
             repeated: repeated.interval(sum),
         })
     }

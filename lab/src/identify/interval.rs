@@ -27,19 +27,23 @@ pub(super) struct Ended<'a> {
 
 impl Ended<'_> {
     /// Interval of an unknown: as far as the sum of squares, at the best values of the others, rises by less than noise
-    /// can make it, and farther by the error of the velocity. An end at an end of the range is open. It covers what
-    /// explains the force as well elsewhere: along the joint profile of two unknowns, the width of one is that of an
-    /// ellipse.
+    /// can make it, and farther by the error of the velocity. An end at an end of the range is open.
     pub fn profile(&self, number: usize) -> [f64; 2] {
         let value = self.problem.unknowns[number].value(self.best.places[number])[0];
         let blur = WIDTH * self.trust.blurs[number];
         let distance = |direction| ((self.end(number, direction) - value).powi(2) + blur * blur).sqrt();
-        let [low, high] = [-1.0, 1.0].map(distance);
-        let around = |[least, most]: [f64; 2], place: &Elsewhere| {
-            let (other, part) = (self.problem.values(&place.end.places)[number], place.part);
-            [least.min(other - part * low), most.max(other + part * high)]
+        self.covering(|values| values[number], [-1.0, 1.0].map(distance))
+    }
+
+    /// An interval, by the distances of its ends from the best value, that covers what explains the force as well
+    /// elsewhere too: along the joint profile of two unknowns, the width of one is that of an ellipse.
+    pub fn covering(&self, of: impl Fn(&[f64]) -> f64, [low, high]: [f64; 2]) -> [f64; 2] {
+        let at = |place: &Found, part: f64| {
+            let value = of(&self.problem.values(&place.places));
+            [value - part * low, value + part * high]
         };
-        self.trust.elsewhere.iter().fold([value - low, value + high], around)
+        let others = self.trust.elsewhere.iter().map(|place| at(&place.end, place.part));
+        others.fold(at(self.best, 1.0), |[least, most], [low, high]| [least.min(low), most.max(high)])
     }
 
     /// Value at which the sum of squares has risen to its limit.
