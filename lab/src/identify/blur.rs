@@ -99,7 +99,7 @@ fn windows(experiments: &[Experiment], phase: f64) -> Vec<Range<usize>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{measured, place, standard, white_noise, whole_problem};
+    use super::super::tests::{measured, standard, white_noise, whole_problem};
     use super::super::trust::trust;
     use super::super::{Experiment, Verdict};
     use approx::assert_relative_eq;
@@ -117,7 +117,7 @@ mod tests {
             let data = [Experiment { window, ..data[0].clone() }];
             let problem = whole_problem("CoulombViscous", &data);
             let places =
-                values.map(|(name, value)| place(problem.unknowns.iter().find(|one| one.name == name).unwrap(), value));
+                values.map(|(name, value)| problem.unknowns.iter().find(|one| one.name == name).unwrap().place(value));
             let trust = trust(&problem, &places, &white_noise(1e-3));
             assert_eq!(trust.verdicts, [Verdict::Determined, Verdict::Determined]);
             assert!(trust.blurs[1] < 1e-6, "{:?}", trust.blurs);
@@ -147,7 +147,7 @@ mod tests {
                 .iter()
                 .map(|one| {
                     let column = problem.law.find(&one.name).unwrap();
-                    place(one, problem.law.table.at(column).start)
+                    one.place(problem.law.table.at(column).start)
                 })
                 .collect();
             trust(&problem, &places, &white_noise(0.05)).verdicts.swap_remove(number)

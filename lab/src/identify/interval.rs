@@ -7,6 +7,8 @@
 
 use std::sync::atomic::Ordering;
 
+use stribeck::number::Real;
+
 use super::problem::Problem;
 use super::search::{Found, Watch, polish, polish_until};
 use super::trust::{Elsewhere, Residuals, Trust, Verdict, WIDTH};
@@ -42,7 +44,8 @@ impl Ended<'_> {
             let value = of(&self.problem.values(&place.places));
             [value - part * low, value + part * high]
         };
-        let others = self.trust.elsewhere.iter().map(|place| at(&place.end, place.part));
+        let near = self.trust.elsewhere.iter().filter(|place| place.rise < RISE);
+        let others = near.map(|place| at(&place.end, (1.0 - place.rise.max(0.0) / RISE).sqrt()));
         others.fold(at(self.best, 1.0), |[least, most], [low, high]| [least.min(low), most.max(high)])
     }
 
@@ -79,16 +82,35 @@ impl Ended<'_> {
             let steps = DISTANCES.iter().flat_map(|distance| [-distance, *distance]).filter(|_| trust.jumps[number]);
             let close = steps.map(|distance| best.places[number] + distance * self.step(number));
             let close = close.filter(|place| (0.0..=1.0).contains(place));
-            let starts = close.map(|place| (place, along(problem, best, trust, number, place)));
-            for (place, from) in FAR.map(|place| (place, best.clone())).into_iter().chain(starts) {
-                let end = held(problem, &from, number, place, self.gain());
-                let left = 1.0 - self.rise(&end) / RISE;
-                if left > 0.0 {
-                    found.push(Elsewhere { number, end, part: left.min(1.0).sqrt() });
+            for place in FAR.into_iter().chain(close) {
+                let end = held(problem, &self.start(number, place), number, place, self.gain());
+                let rise = self.rise(&end);
+                if rise < joint_rise(problem.unknowns.len()) {
+                    found.push(Elsewhere { number, end, rise });
                 }
             }
         }
         found
+    }
+
+    /// The best of three places with an unknown at a place: with the others as they are, where straight lines expect them,
+    /// and where powers of the unknown do, such as its multiples where the data tell a ratio only.
+    fn start(&self, number: usize, place: f64) -> Found {
+        let Ended { problem, best, trust, .. } = *self;
+        let mut same = best.clone();
+        same.places[number] = place;
+        let [before, after] = [&best.places, &same.places].map(|places| problem.values(places));
+        let ratio = after[number] / before[number];
+        let mut scaled = same.clone();
+        for other in (0..before.len()).filter(|other| *other != number) {
+            let power = trust.follows(other, number) * before[number] / before[other];
+            let value = before[other] * Real::exp(power * Real::ln(ratio));
+            if value.is_finite() {
+                scaled.places[other] = problem.unknowns[other].place(value);
+            }
+        }
+        let starts = [same, along(problem, best, trust, number, place), scaled].map(|found| problem.judge(found));
+        starts.into_iter().min_by(|a, b| a.cost.total_cmp(&b.cost)).unwrap_or_else(|| best.clone())
     }
 
     /// Rise of the sum of squares from the best place, in variances.
@@ -124,6 +146,14 @@ impl Ended<'_> {
     fn gain(&self) -> f64 {
         UNSEEN * RISE * self.seen.rise() / (2.0 * self.best.cost).max(f64::MIN_POSITIVE)
     }
+}
+
+/// Rise of the sum of squares, in variances, within which all unknowns together are in 95 % of cases: where one of several
+/// local minima is the best, the others may be as likely. Approximation of chi square: E. B. Wilson, M. M. Hilferty,
+/// Proceedings of the National Academy of Sciences 17 (1931), doi:10.1073/pnas.17.12.684.
+fn joint_rise(unknowns: usize) -> f64 {
+    let part = 2.0 / (9.0 * unknowns as f64);
+    unknowns as f64 * (1.0 - part + 1.644_853_626_951_472 * part.sqrt()).powi(3)
 }
 
 /// Distances, in standard deviations, at which an unknown is held with which the force changes in jumps (chosen): what the
@@ -253,7 +283,7 @@ mod tests {
     use std::sync::atomic::AtomicBool;
 
     use super::super::search::Searches;
-    use super::super::tests::{estimate, fitted, measured, place, quick, standard, whole_problem};
+    use super::super::tests::{estimate, fitted, measured, quick, standard, whole_problem};
     use super::super::trust::residuals;
     use super::super::unknown::Unknown;
     use super::super::{Task, Verdict, doubted, judge};
@@ -265,13 +295,21 @@ mod tests {
         let of = |unknown: &Unknown| {
             let usual =
                 if unknown.name == "mu_s - mu_k" { start("mu_s") - start("mu_k") } else { start(&unknown.name) };
-            place(unknown, others.iter().find(|(name, _)| *name == unknown.name).map_or(usual, |(_, value)| *value))
+            unknown.place(others.iter().find(|(name, _)| *name == unknown.name).map_or(usual, |(_, value)| *value))
         };
         problem.unknowns.iter().map(of).collect()
     }
 
     fn polished(problem: &Problem, places: Vec<f64>) -> Found {
         polish(problem, &problem.judge(Found { places, cost: 0.0, evaluations: 0 }))
+    }
+
+    /// Quantiles of 95 % of chi square from tables.
+    #[test]
+    fn the_joint_rise_is_that_of_tables() {
+        for (unknowns, quantile) in [(1, 3.841), (2, 5.991), (4, 9.488), (7, 14.067)] {
+            assert!((joint_rise(unknowns) / quantile - 1.0).abs() < 0.03, "{unknowns} {}", joint_rise(unknowns));
+        }
     }
 
     /// A residual sum that rises as a parabola or in stairs.
@@ -326,6 +364,24 @@ mod tests {
         let found = polish(&problem, wrong.better(&other).unwrap());
         assert!((found.cost / truth.cost - 1.0).abs() < 1e-6, "{} {}", found.cost, truth.cost);
         assert!(judged(&truth).better(&truth).is_none());
+    }
+
+    /// Short rests tell the rise of the static level and its time only by their ratio: values a hundred times as large
+    /// explain the force as well.
+    #[test]
+    fn what_the_data_tell_by_a_ratio_only_is_not_determined() {
+        let data = [measured("Armstrong", &[], &standard(2000), 0.01, 4)];
+        let problem = whole_problem("Armstrong", &data);
+        let best = polished(&problem, places(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]));
+        let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
+        let judged = judge(&problem, &best, &Task::default(), watch, Searches::Agree, &[]).unwrap();
+        let number = |name: &str| problem.unknowns.iter().position(|one| one.name == name).unwrap();
+        let [excess, gamma] = ["mu_s - mu_k", "gamma"].map(number);
+        assert!(!judged.trust.verdicts[excess].is_told(), "{:?}", judged.trust.verdicts);
+        let most = judged.trust.elsewhere.iter().map(|place| problem.values(&place.end.places)[excess]);
+        let most = most.fold(0.0, f64::max);
+        assert!(most > 10.0 * problem.values(&best.places)[excess], "{most} {:?}", problem.values(&best.places));
+        assert!(!judged.trust.verdicts[gamma].is_told());
     }
 
     /// The bond of ResetIntegrator breaks between two samples: its stiffness moves the force in jumps, and the damping is

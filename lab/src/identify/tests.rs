@@ -83,16 +83,6 @@ pub(super) fn whole_problem<'a>(law: &str, experiments: &'a [Experiment]) -> Pro
     problem(by_name(law).unwrap(), experiments, &Task::default()).unwrap()
 }
 
-/// Where an unknown has a value.
-pub(super) fn place(unknown: &Unknown, value: f64) -> f64 {
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if unknown.value(middle)[0] < value { low = middle } else { high = middle }
-    }
-    low
-}
-
 /// Truth of reference data: a slider of 20 N.
 pub(super) const SLIDER: [(&str, f64); 6] = [
     ("mu_k", 0.21),

@@ -138,12 +138,12 @@ pub(super) struct Trust {
     pub condition: f64,
 }
 
-/// A place that explains the force about as well as the best one, with one unknown held.
+/// A place that explains the force about as well as the best one, with one unknown held there.
 pub(super) struct Elsewhere {
     pub number: usize,
     pub end: Found,
-    /// Part that is left of the width of the intervals.
-    pub part: f64,
+    /// Rise of the sum of squares, in variances.
+    pub rise: f64,
 }
 
 fn squares(values: &[f64]) -> f64 {

@@ -86,6 +86,12 @@ impl Unknown {
         [value.clamp(self.range[0], self.range[1]), slope * (high - low)]
     }
 
+    /// Place of a value, from 0 to 1 in the range.
+    pub(super) fn place(&self, value: f64) -> f64 {
+        let [low, high] = self.range.map(|end| self.scale.forth(end));
+        ((self.scale.forth(value.clamp(self.range[0], self.range[1])) - low) / (high - low)).clamp(0.0, 1.0)
+    }
+
     /// Change of the value that is large: half the range on a linear scale, the value itself on a logarithmic one.
     pub(super) fn large(&self, value: f64) -> f64 {
         match self.scale {
