@@ -284,7 +284,7 @@ mod tests {
 
     use super::super::search::Searches;
     use super::super::tests::{estimate, fitted, measured, quick, standard, whole_problem};
-    use super::super::trust::residuals;
+    use super::super::trust::{residuals, trust};
     use super::super::unknown::Unknown;
     use super::super::{Task, Verdict, doubted, judge};
     use super::*;
@@ -382,6 +382,10 @@ mod tests {
         let most = most.fold(0.0, f64::max);
         assert!(most > 10.0 * problem.values(&best.places)[excess], "{most} {:?}", problem.values(&best.places));
         assert!(!judged.trust.verdicts[gamma].is_told());
+        // Where the time is a little longer than the rests, slopes alone show it.
+        let slopes = trust(&problem, &places(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]), &judged.seen);
+        let reason = slopes.verdicts[excess].to_string();
+        assert!(reason.contains("only together with"), "{reason}");
     }
 
     /// The bond of ResetIntegrator breaks between two samples: its stiffness moves the force in jumps, and the damping is

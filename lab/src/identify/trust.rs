@@ -200,6 +200,11 @@ fn deviations(covariance: &DMatrix<f64>) -> Vec<f64> {
     covariance.diagonal().iter().map(|one| one.sqrt()).collect()
 }
 
+fn correlations(covariance: &DMatrix<f64>) -> DMatrix<f64> {
+    let all = deviations(covariance);
+    DMatrix::from_fn(all.len(), all.len(), |a, b| covariance[(a, b)] / (all[a] * all[b]))
+}
+
 /// Whether an unknown is a speed below the error of the velocity, or the reciprocal of one.
 fn is_within(unknown: &Unknown, value: f64, error: f64) -> bool {
     match unknown.unit {
@@ -214,6 +219,24 @@ fn partner(correlation: &DMatrix<f64>, number: usize) -> Option<usize> {
     let size = |other: &usize| correlation[(number, *other)].abs();
     let others = (0..correlation.nrows()).filter(|other| *other != number && size(other) > TOGETHER);
     others.max_by(|a, b| size(a).total_cmp(&size(b)))
+}
+
+/// Part of itself by which an unknown must follow another one that the data do not determine, where that changes by as
+/// much as its value, to be told only together with it (chosen): straight lines end long before the other one does.
+const FOLLOWS: f64 = 0.5;
+
+/// The unknown that the data do not determine and that an unknown follows.
+fn followed(
+    covariance: &DMatrix<f64>,
+    values: &[f64],
+    deviations: &[f64],
+    open: &[bool],
+    number: usize,
+) -> Option<usize> {
+    let shift = |other: usize| (covariance[(number, other)] / covariance[(other, other)] * values[other]).abs();
+    let itself = values[number].abs().max(deviations[number]);
+    let others = (0..values.len()).filter(|other| *other != number && open[*other] && shift(*other) > FOLLOWS * itself);
+    others.max_by(|a, b| shift(*a).total_cmp(&shift(*b)))
 }
 
 /// Looks at the sensitivities of the unknowns at places.
@@ -232,20 +255,20 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
     let blur = blur::blur(problem, places, &columns, &noise_covariance.map(|one| one / variance));
     let covariance = DMatrix::from_fn(count, count, |a, b| noise_covariance[(a, b)] + blur[(a, b)]);
     let [deviations, blurs] = [&covariance, &blur].map(deviations);
-    let correlation = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] / (scaled[(a, a)] * scaled[(b, b)]).sqrt());
+    let correlation = correlations(&scaled);
     let error = problem.experiments.iter().map(blur::error).fold(0.0, f64::max);
     let known: Vec<f64> = scaled.diagonal().iter().map(|one| one.sqrt()).collect();
-    let is_jumpy = |number: usize| {
-        let by_noise = known[number] * large[number];
-        known[number] <= DETERMINED && !is_smooth(problem, places, seen, number, by_noise, &columns[number])
-    };
+    let open: Vec<bool> = known.iter().map(|known| *known > DETERMINED).collect();
+    let is_jumpy = |at: usize| !open[at] && !is_smooth(problem, places, seen, at, known[at] * large[at], &columns[at]);
     let jumps: Vec<bool> = (0..count).map(is_jumpy).collect();
     let verdict = |number: usize| {
         let alone = 1.0 / (1.0 + information[(number, number)]).sqrt();
-        let partner = partner(&correlation, number).map(|other| problem.unknowns[other].name.as_str());
-        let [value, deviation, known] = [values[number], deviations[number], known[number]];
+        let followed = followed(&noise_covariance, &values, &deviations, &open, number);
+        let partner = partner(&correlation, number).or(followed).map(|other| problem.unknowns[other].name.as_str());
+        let [value, deviation] = [values[number], deviations[number]];
         let is_blurred = deviation > DETERMINED * large[number] || is_within(&problem.unknowns[number], value, error);
-        let one = Known { value, place: places[number], known, deviation, alone, is_blurred };
+        let is_open = open[number] || followed.is_some();
+        let one = Known { value, place: places[number], is_open, deviation, alone, is_blurred };
         verdict(&problem.unknowns[number], &one, partner, !jumps[number])
     };
     Trust {
@@ -392,8 +415,8 @@ pub(super) fn is_smooth(
 struct Known {
     value: f64,
     place: f64,
-    /// Standard deviation as a part of a large change.
-    known: f64,
+    /// Whether the noise of the force leaves it open.
+    is_open: bool,
     deviation: f64,
     /// Part of a large change if the others were known.
     alone: f64,
@@ -403,8 +426,8 @@ struct Known {
 
 fn verdict(unknown: &Unknown, one: &Known, partner: Option<&str>, is_smooth: bool) -> Verdict {
     let can_be_zero = unknown.scale != Scale::Logarithmic && unknown.range[0] == 0.0;
-    let Known { value, place, known, deviation, alone, is_blurred } = *one;
-    if known > DETERMINED {
+    let Known { value, place, is_open, deviation, alone, is_blurred } = *one;
+    if is_open {
         let reason = match partner {
             _ if alone > DETERMINED => format!("it hardly changes the force; {}", remedy(unknown)),
             Some(partner) => format!("only together with {partner}; {}", remedy(unknown)),
