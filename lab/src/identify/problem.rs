@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use basin::{
     BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix, Jacobian, Residual,
 };
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use stribeck::instance::{Instance, Phase, Refused};
 use stribeck::model::ModelType;
 
@@ -54,8 +54,9 @@ fn beyond(columns: &[Vec<f64>], mut values: Vec<f64>) -> Option<Vec<f64>> {
     let sizes: Vec<f64> = columns.iter().map(|column| dot(column, column).sqrt().max(f64::MIN_POSITIVE)).collect();
     let count = columns.len();
     let alike = DMatrix::from_fn(count, count, |a, b| dot(&columns[a], &columns[b]) / (sizes[a] * sizes[b]));
-    let pull = DVector::from_fn(count, |a, _| dot(&columns[a], &values) / sizes[a]);
-    let parts = alike.cholesky()?.solve(&pull);
+    let known = alike.cholesky()?.inverse();
+    let pulls: Vec<f64> = columns.iter().zip(&sizes).map(|(column, size)| dot(column, &values) / size).collect();
+    let parts: Vec<f64> = (0..count).map(|a| (0..count).map(|b| known[(a, b)] * pulls[b]).sum()).collect();
     for (column, (part, size)) in columns.iter().zip(parts.iter().zip(&sizes)) {
         values.iter_mut().zip(column).for_each(|(value, slope)| *value -= part / size * slope);
     }
