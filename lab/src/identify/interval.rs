@@ -69,8 +69,8 @@ impl Ended<'_> {
         problem.unknowns[number].value(best.places[number] + direction * distance)[0]
     }
 
-    /// What explains the force as well with each unknown held elsewhere that the data do not determine: far from the best
-    /// place, and close to it if the force changes with it in jumps.
+    /// Places that explain the force as well, with each unknown that the data do not determine held elsewhere: far from
+    /// the best place, and close to it if the force changes with it in jumps.
     pub fn elsewhere(&self) -> Vec<Elsewhere> {
         let Ended { problem, best, trust, .. } = *self;
         let is_free = |number: &usize| matches!(trust.verdicts[*number], Verdict::Undetermined(_));
@@ -283,7 +283,7 @@ mod tests {
     use std::sync::atomic::AtomicBool;
 
     use super::super::search::Searches;
-    use super::super::tests::{estimate, fitted, measured, quick, standard, whole_problem};
+    use super::super::tests::{estimate, fitted, measured, quick, standard, white_noise, whole_problem};
     use super::super::trust::{residuals, trust};
     use super::super::unknown::Unknown;
     use super::super::{Task, Verdict, doubted, judge};
@@ -326,6 +326,21 @@ mod tests {
         let end = crossing(&mut stairs, 1.0, 100.0);
         assert!((5.0..=5.0 * (1.0 + NEAR)).contains(&end) && calls < TRIALS, "{end} {calls}");
         assert_eq!(crossing(|_| 0.0, 1.0, 2.5), 2.5);
+    }
+
+    /// Best at 0.1, as good at 0.2 with half the width left, worse at 0.3.
+    #[test]
+    fn an_interval_covers_places_within_the_rise() {
+        let data = [measured("Coulomb", &[], &standard(400), 0.01, 1)];
+        let problem = whole_problem("Coulomb", &data);
+        let at = |value: f64| Found { places: vec![problem.unknowns[0].place(value)], cost: 0.0, evaluations: 0 };
+        let seen = white_noise(0.02);
+        let mut trust = trust(&problem, &at(0.1).places, &seen);
+        let others = [(0.2, 0.75 * RISE), (0.3, 1.01 * RISE)];
+        trust.elsewhere = others.map(|(value, rise)| Elsewhere { number: 0, end: at(value), rise }).into();
+        let ended = Ended { problem: &problem, best: &at(0.1), seen: &seen, trust: &trust };
+        let [low, high] = ended.covering(|values| values[0], [0.01, 0.02]);
+        assert!((low - 0.09).abs() < 1e-12 && (high - 0.21).abs() < 1e-12, "{low} {high}");
     }
 
     /// Coarse samples of a fast relaxation: whole intervals are far off, and yet they give the same ends.

@@ -49,7 +49,7 @@ const REFUSED: f64 = 1e9;
 /// whose memory has the steps of the samples moves by more than one of them.
 const STEP: f64 = 1e-3;
 
-/// What columns cannot explain of values; None if they do not differ from each other.
+/// Part of values that columns cannot explain; None if the columns do not differ from each other.
 fn beyond(columns: &[Vec<f64>], mut values: Vec<f64>) -> Option<Vec<f64>> {
     let sizes: Vec<f64> = columns.iter().map(|column| dot(column, column).sqrt().max(f64::MIN_POSITIVE)).collect();
     let count = columns.len();
@@ -63,7 +63,7 @@ fn beyond(columns: &[Vec<f64>], mut values: Vec<f64>) -> Option<Vec<f64>> {
     Some(values)
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 

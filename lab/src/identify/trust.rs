@@ -26,7 +26,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::blur;
 use super::loss::Loss;
-use super::problem::Problem;
+use super::problem::{Problem, dot};
 use super::search::Found;
 use super::unknown::{Scale, Target, Unknown};
 
@@ -126,7 +126,7 @@ pub(super) struct Trust {
     pub verdicts: Vec<Verdict>,
     /// Whether the force changes in jumps with an unknown that it determines otherwise.
     pub jumps: Vec<bool>,
-    /// What explains the force as well; empty unless it was looked for.
+    /// Places that explain the force as well; empty unless they were looked for.
     pub elsewhere: Vec<Elsewhere>,
     /// Sensitivities of the forces.
     pub columns: Vec<Vec<f64>>,
@@ -190,8 +190,7 @@ const UNKNOWN: f64 = 10.0;
 /// Information of the data about the unknowns, in large changes of them.
 fn information(columns: &[Vec<f64>], large: &[f64], variance: f64) -> DMatrix<f64> {
     DMatrix::from_fn(columns.len(), columns.len(), |a, b| {
-        let sum: f64 = columns[a].iter().zip(&columns[b]).map(|(a, b)| a * b).sum();
-        sum * large[a] * large[b] / variance
+        dot(&columns[a], &columns[b]) * large[a] * large[b] / variance
     })
 }
 
@@ -304,7 +303,7 @@ impl Trust {
 
     /// The shift of each unknown.
     fn shifts(&self, error: &[f64]) -> Vec<f64> {
-        let pull = |column: &Vec<f64>| column.iter().zip(error).map(|(a, b)| a * b).sum::<f64>() / self.variance;
+        let pull = |column: &Vec<f64>| dot(column, error) / self.variance;
         let pull = DVector::from_iterator(self.columns.len(), self.columns.iter().map(pull));
         let shifts = &self.noise_covariance * pull;
         shifts.iter().zip(&self.deviations).map(|(shift, deviation)| (shift / deviation).abs()).collect()
