@@ -225,16 +225,14 @@ fn partner(correlation: &DMatrix<f64>, number: usize) -> Option<usize> {
 const FOLLOWS: f64 = 0.5;
 
 /// The unknown that the data do not determine and that an unknown follows.
-fn followed(
-    covariance: &DMatrix<f64>,
-    values: &[f64],
-    deviations: &[f64],
-    open: &[bool],
-    number: usize,
-) -> Option<usize> {
-    let shift = |other: usize| (covariance[(number, other)] / covariance[(other, other)] * values[other]).abs();
-    let itself = values[number].abs().max(deviations[number]);
-    let others = (0..values.len()).filter(|other| *other != number && open[*other] && shift(*other) > FOLLOWS * itself);
+fn followed(covariance: &DMatrix<f64>, values: &[f64], open: &[bool], number: usize) -> Option<usize> {
+    let slope = |other: usize| covariance[(number, other)] / covariance[(other, other)];
+    let shift = |other: usize| (slope(other) * values[other]).abs();
+    // The deviation where the other one is known.
+    let alone =
+        |other: usize| (covariance[(number, number)] - slope(other) * covariance[(number, other)]).max(0.0).sqrt();
+    let least = |other: usize| FOLLOWS * values[number].abs().max(alone(other));
+    let others = (0..values.len()).filter(|other| *other != number && open[*other] && shift(*other) > least(*other));
     others.max_by(|a, b| shift(*a).total_cmp(&shift(*b)))
 }
 
@@ -262,7 +260,7 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
     let jumps: Vec<bool> = (0..count).map(is_jumpy).collect();
     let verdict = |number: usize| {
         let alone = 1.0 / (1.0 + information[(number, number)]).sqrt();
-        let followed = followed(&noise_covariance, &values, &deviations, &open, number);
+        let followed = followed(&noise_covariance, &values, &open, number);
         let partner = partner(&correlation, number).or(followed).map(|other| problem.unknowns[other].name.as_str());
         let [value, deviation] = [values[number], deviations[number]];
         let is_blurred = deviation > DETERMINED * large[number] || is_within(&problem.unknowns[number], value, error);
@@ -461,5 +459,24 @@ fn remedy(unknown: &Unknown) -> &'static str {
         (_, "N") => "add runs with other normal forces",
         ("mass", _) => "accelerate more",
         _ => "excite it more",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The second unknown is known up to ten of its values; the first follows it, or has a deviation of its own.
+    #[test]
+    fn what_is_known_for_another_one_only_follows_it() {
+        let values = [0.007, 0.24];
+        let follows = |slope: f64, alone: f64| {
+            let open: f64 = 2.4 * 2.4;
+            let covariance = [slope * slope * open + alone * alone, slope * open, slope * open, open];
+            followed(&DMatrix::from_row_slice(2, 2, &covariance), &values, &[false, true], 0)
+        };
+        assert_eq!(follows(0.025, 1e-4), Some(1));
+        assert_eq!(follows(0.025, 2e-2), None);
+        assert_eq!(follows(0.01, 1e-4), None);
     }
 }
