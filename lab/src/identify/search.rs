@@ -248,8 +248,41 @@ pub(super) fn polish(problem: &Problem, from: &Found) -> Found {
     polish_until(problem, from, GAIN)
 }
 
-/// The same until a step gains less than a part of the cost.
+/// The same until a step gains less than a part of the cost. A step that leads an unknown out of its range is cut short,
+/// and with it those of the others: they go on without the unknowns that have come to ends of their ranges, and then with
+/// them again.
 pub(super) fn polish_until(problem: &Problem, from: &Found, gain: f64) -> Found {
+    let mut found = follow(problem, from, gain);
+    for _ in 0..MOST_RETURNS {
+        let Some(inside) = without_ends(problem, &found.places) else { break };
+        let moved = follow(&inside, &found, gain);
+        let is_better = moved.cost < (1.0 - gain) * found.cost;
+        found = moved;
+        if !is_better {
+            break;
+        }
+        found = follow(problem, &found, gain);
+    }
+    found
+}
+
+/// How often least squares go on without the unknowns at ends of their ranges (chosen).
+const MOST_RETURNS: usize = 4;
+
+/// Distance from an end of a range, as a part of it, at which an unknown stops the others (chosen).
+const EDGE: f64 = 1e-4;
+
+/// A problem in which the unknowns at ends of their ranges are held; None if there are none.
+fn without_ends<'a>(problem: &Problem<'a>, places: &[f64]) -> Option<Problem<'a>> {
+    let is_at_end =
+        |number: &usize| problem.pinned[*number].is_none() && !(EDGE..=1.0 - EDGE).contains(&places[*number]);
+    let mut inside = problem.clone();
+    (0..places.len()).filter(is_at_end).for_each(|number| inside.pin(number, places[number]));
+    (inside.low.len() < problem.low.len()).then_some(inside)
+}
+
+/// Steps of least squares until one gains less than a part of the cost.
+fn follow(problem: &Problem, from: &Found, gain: f64) -> Found {
     let is_free = |number: &usize| problem.pinned[*number].is_none();
     let start: Vec<f64> = (0..problem.unknowns.len()).filter(is_free).map(|number| from.places[number]).collect();
     if start.is_empty() {
