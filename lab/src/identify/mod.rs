@@ -22,6 +22,7 @@ mod loss;
 mod output;
 mod problem;
 mod rank;
+mod refine;
 mod response;
 mod search;
 mod strut;
@@ -55,6 +56,7 @@ use crate::system::Fault;
 use interval::{Ended, repetitions};
 use loss::Loss;
 use problem::Problem;
+use refine::{SHIFT, refine};
 use response::{Exact, Ports};
 use search::{Best, Found, best, first_look, polish};
 use trust::{Trust, residuals, trust};
@@ -371,31 +373,6 @@ fn at_rest_anew(problem: &Problem, places: &[f64]) -> Option<Vec<Experiment>> {
     let anew: Vec<Experiment> = problem.experiments.iter().map(doubted).collect();
     let are_others = anew.iter().zip(problem.experiments).any(|(anew, before)| anew.left_out != before.left_out);
     are_others.then_some(anew)
-}
-
-/// Most parts of an interval, and the shift of the unknowns, in standard deviations, that may be left (chosen).
-const MOST_PARTS: usize = 16;
-const SHIFT: f64 = 0.2;
-
-/// Divides the intervals between samples until that no longer shifts the unknowns; the shift that is left, in standard
-/// deviations.
-fn refine(problem: &mut Problem, mut best: Found, task: &Task, watch: Watch) -> (Found, f64) {
-    loop {
-        let Some(here) = problem.residuals(&best.places) else { return (best, f64::INFINITY) };
-        let finer = Problem { parts: 2 * problem.parts, ..problem.clone() };
-        let Some(there) = finer.residuals(&best.places) else { return (best, f64::INFINITY) };
-        let seen = residuals(&here, &problem.lengths(), problem.unknowns.len(), problem.loss);
-        let error: Vec<f64> = here.iter().zip(&there).map(|(here, there)| here - there).collect();
-        let shift = trust(problem, &best.places, &seen).shift(&error);
-        if shift <= SHIFT || finer.parts > MOST_PARTS || watch.cancel.load(Ordering::Relaxed) {
-            return (best, shift);
-        }
-        problem.parts = finer.parts;
-        best = problem.judge(best);
-        if task.method == Method::Evolution {
-            best = polish(problem, &best);
-        }
-    }
 }
 
 /// Refuses experiments and tasks with which nothing can be fitted.

@@ -183,18 +183,27 @@ impl Problem<'_> {
         Some(explained.iter().zip(self.measured()).map(|(explained, measured)| explained - measured).collect())
     }
 
-    /// The same with intervals between samples that are not divided, and with forces that have their least squares at the
-    /// same place, with the same residuals as far as the unknowns cannot explain them. Near the place, the error of the
-    /// steps hardly changes.
+    /// The same with intervals between samples that are not divided, and with forces that leave the same residuals at a
+    /// place: near it, the error of the steps hardly changes.
+    pub fn corrected(&self, places: &[f64]) -> Option<Problem<'_>> {
+        self.leaving(places, self.residuals(places)?)
+    }
+
+    /// The same with forces that have their least squares at the place: the residuals are the same as far as the unknowns
+    /// cannot explain them.
     pub fn undivided(&self, places: &[f64]) -> Option<Problem<'_>> {
         let quick = Problem { parts: 1, instead: None, ..self.clone() };
-        let [coarse, left] = [quick.residuals(places)?, self.residuals(places)?];
         let inside = (0..places.len()).filter(|number| places[*number] > 0.0 && places[*number] < 1.0);
         let columns: Vec<Vec<f64>> = inside.map(|number| quick.sensitivity(places, number)).collect();
-        let left = beyond(&columns, left)?;
-        let measured = quick.measured();
-        let explained = measured.iter().zip(&coarse).map(|(force, residual)| force + residual);
-        let forces = explained.zip(&left).map(|(force, residual)| force - residual).collect();
+        self.leaving(places, beyond(&columns, self.residuals(places)?)?)
+    }
+
+    /// A problem with intervals that are not divided and with forces that leave given residuals at a place.
+    fn leaving(&self, places: &[f64], left: Vec<f64>) -> Option<Problem<'_>> {
+        let quick = Problem { parts: 1, instead: None, ..self.clone() };
+        let coarse = quick.residuals(places)?;
+        let explained = quick.measured().into_iter().zip(coarse).map(|(force, residual)| force + residual);
+        let forces = explained.zip(left).map(|(force, residual)| force - residual).collect();
         Some(Problem { instead: Some(forces), ..quick })
     }
 

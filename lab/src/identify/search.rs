@@ -241,7 +241,7 @@ fn patience(generations: u64) -> u64 {
 const MOST_STEPS: u64 = 60;
 
 /// Part of the cost that a step of least squares must gain for another one to follow (chosen).
-const GAIN: f64 = 1e-10;
+const GAIN: f64 = 1e-8;
 
 /// Follows the slopes from a place; the free unknowns of the problem only.
 pub(super) fn polish(problem: &Problem, from: &Found) -> Found {
@@ -297,5 +297,32 @@ fn follow(problem: &Problem, from: &Found, gain: f64) -> Found {
         Found { places: problem.whole(result.param()), cost: result.cost(), evaluations }
     } else {
         Found { evaluations, ..from.clone() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{measured, standard, whole_problem};
+    use super::*;
+
+    /// From places without viscous friction: to hold it at 0 does not lead farther down.
+    #[test]
+    fn an_unknown_at_an_end_of_its_range_does_not_stop_the_others() {
+        for (law, seed) in [("Andersson", 2), ("LuGre", 5), ("MaxwellSlip", 6), ("SpeckerDynamic", 7)] {
+            let data = [measured(law, &[], &standard(1000), 0.01, seed)];
+            let problem = whole_problem(law, &data);
+            let mut random = fastrand::Rng::with_seed(seed);
+            let viscous = problem.unknowns.iter().position(|one| one.name == "viscous_coefficient").unwrap();
+            let place = |number: usize| if number == viscous { 0.0 } else { 0.3 + 0.4 * random.f64() };
+            let places = (0..problem.unknowns.len()).map(place).collect();
+            let start = Found { places, cost: f64::INFINITY, evaluations: 0 };
+            let end = polish(&problem, &start);
+            let mut without = problem.clone();
+            without.pin(viscous, 0.0);
+            let mut held = end.clone();
+            held.places[viscous] = 0.0;
+            let held = polish(&without, &Found { cost: f64::INFINITY, ..held });
+            assert!(end.cost < (1.0 + 1e-6) * held.cost, "{law} {seed}: {} {}", end.cost, held.cost);
+        }
     }
 }
