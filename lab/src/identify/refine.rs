@@ -60,23 +60,24 @@ mod tests {
     use super::super::tests::{measured, standard, whole_problem};
     use super::*;
 
-    /// Coarse samples of a fast relaxation: the sum of squares with divided intervals is as small as where their own slopes
-    /// lead, and smaller than where those of whole intervals do.
+    /// Coarse samples of a fast relaxation: corrections with slopes of whole intervals gain nearly all that there is to gain,
+    /// and the fit ends where the slopes of divided intervals lead.
     #[test]
     fn corrections_lead_to_the_least_squares_of_divided_intervals() {
         let data = [measured("MaxwellSlip", &[], &standard(600), 0.01, 3)];
         let mut problem = whole_problem("MaxwellSlip", &data);
         let middle = Found { places: vec![0.4; problem.unknowns.len()], cost: f64::INFINITY, evaluations: 0 };
         let whole = polish(&problem, &middle);
-        problem.parts = 8;
-        let slow = polish(&problem, &problem.judge(whole.clone()));
-        problem.parts = 1;
         let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
-        let (quick, shift) = refine(&mut problem, whole.clone(), &Task::default(), watch);
-        let variance = 2.0 * slow.cost / problem.samples() as f64;
+        let (refined, shift) = refine(&mut problem, whole.clone(), &Task::default(), watch);
         assert!(problem.parts >= 8 && shift <= SHIFT, "{} {shift}", problem.parts);
-        assert!(problem.judge(whole).cost - quick.cost > variance);
-        let off = problem.judge(slow).cost - quick.cost;
-        assert!(off.abs() < 0.01 * variance, "{off:e} {variance:e}");
+        let start = problem.judge(whole);
+        let slow = polish(&problem, &start);
+        let corrected = polish_by_corrections(&problem, start.clone());
+        let gain = start.cost - slow.cost;
+        let variance = 2.0 * slow.cost / problem.samples() as f64;
+        let [left_of_corrected, left] = [&corrected, &refined].map(|found| found.cost - slow.cost);
+        assert!(gain > variance && left_of_corrected < 1e-3 * gain, "{gain:e} {left_of_corrected:e} {variance:e}");
+        assert!(left.abs() < 0.01 * variance, "{left:e} {variance:e}");
     }
 }
