@@ -330,7 +330,9 @@ fn fit_from(
     is_far: bool,
 ) -> Result<Fit, Fault> {
     let mut problem = problem(law, experiments, task)?;
-    let Best { found: best, searches, mut ends } = best(&problem, task, watch, first, is_far);
+    let found = best(&problem, task, watch, first, is_far);
+    let again = if is_far { None } else { searched_again(&problem, &found.found, task, watch) };
+    let Best { found: best, searches, mut ends } = again.unwrap_or(found);
     if task.method == Method::Genetic {
         // One hardly ever ends where another one does.
         ends.clear();
@@ -360,6 +362,21 @@ fn fit_from(
         fit.saw(folds(law, experiments, task.folds, task, watch)?);
     }
     Ok(fit)
+}
+
+/// The ends of other searches, if the residuals of the best place are not noise and these explain more: two searches may
+/// agree on a local minimum. For fits with intervals only; many laws are ranked although they do not fit.
+fn searched_again(problem: &Problem, found: &Found, task: &Task, watch: Watch) -> Option<Best> {
+    if !task.profiles || task.method != Method::Evolution || watch.cancel.load(Ordering::Relaxed) {
+        return None;
+    }
+    let seen = residuals(&problem.residuals(&found.places)?, &problem.lengths(), problem.unknowns.len(), problem.loss);
+    if seen.correlation <= SYSTEMATIC {
+        return None;
+    }
+    let other = Task { seed: !task.seed, ..task.clone() };
+    let again = best(problem, &other, watch, None, false);
+    (2.0 * (found.cost - again.found.cost) > seen.rise()).then_some(again)
 }
 
 /// How often a fit goes on from a better place that is found while it is judged (chosen): the searches see fewer samples

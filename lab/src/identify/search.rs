@@ -302,8 +302,14 @@ fn follow(problem: &Problem, from: &Found, gain: f64) -> Found {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{measured, standard, whole_problem};
+    use stribeck::catalogue::by_name;
+
+    use super::super::Experiment;
+    use super::super::tests::{fitted, measured, standard, whole_problem};
     use super::*;
+    use crate::measured::{Delay, Record, Rig};
+    use crate::rig::{Faults, VirtualRig};
+    use crate::sheet::Sheet;
 
     /// From places without viscous friction: to hold it at 0 does not lead farther down.
     #[test]
@@ -324,5 +330,24 @@ mod tests {
             let held = polish(&without, &Found { cost: f64::INFINITY, ..held });
             assert!(end.cost < (1.0 + 1e-6) * held.cost, "{law} {seed}: {} {}", end.cost, held.cost);
         }
+    }
+
+    /// A record for which two searches agree on a local minimum.
+    #[test]
+    fn residuals_that_are_not_noise_are_searched_again() {
+        let faults = Faults::NOISE;
+        let law = by_name("Leuven").unwrap();
+        let rig =
+            VirtualRig { law, values: Vec::new(), mass: 2.0, normal_force: 20.0, duration: 4.0, faults, seed: 31_031 };
+        let known = Rig { mass: 2.0, normal_force: Some(20.0), delay: Delay::Known(0.0), ..Rig::default() };
+        let record = Record::of(&Sheet::parse(&rig.record().unwrap().force).unwrap(), None, &known).unwrap();
+        let experiment = Experiment::new(law.name, &record);
+        let without = Task { mass: 2.0, profiles: false, repetitions: 0, ..Task::default() };
+        let fits = [without.clone(), Task { profiles: true, ..without }]
+            .map(|task| fitted("Leuven", std::slice::from_ref(&experiment), &task));
+        assert!(fits.iter().all(|fit| fit.searches == Searches::Agree));
+        let [local, found] = fits.map(|fit| fit.residuals);
+        assert!(local.correlation > 3.0 && found.correlation < 2.0, "{local:?} {found:?}");
+        assert!(found.rms < 0.99 * local.rms, "{local:?} {found:?}");
     }
 }
