@@ -349,8 +349,8 @@ fn worth(name: &str, record: &Record) -> String {
     } else if record.is_differentiated {
         text += &format!(
             "  velocity from the displacement, in a window of {:.4} s; known to {:.1e} m/s around rest; acceleration in a \
-             window of {:.4} s\n",
-            record.window, record.velocity_error, record.acceleration_window
+             window of {:.4} s, known to {:.1e} m/s2\n",
+            record.window, record.velocity_error, record.acceleration_window, record.acceleration_error
         );
     }
     let clocks = record.clocks;

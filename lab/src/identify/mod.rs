@@ -329,7 +329,10 @@ fn fit_from(
     first: Option<Found>,
     is_far: bool,
 ) -> Result<Fit, Fault> {
+    let known = of_known_branch(law, experiments, task);
+    let experiments = known.as_deref().unwrap_or(experiments);
     let mut problem = problem(law, experiments, task)?;
+    let first = first.map(|found| problem.judge(found));
     let found = best(&problem, task, watch, first, is_far);
     let again = if is_far { None } else { searched_again(&problem, &found.found, task, watch) };
     let Best { found: best, searches, mut ends } = again.unwrap_or(found);
@@ -362,6 +365,13 @@ fn fit_from(
         fit.saw(folds(law, experiments, task.folds, task, watch)?);
     }
     Ok(fit)
+}
+
+/// The experiments without samples of which it is not known whether the contact speeds up or slows down, for a law that
+/// differs then. For fits with intervals only; laws are ranked by the same samples.
+fn of_known_branch(law: &ModelType, experiments: &[Experiment], task: &Task) -> Option<Vec<Experiment>> {
+    let differs = task.profiles && Ports::of(law)?.acceleration.is_some();
+    differs.then(|| experiments.iter().map(Experiment::of_known_branch).collect())
 }
 
 /// The ends of other searches, if the residuals of the best place are not noise and these explain more: two searches may

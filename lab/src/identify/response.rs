@@ -17,7 +17,7 @@ pub(super) struct Ports {
     load: usize,
     force: usize,
     /// Input of the laws that differ as the contact speeds up or slows down.
-    acceleration: Option<usize>,
+    pub acceleration: Option<usize>,
 }
 
 impl Ports {

@@ -106,6 +106,7 @@ fn experiment(stroke: &Stroke, load: f64, asymmetry: f64) -> Experiment {
         normal_force: stroke.velocity.iter().map(|v| load * (1.0 - asymmetry * direction(*v))).collect(),
         force: stroke.friction_force.clone(),
         velocity_error: 0.0,
+        acceleration_error: 0.0,
         delay: 0.0,
         delay_range: None,
         left_out: Vec::new(),

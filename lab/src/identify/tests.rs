@@ -28,6 +28,7 @@ pub(super) fn standard(samples: u32) -> Experiment {
         normal_force: time.iter().map(|t| 20.0 + wave(5.0, 0.3, *t)).collect(),
         force: vec![0.0; time.len()],
         velocity_error: 0.0,
+        acceleration_error: 0.0,
         delay: 0.0,
         delay_range: None,
         left_out: Vec::new(),

@@ -185,6 +185,8 @@ pub struct Record {
     /// Error of the velocity around rest, m/s, root mean square: its noise if it was measured; otherwise what the filter
     /// lets pass of the noise of the displacement and swallows of the motion.
     pub velocity_error: f64,
+    /// Error of the acceleration where it passes through 0, m/s2, root mean square: what the filter lets pass of noise.
+    pub acceleration_error: f64,
     /// Median interval between samples of the motion, s.
     pub motion_interval: f64,
     /// First and last time of the motion on the clock of the force, s.
@@ -454,6 +456,7 @@ impl Motion {
             delay_range: (clocks.deviation > 0.0).then(|| around(clocks.delay, DOUBT * interval.max(clocks.deviation))),
             alike: None,
             velocity_error: self.velocity_error(own, rig, windows[0]),
+            acceleration_error: self.acceleration_error(own, rig, windows[1]),
             motion_ends: clocks.ends([self.time[0], self.time[self.time.len() - 1]]),
             quality: Quality::default(),
             time,
@@ -490,6 +493,13 @@ impl Motion {
         match &self.velocity {
             Some(velocity) => noise(velocity).max(rounding(velocity)),
             None => self.signal(&self.displacement, own, rig).error(window),
+        }
+    }
+
+    fn acceleration_error(&self, own: &Own, rig: &Rig, window: f64) -> f64 {
+        match &self.velocity {
+            Some(velocity) => self.signal(velocity, own, rig).passed(window, 1),
+            None => self.signal(&self.displacement, own, rig).passed(window, 2),
         }
     }
 

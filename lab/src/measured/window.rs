@@ -103,6 +103,15 @@ impl Signal<'_> {
         (noise * [shorter, longer][taken].gains[1] + missed[taken]).sqrt()
     }
 
+    /// What a window lets pass of the noise of the samples into a derivative, root mean square. Where the acceleration
+    /// passes through 0, hardly anything else is wrong with it.
+    pub fn passed(&self, window: f64, derivative: usize) -> f64 {
+        let shortest = shortest(self.interval);
+        let places = Places::new(self, self.part.clone().collect(), window.max(shortest));
+        let [shortest, whole] = [shortest, window].map(|length| Tried::new(self, &places, length));
+        (shortest.noise(self, &places) * whole.gains[derivative]).sqrt()
+    }
+
     /// Samples at which the motion is around rest; all if it never is.
     fn slow(&self, window: f64) -> Vec<usize> {
         let local = Local::new(self.time, self.values, window);
@@ -292,6 +301,27 @@ mod tests {
             let parted = signal(&apart, &values);
             assert_eq!(parted.windows(), whole.windows(), "{length}");
             assert!((parted.error(0.02) / whole.error(0.02) - 1.0).abs() < 0.1, "{length}");
+        }
+    }
+
+    /// Against the exact acceleration where that passes through 0.
+    #[test]
+    fn the_error_of_the_acceleration_is_known() {
+        let mut random = fastrand::Rng::with_seed(6);
+        let mut spread = || (0..12).map(|_| random.f64()).sum::<f64>() - 6.0;
+        let time: Vec<f64> = (0..8000).map(|k| f64::from(k) * 1e-3).collect();
+        let rate = 3.0 * TAU;
+        for noise in [1e-6, 1e-7, 1e-8] {
+            let values: Vec<f64> = time.iter().map(|t| 1e-3 * (rate * t).sin() + noise * spread()).collect();
+            let signal = signal(&time, &values);
+            let [_, window] = signal.windows();
+            let local = Local::new(&time, &values, window);
+            let exact = |t: f64| -rate * rate * 1e-3 * (rate * t).sin();
+            let near = time[400..7600].iter().filter(|t| (rate * **t).sin().abs() < SLOW);
+            let squares: Vec<f64> = near.map(|t| (local.at(*t)[2] - exact(*t)).powi(2)).collect();
+            let found = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
+            let told = signal.passed(window, 2);
+            assert!((0.8..1.25).contains(&(told / found)), "{noise} {told} {found}");
         }
     }
 
