@@ -1,48 +1,49 @@
 //! What an error of the velocity makes of the unknowns.
 //!
 //! # Equation
-//! The error is taken to have one sign within a window of the filter of the motion, and any sign in the next one. With
-//! the change b of the force by a change of the velocity by its error, the sensitivities J and the covariance C by the
-//! noise of the force, of variance s2:
+//! The error is that of the slope of a displacement with white noise, in the windows of the filter of the motion. With
+//! the change b of the force by a change of the velocity by its error, the correlation r of the error between the times
+//! of two samples, the sensitivities J and the covariance C by the noise of the force, of variance s2:
 //!
 //! ```text
-//! shift of the unknowns by a window w    d_w = C J_w' b_w / s2
-//! covariance by the error                B = sum of d_w d_w'
+//! shift of the unknowns by a change e of the force    d = C J' e / s2
+//! covariance by the error                             B = sum of r(t_i - t_j) d_i d_j'    d_i: by b at sample i
 //! ```
 //!
 //! Friction changes steeply around rest: there a small error of the velocity counts more than the noise of the force, and
 //! the residuals do not show it, since they are few or since an unknown makes up for it.
 
-use std::ops::Range;
-
 use nalgebra::DMatrix;
 
 use super::Experiment;
-use super::problem::Problem;
-
-/// Places at which the windows may begin, as parts of them, over which the covariance is averaged (chosen): a sensitivity
-/// that changes its sign within a window cancels in that window alone.
-const PHASES: usize = 8;
+use super::problem::{Problem, dot};
+use crate::measured::correlation_of_slopes;
 
 /// Covariance of the unknowns by the error of the velocity. `columns` are the sensitivities of the force, and `gain` times
 /// them the shift of the unknowns by a force.
 pub(super) fn blur(problem: &Problem, places: &[f64], columns: &[Vec<f64>], gain: &DMatrix<f64>) -> DMatrix<f64> {
     let count = columns.len();
-    let mut sum = DMatrix::zeros(count, count);
-    let Some(changes) = changes(problem, places) else { return sum };
-    for phase in 0..PHASES {
-        for window in windows(problem.experiments, phase as f64 / PHASES as f64) {
-            let pull = |column: &Vec<f64>| window.clone().map(|at| column[at] * changes[at]).sum::<f64>();
-            let pulls: Vec<f64> = columns.iter().map(pull).collect();
-            let shift =
-                |one: usize| pulls.iter().enumerate().map(|(other, pull)| gain[(one, other)] * pull).sum::<f64>();
-            let shifts: Vec<f64> = (0..count).map(shift).collect();
-            for (a, b) in (0..count).flat_map(|a| (0..count).map(move |b| (a, b))) {
-                sum[(a, b)] += shifts[a] * shifts[b] / PHASES as f64;
-            }
+    let Some(changes) = changes(problem, places) else { return DMatrix::zeros(count, count) };
+    let pulls = |column: &Vec<f64>| column.iter().zip(&changes).map(|(slope, change)| slope * change).collect();
+    let pulls: Vec<Vec<f64>> = columns.iter().map(pulls).collect();
+    let passed: Vec<Vec<f64>> = pulls.iter().map(|pull| correlated(problem.experiments, pull)).collect();
+    gain * DMatrix::from_fn(count, count, |a, b| dot(&pulls[a], &passed[b])) * gain.transpose()
+}
+
+/// For each sample that counts the sum over all of them, times the correlation of the error of the velocity.
+fn correlated(experiments: &[Experiment], pull: &[f64]) -> Vec<f64> {
+    let mut found = Vec::with_capacity(pull.len());
+    for one in experiments {
+        let from = found.len();
+        let times: Vec<f64> = (0..one.time.len()).filter(|at| one.counts(*at)).map(|at| one.time[at]).collect();
+        let mut first = 0;
+        for time in &times {
+            first += times[first..].iter().take_while(|other| **other < time - one.window).count();
+            let near = times.iter().enumerate().skip(first).take_while(|(_, other)| **other <= time + one.window);
+            found.push(near.map(|(at, other)| pull[from + at] * correlation_of_slopes(other - time, one.window)).sum());
         }
     }
-    sum
+    found
 }
 
 /// Error of the velocity; 0 if none is known. An axis has none: its force and its motion are smoothed alike.
@@ -76,27 +77,6 @@ fn changes(problem: &Problem, places: &[f64]) -> Option<Vec<f64>> {
     }
 }
 
-/// Samples that count, as they are numbered in the residuals, in windows of the filter of the motion; the first one is
-/// shorter by a part of itself.
-fn windows(experiments: &[Experiment], phase: f64) -> Vec<Range<usize>> {
-    let mut list = Vec::new();
-    let mut number = 0;
-    for one in experiments {
-        let mut current = None;
-        for at in (0..one.time.len()).filter(|at| one.counts(*at)) {
-            let is_white = one.window == 0.0;
-            let passed = if is_white { number as f64 } else { (one.time[at] - one.time[0]) / one.window + phase };
-            match list.last_mut() {
-                Some(Range { end, .. }) if current == Some(passed.floor()) => *end = number + 1,
-                _ => list.push(number..number + 1),
-            }
-            current = Some(passed.floor());
-            number += 1;
-        }
-    }
-    list
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::tests::{measured, standard, white_noise, whole_problem};
@@ -105,7 +85,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     /// Sliding at 1 and 2 m/s in turn with f = mu_k f_n + c v: an error e of the velocity looks like mu_k f_n higher by c e,
-    /// and c the same; with errors of n windows, each shifts mu_k by a part 1/n of that, and they add up to 1 / sqrt(n).
+    /// and c the same, so that mu_k shifts by the mean error.
     #[test]
     fn an_error_of_the_velocity_looks_like_another_level() {
         let even = standard(1600);
@@ -120,19 +100,21 @@ mod tests {
                 values.map(|(name, value)| problem.unknowns.iter().find(|one| one.name == name).unwrap().place(value));
             let trust = trust(&problem, &places, &white_noise(1e-3));
             assert_eq!(trust.verdicts, [Verdict::Determined, Verdict::Determined]);
-            assert!(trust.blurs[1] < 1e-6, "{:?}", trust.blurs);
             assert_relative_eq!(
                 trust.deviations[0].powi(2),
                 trust.by_noise(0).powi(2) + trust.blurs[0].powi(2),
                 max_relative = 1e-9
             );
-            trust.blurs[0]
+            [trust.blurs[0], trust.blurs[1]]
         };
         let whole = 3.0 * 0.01 / 20.0;
-        assert_relative_eq!(found(1000.0), whole, max_relative = 1e-3);
-        // Windows of 1 s: four, or three and two parts of one, k/8 and 1 - k/8.
-        let squares = 3.0 + (140.0 + 204.0) / 512.0;
-        assert_relative_eq!(found(1.0), whole * f64::sqrt(squares) / 4.0, max_relative = 0.02);
+        let [level, viscous] = found(1e5);
+        assert_relative_eq!(level, whole, max_relative = 1e-3);
+        assert!(viscous < 1e-6, "{viscous}");
+        // The mean over a time T has the variance 2 / T2 int (T - t) r(t) dt over a window w, with the integrals of r and
+        // of t r over it 0 and -2/15 (w/2)2.
+        let mean = f64::sqrt(2.0 * 2.0 / 15.0 * 0.25) / 4.0;
+        assert_relative_eq!(found(1.0)[0], whole * mean, max_relative = 0.02);
     }
 
     #[test]

@@ -38,5 +38,6 @@ pub use alike::Alike;
 pub use clock::Clocks;
 pub use columns::Columns;
 pub use cycle::{Cycle, average, interpolate};
+pub(crate) use polynomial::correlation_of_slopes;
 pub use quality::{Gap, Quality, noise};
 pub use record::{Delay, MeasuredError, Record, Rig};

@@ -5,6 +5,15 @@
 //! its coefficients at t are value, derivative and half the second derivative. On evenly spaced samples this is the
 //! filter of Savitzky and Golay: it has no delay, and it is exact for polynomials up to the third degree.
 //!
+//! In a window with many samples their weights in the slope are p(s) = 5 s - 7 s3 over s from -1 to 1, up to a factor.
+//! White noise then has slopes whose correlation at two times is
+//!
+//! ```text
+//! r(t) = int p(s) p(s + t) ds / int p(s)2 ds = 1 - 3/2 t - 21/5 t2 + 11/2 t3 - 21/16 t5 + 21/160 t7      t <= 2
+//! ```
+//!
+//! with the time t between them in halves of the window, and 0 from t = 2 on.
+//!
 //! # Source
 //! A. Savitzky, M. J. E. Golay, "Smoothing and differentiation of data by simplified least squares procedures",
 //! Analytical Chemistry 36 (1964), doi:10.1021/ac60214a047.
@@ -13,6 +22,17 @@ use nalgebra::{SMatrix, SVector};
 
 /// Degree of the polynomials plus one.
 const TERMS: usize = 4;
+
+/// Correlation of the slopes of white noise at two times: that many seconds apart, in windows of this length.
+pub fn correlation_of_slopes(apart: f64, window: f64) -> f64 {
+    if window == 0.0 {
+        return if apart == 0.0 { 1.0 } else { 0.0 };
+    }
+    let t = (2.0 * apart / window).abs();
+    let square = t * t;
+    let r = 1.0 - 1.5 * t + square * (-4.2 + 5.5 * t + square * t * (-21.0 / 16.0 + 21.0 / 160.0 * square));
+    if t < 2.0 { r } else { 0.0 }
+}
 
 /// A sampled signal and the window in which it is fitted.
 #[derive(Clone, Copy, Debug)]
@@ -92,6 +112,23 @@ mod tests {
         for (found, expected) in found.into_iter().zip([17.0 / 35.0, 130.0 / 1.44, 14.0 / 49.0 * 1e4]) {
             assert_relative_eq!(found, expected, max_relative = 1e-9);
         }
+    }
+
+    /// Against the weights themselves: the slopes of a signal that is 0 but for one sample.
+    #[test]
+    fn the_correlation_of_slopes_is_that_of_the_weights() {
+        let time: Vec<f64> = (0..801).map(|k| f64::from(k) * 1e-3).collect();
+        let mut peak = vec![0.0; 801];
+        peak[400] = 1.0;
+        let local = Local::new(&time, &peak, 0.2005);
+        let weights: Vec<f64> = time.iter().map(|t| local.at(*t)[1]).collect();
+        let product = |lag: usize| weights.iter().zip(&weights[lag..]).map(|(a, b)| a * b).sum::<f64>();
+        for lag in [0, 10, 31, 50, 77, 100, 140, 180, 205, 300] {
+            let expected = product(lag) / product(0);
+            let found = correlation_of_slopes(-1e-3 * lag as f64, 0.2005);
+            assert!((found - expected).abs() < 0.02, "{lag}: {found} {expected}");
+        }
+        assert_eq!([0.0, 1e-9].map(|apart| correlation_of_slopes(apart, 0.0)), [1.0, 0.0]);
     }
 
     #[test]
