@@ -192,15 +192,20 @@ impl Problem<'_> {
     /// The same with forces that have their least squares at the place: the residuals are the same as far as the unknowns
     /// cannot explain them.
     pub fn undivided(&self, places: &[f64]) -> Option<Problem<'_>> {
-        let quick = Problem { parts: 1, instead: None, ..self.clone() };
+        let quick = self.with_whole_intervals();
         let inside = (0..places.len()).filter(|number| places[*number] > 0.0 && places[*number] < 1.0);
         let columns: Vec<Vec<f64>> = inside.map(|number| quick.sensitivity(places, number)).collect();
         self.leaving(places, beyond(&columns, self.residuals(places)?)?)
     }
 
+    /// The same with intervals that are not divided.
+    fn with_whole_intervals(&self) -> Problem<'_> {
+        Problem { parts: 1, instead: None, ..self.clone() }
+    }
+
     /// A problem with intervals that are not divided and with forces that leave given residuals at a place.
     fn leaving(&self, places: &[f64], left: Vec<f64>) -> Option<Problem<'_>> {
-        let quick = Problem { parts: 1, instead: None, ..self.clone() };
+        let quick = self.with_whole_intervals();
         let coarse = quick.residuals(places)?;
         let explained = quick.measured().into_iter().zip(coarse).map(|(force, residual)| force + residual);
         let forces = explained.zip(left).map(|(force, residual)| force - residual).collect();

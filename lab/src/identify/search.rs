@@ -253,7 +253,7 @@ pub(super) fn polish(problem: &Problem, from: &Found) -> Found {
 /// them again.
 pub(super) fn polish_until(problem: &Problem, from: &Found, gain: f64) -> Found {
     let mut found = follow(problem, from, gain);
-    for _ in 0..MOST_RETURNS {
+    for _ in 0..DETOURS {
         let Some(inside) = without_ends(problem, &found.places) else { break };
         let moved = follow(&inside, &found, gain);
         let is_better = moved.cost < (1.0 - gain) * found.cost;
@@ -267,7 +267,7 @@ pub(super) fn polish_until(problem: &Problem, from: &Found, gain: f64) -> Found 
 }
 
 /// How often least squares go on without the unknowns at ends of their ranges (chosen).
-const MOST_RETURNS: usize = 4;
+const DETOURS: usize = 4;
 
 /// Distance from an end of a range, as a part of it, at which an unknown stops the others (chosen).
 const EDGE: f64 = 1e-4;
