@@ -34,6 +34,7 @@ mod trust;
 pub mod tyre;
 mod unknown;
 mod unseen;
+mod warnings;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -56,12 +57,13 @@ use crate::system::Fault;
 use interval::{Ended, repetitions};
 use loss::Loss;
 use problem::Problem;
-use refine::{SHIFT, refine};
+use refine::refine;
 use response::{Exact, Ports};
 use search::{Best, Found, best, first_look, polish};
 use trust::{Trust, residuals, trust};
 use unknown::OF_RIG;
 use unseen::{check_folds, folds};
+use warnings::warnings;
 
 /// How a law is fitted.
 #[derive(Clone, Debug, PartialEq)]
@@ -591,72 +593,3 @@ fn split(mut values: &[f64], lengths: &[usize]) -> Vec<Vec<f64>> {
 
 /// Correlation time of the residuals from which the law does not explain them, in samples (chosen).
 const SYSTEMATIC: f64 = 3.0;
-
-/// Correlation of neighbours from which it is not noise that is left, although it swings so often that few samples count
-/// as one (chosen).
-const ALIKE: f64 = 0.5;
-
-fn warnings(
-    problem: &Problem,
-    seen: &Residuals,
-    estimates: &[Estimate],
-    searches: Searches,
-    shift: f64,
-) -> Vec<String> {
-    let mut list = Vec::new();
-    if searches == Searches::Disagree {
-        list.push(
-            "searches over the whole range ended at different values: raise the budget, or narrow the ranges"
-                .to_owned(),
-        );
-    }
-    if shift > SHIFT {
-        list.push(format!(
-            "the samples are too far apart: dividing their intervals once more shifts a value by {shift:.1} standard \
-             deviations"
-        ));
-    }
-    if seen.correlation > SYSTEMATIC {
-        list.push(format!(
-            "the residuals are not noise ({:.0} samples count as one): law, clocks or mass are not those of the rig, \
-             and the intervals may not hold",
-            seen.correlation
-        ));
-    } else if seen.neighbours > ALIKE {
-        list.push(format!(
-            "the residuals are not noise (neighbours are correlated by {:.2}): something else than the law acts, such as \
-             a ripple along the way, and the intervals may not hold",
-            seen.neighbours
-        ));
-    }
-    for estimate in estimates {
-        if let Verdict::AtEnd(end) = estimate.verdict {
-            list.push(format!("{} is at an end of its range ({end:.4e} {})", estimate.name, estimate.unit));
-        }
-    }
-    for one in problem.experiments {
-        list.extend(blurred(one, estimates));
-    }
-    list
-}
-
-/// Error of the velocity, as a part of the speed at which friction falls, from which its parameters are biased (chosen:
-/// a camera of 100 Hz with 0.013 of it makes the static level 1 % and that speed 7 % wrong, with 0.026 4 % and 11 %, and
-/// sigma_1 three times too large with both).
-const BLURRED: f64 = 0.01;
-
-/// Warns of a velocity that is not known well enough where friction falls with it: the static level then looks lower
-/// and the Stribeck velocity higher than they are, while the residuals look fine.
-fn blurred(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
-    let speed =
-        estimates.iter().find(|one| ["stribeck_velocity", "transition_velocity"].contains(&one.name.as_str()))?;
-    let error = experiment.velocity_error;
-    let damping = if estimates.iter().any(|one| one.name == "sigma_1") { ", sigma_1 far from the truth" } else { "" };
-    (error > BLURRED * speed.value).then(|| {
-        format!(
-            "{}: the velocity around rest is known to {error:.1e} m/s only, with {} = {:.1e} m/s: the static level is \
-             found too low and {} too high{damping}; measure the velocity, or sample the motion faster",
-            experiment.name, speed.name, speed.value, speed.name
-        )
-    })
-}
