@@ -476,14 +476,16 @@ fn a_velocity_that_is_known_too_badly_is_warned_of() {
     let data = measured("LuGre", &SLIDER, &standard(1000), 0.01, 2);
     let sharp = fitted("LuGre", std::slice::from_ref(&data), &quick());
     assert!(sharp.warnings.is_empty(), "{:?}", sharp.warnings);
-    let smooth = fitted("LuGre", &[Experiment { velocity_error: 2e-3, ..data }], &quick());
+    let smooth = fitted("LuGre", &[Experiment { velocity_error: 1e-4, ..data }], &quick());
     assert!(
         smooth.warnings.iter().any(|text| {
-            text.contains("the static level is found too low") && text.contains("sigma_1 far from the truth")
+            text.contains("the static level is found too low") && text.contains("sigma_1 gets no number")
         }),
         "{:?}",
         smooth.warnings
     );
+    let damping = [&sharp, &smooth].map(|fit| estimate(fit, "sigma_1").verdict.to_string());
+    assert!(damping[0] == "determined" && damping[1].contains("not known well enough"), "{damping:?}");
 }
 
 #[test]

@@ -213,6 +213,17 @@ fn is_within(unknown: &Unknown, value: f64, error: f64) -> bool {
     }
 }
 
+/// Whether the error of the velocity hides an unknown, whatever the noise of the force.
+fn is_lost(problem: &Problem, values: &[f64], number: usize, error: f64) -> bool {
+    is_within(&problem.unknowns[number], values[number], error) || hides_damping(problem, values, number, error)
+}
+
+/// Whether an unknown is the damping of bristles, and the error of the velocity hides it.
+fn hides_damping(problem: &Problem, values: &[f64], number: usize, error: f64) -> bool {
+    let speed = problem.unknowns.iter().position(|one| blur::is_speed_of_fall(&one.name)).map(|at| values[at]);
+    problem.unknowns[number].name == "sigma_1" && speed.is_some_and(|speed| error > blur::BLURRED * speed)
+}
+
 /// The other unknown with which the data tell an unknown only together.
 fn partner(correlation: &DMatrix<f64>, number: usize) -> Option<usize> {
     let size = |other: &usize| correlation[(number, *other)].abs();
@@ -263,7 +274,7 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
         let followed = followed(&noise_covariance, &values, &open, number);
         let partner = partner(&correlation, number).or(followed).map(|other| problem.unknowns[other].name.as_str());
         let [value, deviation] = [values[number], deviations[number]];
-        let is_blurred = deviation > DETERMINED * large[number] || is_within(&problem.unknowns[number], value, error);
+        let is_blurred = deviation > DETERMINED * large[number] || is_lost(problem, &values, number, error);
         let is_open = open[number] || followed.is_some();
         let one = Known { value, place: places[number], is_open, deviation, alone, is_blurred };
         verdict(&problem.unknowns[number], &one, partner, !jumps[number])

@@ -1,5 +1,6 @@
 //! What a fit warns of.
 
+use super::blur::{BLURRED, is_speed_of_fall};
 use super::experiment::UNKNOWN_DIRECTION;
 use super::problem::Problem;
 use super::refine::SHIFT;
@@ -84,18 +85,12 @@ fn relaxed(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
     })
 }
 
-/// Error of the velocity, as a part of the speed at which friction falls, from which its parameters are biased (chosen:
-/// a camera of 100 Hz with 0.013 of it makes the static level 1 % and that speed 7 % wrong, with 0.026 4 % and 11 %, and
-/// sigma_1 three times too large with both).
-const BLURRED: f64 = 0.01;
-
 /// Warns of a velocity that is not known well enough where friction falls with it: the static level then looks lower
 /// and the Stribeck velocity higher than they are, while the residuals look fine.
 fn blurred(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
-    let speed =
-        estimates.iter().find(|one| ["stribeck_velocity", "transition_velocity"].contains(&one.name.as_str()))?;
+    let speed = estimates.iter().find(|one| is_speed_of_fall(&one.name))?;
     let error = experiment.velocity_error;
-    let damping = if estimates.iter().any(|one| one.name == "sigma_1") { ", sigma_1 far from the truth" } else { "" };
+    let damping = if estimates.iter().any(|one| one.name == "sigma_1") { ", sigma_1 gets no number" } else { "" };
     (error > BLURRED * speed.value).then(|| {
         format!(
             "{}: the velocity around rest is known to {error:.1e} m/s only, with {} = {:.1e} m/s: the static level is \
