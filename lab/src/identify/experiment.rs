@@ -293,8 +293,8 @@ impl Experiment {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Task;
     use super::super::tests::{estimate, fitted, measured, noise, quick, standard};
+    use super::super::{Task, held_out};
     use super::*;
 
     /// At the highest speeds the acceleration passes through 0: noise of 0.005 m/s2 there takes the wrong curve, in some
@@ -307,11 +307,14 @@ mod tests {
         let noisy = Experiment { acceleration, ..clean.clone() };
         let known = Experiment { acceleration_error: error, ..noisy.clone() };
         let task = Task { profiles: true, ..quick() };
+        let unseen = known.clone();
         let [clean, noisy, known] =
             [clean, noisy, known].map(|experiment| fitted("NonReversible", &[experiment], &task));
         assert!(noisy.residuals.rms > 1.3 * clean.residuals.rms, "{} {}", noisy.residuals.rms, clean.residuals.rms);
         assert!(known.residuals.rms < 1.05 * clean.residuals.rms, "{} {}", known.residuals.rms, clean.residuals.rms);
         assert!((1600..1950).contains(&known.samples), "{}", known.samples);
+        let unseen = held_out(&known, &[unseen]).unwrap().swap_remove(0);
+        assert!((unseen.rms / known.residuals.rms - 1.0).abs() < 0.05, "{unseen:?}");
         for name in ["mu_k", "mu_s", "acceleration_decay", "deceleration_decay"] {
             let [clean, known] = [&clean, &known].map(|fit| estimate(fit, name));
             assert!(known.verdict.is_told(), "{name} {:?}", known.verdict);

@@ -49,6 +49,7 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Unseen>, Fa
         experiment.check()?;
         let name = &experiment.name;
         let ports = Ports::of(fit.law).ok_or_else(|| refused(name, "slides in more than one direction".into()))?;
+        let experiment = &if ports.acceleration.is_some() { experiment.of_known_branch() } else { experiment.clone() };
         let friction = forces(&mut Instance::new(fit.law), ports, &fit.columns, experiment, fit.parts);
         let friction = friction.map_err(|reason| refused(name, reason.to_string()))?;
         let left =

@@ -1,6 +1,6 @@
 //! What a fit warns of.
 
-use super::blur::{BLURRED, is_speed_of_fall};
+use super::blur::{self, BLURRED, is_speed_of_fall};
 use super::experiment::UNKNOWN_DIRECTION;
 use super::problem::Problem;
 use super::refine::SHIFT;
@@ -64,7 +64,7 @@ const RELAXED: f64 = 0.1;
 /// Warns of noise of a measured velocity that moves a contact at rest to and fro: friction that builds up over a distance
 /// then relaxes in the law, although the rig held it.
 fn relaxed(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
-    let error = experiment.velocity_error;
+    let error = blur::error(experiment);
     if experiment.window > 0.0 || error == 0.0 {
         return None;
     }
