@@ -346,9 +346,18 @@ fn split(heading: &str) -> (String, String) {
     (name.trim().to_owned(), plain(unit.trim_end_matches([']', ')'])))
 }
 
-/// A unit without a degree sign, whatever its encoding.
+/// A unit in ASCII: the micro sign and the Greek letter become u, a raised dot becomes a dot, a degree sign alone is deg
+/// and before a letter left out; anything else stays, and is refused. A first sign that was not UTF-8 is a micro or a
+/// degree sign.
 fn plain(unit: &str) -> String {
-    unit.chars().filter(|letter| letter.is_ascii() && !letter.is_whitespace()).collect()
+    let letters: String = unit.chars().filter(|letter| !letter.is_whitespace()).collect();
+    let letters = letters.replace(['\u{b5}', '\u{3bc}'], "u").replace(['\u{b7}', '\u{22c5}'], ".");
+    match letters.strip_prefix(['\u{b0}', '\u{ba}', char::REPLACEMENT_CHARACTER]) {
+        Some("") => "deg".to_owned(),
+        Some(unit) if ["m", "s"].contains(&unit) => format!("u{unit}"),
+        Some(unit) => unit.to_owned(),
+        None => letters,
+    }
 }
 
 /// Whether a row has units: each of its cells is one, or empty, or a hyphen.
@@ -374,6 +383,24 @@ mod tests {
         assert_eq!(sheet.column(&DISPLACEMENT).unwrap(), Some(vec![4e-3]));
         assert_eq!([sheet.line(0), sheet.len() as u64], [3, 1]);
         assert_eq!(sheet.column(&VELOCITY).unwrap(), None);
+    }
+
+    /// In UTF-8, as a Greek letter, and in Latin-1.
+    #[test]
+    fn micro_is_not_left_out() {
+        for sign in ["\u{b5}", "\u{3bc}", "\u{fffd}", "u"] {
+            let sheet = Sheet::parse(&format!("time [{sign}s],displacement\n,{sign}m\n3,4\n")).unwrap();
+            let heading = Sheet::parse(&format!("time [{sign}s],displacement [{sign}m]\n3,4\n")).unwrap();
+            assert_eq!(heading.column(&TIME).unwrap(), Some(vec![3e-6]), "{sign}");
+            assert_eq!(heading.column(&DISPLACEMENT).unwrap(), Some(vec![4e-6]), "{sign}");
+            assert_eq!(sheet.column(&TIME).unwrap(), Some(vec![3e-6]), "{sign}");
+        }
+        assert_eq!(
+            ["\u{b0}", "\u{fffd}", "\u{b0}C", "\u{fffd}C", "N\u{b7}m"].map(plain),
+            ["deg", "deg", "C", "C", "N.m"]
+        );
+        let other = Sheet::parse("displacement [\u{e4}m]\n1\n").unwrap();
+        assert!(other.column(&DISPLACEMENT).unwrap_err().to_string().contains("unit '\u{e4}m'"));
     }
 
     #[test]
