@@ -249,7 +249,7 @@ pub(super) fn repetitions(
     let freedom = residuals.len() as f64 / (residuals.len() - problem.unknowns.len().min(residuals.len() - 1)) as f64;
     let length = ((10.0 * seen.correlation).ceil() as usize).clamp(1, residuals.len());
     let mut random = fastrand::Rng::with_seed(seed);
-    let mut found = Vec::with_capacity(count);
+    let mut found = Vec::new();
     for _ in 0..count {
         if watch.cancel.load(Ordering::Relaxed) {
             break;
@@ -261,7 +261,7 @@ pub(super) fn repetitions(
             noise.extend_from_slice(&residuals[from..from + length]);
         }
         let forces = measured.iter().zip(&residuals).zip(&noise);
-        let forces = forces.map(|((measured, residual), noise)| measured + residual + freedom.sqrt() * noise);
+        let forces = forces.map(|((measured, residual), noise)| measured + residual - freedom.sqrt() * noise);
         let again = Problem { instead: Some(forces.collect()), ..problem.clone() };
         let from = Found { cost: f64::INFINITY, ..best.clone() };
         found.push(polish(&again, &from).places);
@@ -274,8 +274,8 @@ pub(super) fn repetitions(
 /// Interval that holds 95 % of values.
 pub(super) fn quantiles(mut values: Vec<f64>) -> [f64; 2] {
     values.sort_by(f64::total_cmp);
-    let at = |share: f64| values[((share * values.len() as f64) as usize).min(values.len() - 1)];
-    [at(0.025), at(0.975)]
+    let beyond = (0.025 * values.len() as f64) as usize;
+    [values[beyond], values[values.len() - 1 - beyond]]
 }
 
 #[cfg(test)]
@@ -286,7 +286,7 @@ mod tests {
     use super::super::tests::{estimate, fitted, measured, quick, standard, white_noise, whole_problem};
     use super::super::trust::{residuals, trust};
     use super::super::unknown::Unknown;
-    use super::super::{Task, Verdict, doubted, judge};
+    use super::super::{Experiment, Task, Verdict, doubted, judge};
     use super::*;
 
     /// Places of the start values of a law, but for some of them.
@@ -310,6 +310,35 @@ mod tests {
         for (unknowns, quantile) in [(1, 3.841), (2, 5.991), (4, 9.488), (7, 14.067)] {
             assert!((joint_rise(unknowns) / quantile - 1.0).abs() < 0.03, "{unknowns} {}", joint_rise(unknowns));
         }
+    }
+
+    /// One and one of forty lie beyond the ends.
+    #[test]
+    fn as_many_values_lie_beyond_both_ends() {
+        let values: Vec<f64> = (0..40).map(f64::from).collect();
+        assert_eq!(quantiles(values), [1.0, 38.0]);
+        assert_eq!(quantiles(vec![2.0]), [2.0; 2]);
+    }
+
+    /// Noise with rare large values above the explained force: the level is repeated with the same skewness.
+    #[test]
+    fn repetitions_have_noise_like_that_of_the_measured_force() {
+        let even = standard(600);
+        let sliding = Experiment { velocity: vec![0.01; 600], normal_force: vec![20.0; 600], ..even };
+        let clean = measured("Coulomb", &[], &sliding, 0.0, 1);
+        let force =
+            clean.force.iter().enumerate().map(|(at, f)| if at % 40 == 7 { f + 3.9 } else { f - 0.1 }).collect();
+        let data = [Experiment { force, ..clean }];
+        let problem = whole_problem("Coulomb", &data);
+        let best = polished(&problem, vec![problem.unknowns[0].place(0.1)]);
+        let left = problem.residuals(&best.places).unwrap();
+        let seen = residuals(&left, &problem.lengths(), 1, problem.loss);
+        let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
+        let found = repetitions(&problem, &best, &seen, 400, 5, watch);
+        let levels: Vec<f64> = found.iter().map(|places| problem.values(places)[0]).collect();
+        let mean = levels.iter().sum::<f64>() / 400.0;
+        let skewness: f64 = levels.iter().map(|one| (one - mean).powi(3)).sum();
+        assert!(skewness > 0.0, "{skewness}");
     }
 
     /// A residual sum that rises as a parabola or in stairs.
