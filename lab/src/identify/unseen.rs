@@ -49,17 +49,30 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Unseen>, Fa
         experiment.check()?;
         let name = &experiment.name;
         let ports = Ports::of(fit.law).ok_or_else(|| refused(name, "slides in more than one direction".into()))?;
-        let experiment = &if ports.acceleration.is_some() { experiment.of_known_branch() } else { experiment.clone() };
+        let experiment = &as_fitted(fit, ports, experiment);
         let friction = forces(&mut Instance::new(fit.law), ports, &fit.columns, experiment, fit.parts);
         let friction = friction.map_err(|reason| refused(name, reason.to_string()))?;
         let left =
             |at: usize| friction[at] + fit.mass * experiment.acceleration[at] + fit.offset - experiment.force[at];
         let counting: Vec<f64> = (0..friction.len()).filter(|at| experiment.counts(*at)).map(left).collect();
+        if counting.is_empty() {
+            return Err(refused(name, "all its samples are left out, at rest or at its ends".into()));
+        }
         let square: f64 = counting.iter().map(|one| one * one).sum();
-        let rms = (square / counting.len().max(1) as f64).sqrt();
+        let rms = (square / counting.len() as f64).sqrt();
         Ok(Unseen { name: name.clone(), rms, fitted: fit.residuals.rms })
     };
     experiments.iter().map(one).collect()
+}
+
+/// A record as those that were fitted: with the delay that was found, if its own is not known, and for a law with two
+/// branches without samples whose branch is not known.
+fn as_fitted(fit: &Fit, ports: Ports, experiment: &Experiment) -> Experiment {
+    let found = match fit.delay {
+        Some(delay) if experiment.delay_range.is_some() => experiment.at_delay(delay).shifted(delay - experiment.delay),
+        _ => experiment.clone(),
+    };
+    if ports.acceleration.is_some() { found.of_known_branch() } else { found }
 }
 
 /// Refuses a number of parts that experiments cannot be divided into.
@@ -96,4 +109,32 @@ pub(super) fn folds(
         }
     }
     Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{fitted, measured, quick, standard};
+    use super::*;
+
+    /// A motion that lags behind the force by 5 ms, of which the first guess is 0.
+    #[test]
+    fn a_record_is_judged_with_the_delay_that_was_found() {
+        let clean = measured("Coulomb", &[], &standard(2000), 0.01, 1);
+        let early = Experiment { delay: 0.0, delay_range: Some([-0.02, 0.02]), ..clean.shifted(-5e-3) };
+        let force = clean.force.clone();
+        let late = Experiment { force, ..early };
+        let fit = fitted("Coulomb", std::slice::from_ref(&late), &quick());
+        assert!((fit.delay.unwrap() - 5e-3).abs() < 1e-3, "{:?}", fit.delay);
+        let unseen = held_out(&fit, std::slice::from_ref(&late)).unwrap().swap_remove(0);
+        assert!((unseen.rms / fit.residuals.rms - 1.0).abs() < 0.05, "{unseen:?} {}", fit.residuals.rms);
+    }
+
+    #[test]
+    fn a_record_without_samples_that_count_is_refused() {
+        let data = measured("Coulomb", &[], &standard(400), 0.01, 1);
+        let fit = fitted("Coulomb", std::slice::from_ref(&data), &quick());
+        let rest = Experiment { left_out: vec![true; 400], ..data };
+        let text = held_out(&fit, &[rest]).unwrap_err().to_string();
+        assert!(text.contains("all its samples are left out"), "{text}");
+    }
 }
