@@ -112,8 +112,8 @@ impl Ended<'_> {
             value,
             deviation,
             verdict: match (&known[excess].verdict, of_kinetic) {
-                (Verdict::AtMost(_), Verdict::Determined) => Verdict::AtMost(value + WIDTH * deviation),
-                (Verdict::Determined, other) | (other, _) => other.clone(),
+                // It is known as well as the kinetic one, although their difference has a limit only.
+                (Verdict::Determined | Verdict::AtMost(_), other) | (other, _) => other.clone(),
             },
             linear: around(value, deviation),
             profile: (profiles && !self.trust.elsewhere.is_empty()).then(|| self.covering(sum, [WIDTH * deviation; 2])),
