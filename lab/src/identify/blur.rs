@@ -24,9 +24,14 @@ use crate::measured::correlation_of_slopes;
 /// sigma_1 three times too large with both).
 pub(super) const BLURRED: f64 = 0.01;
 
-/// Whether a parameter is the speed at which friction falls.
-pub(super) fn is_speed_of_fall(name: &str) -> bool {
-    ["stribeck_velocity", "transition_velocity"].contains(&name)
+/// The speed at which friction falls, with its name: as it is known to be, held, or the start value; None for a law that
+/// has none.
+pub(super) fn speed_of_fall(problem: &Problem, known: impl Fn(&str) -> Option<f64>) -> Option<(&'static str, f64)> {
+    ["stribeck_velocity", "transition_velocity"].into_iter().find_map(|name| {
+        let column = problem.law.find(name)?;
+        let held = || problem.held.iter().find(|(held, _)| *held == column).map(|(_, value)| *value);
+        Some((name, known(name).or_else(held).unwrap_or(problem.law.table.at(column).start)))
+    })
 }
 
 /// Covariance of the unknowns by the error of the velocity. `columns` are the sensitivities of the force, and `gain` times

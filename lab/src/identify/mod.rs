@@ -89,13 +89,13 @@ pub struct Task {
 }
 
 impl Default for Task {
-    /// 3000 evaluations, profiles, 40 repetitions (chosen).
+    /// [`BUDGET`] evaluations, profiles, 40 repetitions (chosen).
     fn default() -> Task {
         Task {
             wishes: Wishes::default(),
             method: Method::Evolution,
             seed: 1,
-            budget: 3000,
+            budget: BUDGET,
             profiles: true,
             repetitions: 40,
             mass: 0.0,
@@ -104,6 +104,9 @@ impl Default for Task {
         }
     }
 }
+
+/// Evaluations in a search, unless others are wanted (chosen).
+const BUDGET: u64 = 3000;
 
 /// Quantities fitted to the records of an axis, M a = F - f - offset (the model `Axis`).
 pub mod axis {
@@ -334,7 +337,6 @@ fn fit_from(
     let known = of_known_branch(law, experiments, task);
     let experiments = known.as_deref().unwrap_or(experiments);
     let mut problem = problem(law, experiments, task)?;
-    let first = first.map(|found| problem.judge(found));
     let found = best(&problem, task, watch, first, is_far);
     let again = if is_far { None } else { searched_again(&problem, &found.found, task, watch) };
     let Best { found: best, searches, mut ends } = again.unwrap_or(found);

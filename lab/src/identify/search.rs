@@ -7,7 +7,7 @@ use basin::{
 };
 
 use super::problem::Problem;
-use super::{Experiment, Task};
+use super::{BUDGET, Experiment, Task};
 
 /// How the whole range is searched.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -114,7 +114,7 @@ pub(super) struct Best {
 pub(super) fn best(problem: &Problem, task: &Task, watch: Watch, first: Option<Found>, is_far: bool) -> Best {
     let fewer = coarser(problem, task);
     let coarse = coarse(problem, fewer.as_deref());
-    let (mut ends, searches) = match first {
+    let (mut ends, searches) = match first.map(|found| coarse.judge(found)) {
         Some(first) if is_far => (vec![first], Searches::One),
         first => several(&coarse, task, watch, first),
     };
@@ -176,7 +176,8 @@ fn two_searches(problem: &Problem, task: &Task, round: u32, first: Option<Found>
     })
 }
 
-/// Members of a population for each unknown, the least of them all, and generations (chosen: twice what LuGre needs).
+/// Members of a population for each unknown, the least of them all, and generations for each usual budget (chosen: twice
+/// what LuGre needs).
 const MEMBERS: usize = 8;
 const LEAST_MEMBERS: usize = 24;
 const GENERATIONS: u64 = 60;
@@ -191,8 +192,9 @@ fn search(problem: &Problem, method: Method, seed: u64, budget: u64, watch: Watc
         Method::Evolution => {
             let solver =
                 De::new(seed).with_pop_size(members).with_mutation(DeMutation::CurrentToBest1).with_dither(0.5, 1.0);
-            let generations = budget / members as u64;
-            run(Executor::new(problem.clone(), solver, empty), generations.clamp(1, GENERATIONS), problem, watch)
+            let most = GENERATIONS * budget.div_ceil(BUDGET);
+            let generations = (budget / members as u64).clamp(1, most);
+            run(Executor::new(problem.clone(), solver, empty), generations, problem, watch)
         }
         Method::Genetic => {
             // It replaces two members at a time.

@@ -476,7 +476,7 @@ fn a_velocity_that_is_known_too_badly_is_warned_of() {
     let data = measured("LuGre", &SLIDER, &standard(1000), 0.01, 2);
     let sharp = fitted("LuGre", std::slice::from_ref(&data), &quick());
     assert!(sharp.warnings.is_empty(), "{:?}", sharp.warnings);
-    let smooth = fitted("LuGre", &[Experiment { velocity_error: 1e-4, ..data }], &quick());
+    let smooth = fitted("LuGre", &[Experiment { velocity_error: 1e-4, ..data.clone() }], &quick());
     assert!(
         smooth.warnings.iter().any(|text| {
             text.contains("the static level is found too low") && text.contains("sigma_1 gets no number")
@@ -486,6 +486,9 @@ fn a_velocity_that_is_known_too_badly_is_warned_of() {
     );
     let damping = [&sharp, &smooth].map(|fit| estimate(fit, "sigma_1").verdict.to_string());
     assert!(damping[0] == "determined" && damping[1].contains("not known well enough"), "{damping:?}");
+    let fixed = Wishes { fixed: vec![("stribeck_velocity".into(), 0.004)], ..Wishes::default() };
+    let held = fitted("LuGre", &[Experiment { velocity_error: 1e-4, ..data }], &Task { wishes: fixed, ..quick() });
+    assert!(!estimate(&held, "sigma_1").verdict.is_told(), "{:?}", held.estimates);
 }
 
 #[test]
@@ -575,7 +578,8 @@ fn a_value_that_a_few_samples_decide_has_no_number() {
 /// The others have all their searches, as if they were alone.
 #[test]
 fn a_law_that_is_far_behind_is_searched_once_and_has_no_number() {
-    let data = [measured("Dahl", &[], &standard(400), 0.01, 1)];
+    // So many samples are thinned for the searches.
+    let data = [measured("Dahl", &[], &standard(4200), 0.01, 1)];
     let laws = laws_named(&["Coulomb".into(), "Dahl".into(), "LuGre".into()]).unwrap();
     let ranking = fit_all(&laws, &data, &quick(), &mut |_| {}, quiet()).unwrap();
     assert_eq!(ranking.best().law.name, "Dahl");

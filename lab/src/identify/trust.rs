@@ -165,7 +165,7 @@ pub(super) fn residuals(all: &[f64], lengths: &[usize], unknowns: usize, loss: L
         }
         if square > 0.0 { sum / square } else { 0.0 }
     };
-    let longest = lengths.iter().copied().min().unwrap_or(0) / 10;
+    let longest = usize::min(all.len() / 10, lengths.iter().copied().max().unwrap_or(0));
     let mut correlation = 1.0;
     for at in 1..=longest {
         correlation += 2.0 * lag(at);
@@ -220,8 +220,9 @@ fn is_lost(problem: &Problem, values: &[f64], number: usize, error: f64) -> bool
 
 /// Whether an unknown is the damping of bristles, and the error of the velocity hides it.
 fn hides_damping(problem: &Problem, values: &[f64], number: usize, error: f64) -> bool {
-    let speed = problem.unknowns.iter().position(|one| blur::is_speed_of_fall(&one.name)).map(|at| values[at]);
-    problem.unknowns[number].name == "sigma_1" && speed.is_some_and(|speed| error > blur::BLURRED * speed)
+    let known = |name: &str| problem.unknowns.iter().position(|one| one.name == name).map(|at| values[at]);
+    let is_slow = |(_, speed): (&str, f64)| error > blur::BLURRED * speed;
+    problem.unknowns[number].name == "sigma_1" && blur::speed_of_fall(problem, known).is_some_and(is_slow)
 }
 
 /// The other unknown with which the data tell an unknown only together.
@@ -476,6 +477,24 @@ fn remedy(unknown: &Unknown) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Each residual is 0.8 of the one before and noise: (1 + 0.8) / (1 - 0.8) samples count as one, also beside an
+    /// experiment with few samples.
+    #[test]
+    fn a_short_experiment_does_not_hide_the_correlation_of_a_long_one() {
+        let mut one = 0.0;
+        let noise = super::super::tests::noise(3, 8000);
+        let mut all: Vec<f64> = noise
+            .into_iter()
+            .map(|noise| {
+                one = 0.8 * one + noise;
+                one
+            })
+            .collect();
+        all.extend([1.0; 8]);
+        let seen = residuals(&all, &[8000, 8], 2, Loss::SQUARES);
+        assert!((seen.correlation / 9.0 - 1.0).abs() < 0.2, "{}", seen.correlation);
+    }
 
     /// The second unknown is known up to ten of its values; the first follows it, or has a deviation of its own.
     #[test]

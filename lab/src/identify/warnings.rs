@@ -1,6 +1,6 @@
 //! What a fit warns of.
 
-use super::blur::{self, BLURRED, is_speed_of_fall};
+use super::blur::{self, BLURRED};
 use super::experiment::UNKNOWN_DIRECTION;
 use super::problem::Problem;
 use super::refine::SHIFT;
@@ -52,7 +52,7 @@ pub(super) fn warnings(
         }
     }
     for one in problem.experiments {
-        list.extend(blurred(one, estimates));
+        list.extend(blurred(problem, one, estimates));
     }
     list
 }
@@ -87,15 +87,16 @@ fn relaxed(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
 
 /// Warns of a velocity that is not known well enough where friction falls with it: the static level then looks lower
 /// and the Stribeck velocity higher than they are, while the residuals look fine.
-fn blurred(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
-    let speed = estimates.iter().find(|one| is_speed_of_fall(&one.name))?;
+fn blurred(problem: &Problem, experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
+    let known = |name: &str| estimates.iter().find(|one| one.name == name).map(|one| one.value);
+    let (name, speed) = blur::speed_of_fall(problem, known)?;
     let error = experiment.velocity_error;
     let damping = if estimates.iter().any(|one| one.name == "sigma_1") { ", sigma_1 gets no number" } else { "" };
-    (error > BLURRED * speed.value).then(|| {
+    (error > BLURRED * speed).then(|| {
         format!(
             "{}: the velocity around rest is known to {error:.1e} m/s only, with {} = {:.1e} m/s: the static level is \
              found too low and {} too high{damping}; measure the velocity, or sample the motion faster",
-            experiment.name, speed.name, speed.value, speed.name
+            experiment.name, name, speed, name
         )
     })
 }
