@@ -21,6 +21,30 @@ fn a_search_that_is_ended_keeps_its_best() {
     let fit = fit(by_name("LuGre").unwrap(), &data, &Task::default(), watch).unwrap();
     assert!(fit.is_cancelled && fit.residuals.rms.is_finite() && best.lock().unwrap().is_finite());
     assert!(fit.estimates.iter().all(|one| one.profile.is_none() && one.repeated.is_none()));
+    assert!(fit.searches == Searches::Ended && !fit.values().is_empty(), "{:?}", fit.estimates);
+    let text = fit.table(None);
+    assert!(text.contains(EARLY) && text.contains("the best so far") && !text.contains("95 %"), "{text}");
+}
+
+/// Those that were searched are ranked, whatever their place in the catalogue; the others are named.
+#[test]
+fn a_ranking_that_is_ended_keeps_what_it_has_found() {
+    let data = [measured("Dahl", &[], &standard(300), 0.01, 1)];
+    let laws = laws_named(&["Coulomb", "Stribeck", "Dahl", "LuGre", "Leuven", "Armstrong"].map(str::to_owned)).unwrap();
+    let stop = AtomicBool::new(false);
+    let mut begun = Vec::new();
+    let mut begin = |law: &'static ModelType| {
+        begun.push(law.name);
+        stop.fetch_or(begun.len() == 4, Ordering::Relaxed);
+    };
+    let watch = Watch { cancel: &stop, progress: &|_, _| {} };
+    let ranking = fit_all(&laws, &data, &quick(), &mut begin, watch).unwrap();
+    let fitted: Vec<&str> = ranking.fits.iter().map(|fit| fit.law.name).collect();
+    assert_eq!(fitted, ["Coulomb", "Stribeck", "Dahl", "LuGre"]);
+    assert_eq!(ranking.refused.iter().map(|(law, _)| *law).collect::<Vec<_>>(), ["Leuven", "Armstrong"]);
+    assert!(ranking.refused.iter().all(|(_, reason)| reason.contains("not reached")), "{:?}", ranking.refused);
+    assert_eq!(ranking.best().law.name, "Dahl");
+    assert!(ranking.best().is_cancelled && ranking.fits[0].searches == Searches::One);
 }
 
 /// Its values are those of an undisturbed fit; what was repeated before the end does not make an interval.

@@ -252,23 +252,25 @@ pub fn fit_all(
     let is_ranked = laws.len() > 1 && task.method == Method::Evolution;
     let quick = if laws.len() > 1 { Task { profiles: false, repetitions: 0, ..task.clone() } } else { task.clone() };
     let look = |law: &'static ModelType| Some(first_look(&problem(law, experiments, &quick).ok()?, &quick, watch));
-    let seen = if is_ranked { side_by_side(laws, begin, watch, |_, law| look(law)) } else { Vec::new() };
-    let seen: Vec<Option<Found>> = seen.into_iter().map(Option::flatten).collect();
+    let looked = if is_ranked { side_by_side(laws, begin, watch, true, |_, law| look(law)) } else { Vec::new() };
+    let seen: Vec<Option<Found>> = looked.iter().cloned().map(Option::flatten).collect();
     let least = seen.iter().flatten().map(|found| found.cost).fold(f64::INFINITY, f64::min);
     let one = |number: usize, law: &'static ModelType| {
         let first = seen.get(number).cloned().flatten();
         let is_far = first.as_ref().is_some_and(|first| first.cost > FAR * FAR * least);
-        fit_from(law, experiments, &quick, watch, first, is_far)
+        let was_reached = !is_ranked || looked.get(number).is_some_and(Option::is_some);
+        was_reached.then(|| fit_from(law, experiments, &quick, watch, first, is_far))
     };
     let (mut fits, mut refused, mut reason) = (Vec::new(), Vec::new(), Fault::value("no law was given"));
-    for (law, found) in laws.iter().zip(side_by_side(laws, begin, watch, one)) {
-        match found {
+    // After an early end, what was found by then is ranked.
+    for (law, found) in laws.iter().zip(side_by_side(laws, begin, watch, !is_ranked, one)) {
+        match found.flatten() {
             Some(Ok(fit)) => fits.push(fit),
             Some(Err(fault)) => {
                 refused.push((law.name, fault.to_string()));
                 reason = fault;
             }
-            None => {}
+            None => refused.push((law.name, format!("{}: not reached before the end", law.name))),
         }
     }
     let ranks = rank(&fits);
@@ -281,11 +283,12 @@ pub fn fit_all(
     Ok(Ranking { fits, ranks, refused })
 }
 
-/// Work on laws, in their order; None for those that were not begun before the end.
+/// Work on laws, in their order; None for those that were not begun before an early end, if it stops there.
 fn side_by_side<T: Send>(
     laws: &[&'static ModelType],
     begin: &mut (dyn FnMut(&'static ModelType) + Send),
     watch: Watch,
+    stops: bool,
     work: impl Fn(usize, &'static ModelType) -> T + Sync,
 ) -> Vec<Option<T>> {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
@@ -301,7 +304,7 @@ fn side_by_side<T: Send>(
             if let Ok(mut found) = found.lock() {
                 found[number] = Some(one);
             }
-            if watch.cancel.load(Ordering::Relaxed) {
+            if stops && watch.cancel.load(Ordering::Relaxed) {
                 break;
             }
         }

@@ -121,7 +121,7 @@ impl Fit {
             writeln!(text, "{} evaluations, sensitivities {how}, condition {:.1e}", self.evaluations, self.condition);
         let width = self.estimates.iter().map(|one| one.name.len()).max().unwrap_or(0);
         for one in &self.estimates {
-            let _ = writeln!(text, "  {:<width$}  {}{}", one.name, told(one), compared(one, reference));
+            let _ = writeln!(text, "  {:<width$}  {}{}", one.name, told(one, self.searches), compared(one, reference));
         }
         if self.is_cancelled {
             let _ = writeln!(text, "{EARLY}");
@@ -154,7 +154,8 @@ pub fn as_json(ranking: &Ranking) -> serde_json::Value {
             "evaluations": fit.evaluations,
             "warnings": fit.warnings,
             "values": fit.values().into_iter().collect::<BTreeMap<String, f64>>(),
-            "estimates": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
+            "early": fit.is_cancelled.then_some(EARLY),
+            "estimates": fit.estimates.iter().map(|one| estimate(one, fit.searches)).collect::<Vec<_>>(),
         })
     };
     let refused = ranking.refused.iter().map(|(law, reason)| json!({ "law": law, "reason": reason }));
@@ -164,22 +165,25 @@ pub fn as_json(ranking: &Ranking) -> serde_json::Value {
     })
 }
 
-fn estimate(one: &Estimate) -> serde_json::Value {
+fn estimate(one: &Estimate, searches: Searches) -> serde_json::Value {
     let is_told = one.verdict == Verdict::Determined;
     json!({
         "name": one.name,
         "unit": one.unit,
         "verdict": one.verdict.to_string(),
         "value": is_told.then_some(one.value),
-        "interval": is_told.then(|| one.interval()),
+        "interval": (is_told && searches != Searches::Ended).then(|| one.interval()),
         "repeated": one.repeated.filter(|_| is_told),
     })
 }
 
-fn told(one: &Estimate) -> String {
+fn told(one: &Estimate, searches: Searches) -> String {
     let unit = if one.unit == "1" { "" } else { one.unit };
     if one.verdict != Verdict::Determined {
         return one.verdict.to_string();
+    }
+    if searches == Searches::Ended {
+        return format!("{} {unit} (the best so far)", digits(one.value));
     }
     let [low, high] = one.interval().map(digits);
     let repeated = one.repeated.map(|ends| ends.map(digits));

@@ -47,6 +47,8 @@ pub enum Searches {
     Disagree,
     /// There was one: another law explains far more.
     One,
+    /// They were ended early.
+    Ended,
 }
 
 impl Searches {
@@ -58,7 +60,7 @@ impl Searches {
     /// Reason for which nothing is determined.
     pub(super) fn doubt(self) -> Option<&'static str> {
         match self {
-            Searches::Agree => None,
+            Searches::Agree | Searches::Ended => None,
             Searches::Disagree => {
                 Some("searches over the whole range end at different values; narrow the ranges, or raise the budget")
             }
@@ -72,6 +74,7 @@ impl Searches {
             Searches::Agree => None,
             Searches::Disagree => Some("the searches did not agree"),
             Searches::One => Some("far behind, searched once"),
+            Searches::Ended => Some("ended early"),
         }
     }
 }
@@ -116,9 +119,11 @@ pub(super) fn best(problem: &Problem, task: &Task, watch: Watch, first: Option<F
     let coarse = coarse(problem, fewer.as_deref());
     let (mut ends, searches) = match first.map(|found| coarse.judge(found)) {
         Some(first) if is_far => (vec![first], Searches::One),
+        Some(first) if watch.cancel.load(Ordering::Relaxed) => (vec![first], Searches::Ended),
         first => several(&coarse, task, watch, first),
     };
-    let places = ends.iter().take(2).map(|found| found.places.clone()).collect();
+    let compared = if searches == Searches::Ended { 0 } else { 2 };
+    let places = ends.iter().take(compared).map(|found| found.places.clone()).collect();
     let evaluations = ends.iter().map(|found| found.evaluations).sum();
     let mut found = Found { evaluations, ..ends.swap_remove(0) };
     if fewer.is_some() {
@@ -141,7 +146,10 @@ fn several(coarse: &Problem, task: &Task, watch: Watch, mut first: Option<Found>
         if 2.0 * (ends[1].cost - ends[0].cost) <= variance.max(rounding) {
             return (ends, Searches::Agree);
         }
-        if watch.cancel.load(Ordering::Relaxed) || task.method == Method::Genetic {
+        if watch.cancel.load(Ordering::Relaxed) {
+            return (ends, Searches::Ended);
+        }
+        if task.method == Method::Genetic {
             break;
         }
     }

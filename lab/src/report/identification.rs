@@ -2,7 +2,7 @@
 
 use super::html::Page;
 use super::{STYLE, versions_of};
-use crate::identify::{Estimate, Fit, Ranking, Reference, Verdict, digits, respond};
+use crate::identify::{EARLY, Estimate, Fit, Ranking, Reference, Searches, Verdict, digits, respond};
 use crate::measured::{Record, average};
 use crate::picture::{Kind, Named, Picture, Theme, curves};
 use crate::system::Fault;
@@ -22,7 +22,7 @@ pub struct Identification<'a> {
 pub fn html(facts: &Identification) -> Result<String, Fault> {
     let best = facts.ranking.best();
     let mut page = Page::new(&format!("Identification of {}", best.law.name), STYLE);
-    for warning in &best.warnings {
+    for warning in best.is_cancelled.then_some(EARLY).into_iter().chain(best.warnings.iter().map(String::as_str)) {
         page.paragraph("warning", warning);
     }
     estimates(&mut page, best, facts.reference);
@@ -56,7 +56,7 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
             name.clone(),
             (*unit).to_owned(),
             told(digits(*value)),
-            told(ends(one.interval())),
+            if best.searches == Searches::Ended { String::new() } else { told(ends(one.interval())) },
             told(repeated.map_or(String::new(), ends)),
             known,
             verdict.to_string(),
