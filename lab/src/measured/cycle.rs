@@ -39,7 +39,7 @@ impl Cycle {
 const PLACES: usize = 400;
 
 /// Part of the largest speed that the slider must exceed between two turns: slower motion is noise (chosen).
-const TURN: f64 = 0.05;
+pub(super) const TURN: f64 = 0.05;
 
 /// Averages the whole cycles of a record; None if there are fewer than two.
 pub fn average(record: &Record) -> Option<Cycle> {

@@ -1,7 +1,7 @@
 //! Quality of a record: whether it can tell anything, before anybody fits it.
 
-use super::Record;
-use super::cycle::starts;
+use super::cycle::TURN;
+use super::{Record, Rig};
 
 /// A gap between samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +54,7 @@ const FEW: f64 = 10.0;
 const ONE_LOAD: f64 = 0.1;
 
 /// Looks at a record.
-pub(super) fn quality(record: &Record) -> Quality {
+pub(super) fn quality(record: &Record, rig: &Rig) -> Quality {
     let mut steps: Vec<f64> = record.time.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let gap = |interval: f64| {
         let pairs = record.time.windows(2).filter(move |pair| pair[1] - pair[0] > GAP * interval);
@@ -63,7 +63,7 @@ pub(super) fn quality(record: &Record) -> Quality {
     let interval = median(&mut steps);
     let fastest = record.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     let slow = record.velocity.iter().filter(|v| v.abs() < 0.1 * fastest).count() as f64;
-    let reversals = 2 * starts(record).len();
+    let reversals = reversals(&record.velocity, fastest);
     let ends = |values: &[f64]| {
         values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(*value), high.max(*value)])
     };
@@ -82,6 +82,8 @@ pub(super) fn quality(record: &Record) -> Quality {
         findings: Vec::new(),
     };
     found.findings = findings(&found);
+    // The load of an axis is a unit of its friction.
+    found.findings.extend((!rig.is_axis).then(|| one_load(found.loads)).flatten());
     found
 }
 
@@ -100,7 +102,7 @@ fn findings(found: &Quality) -> Vec<String> {
             100.0 * found.saturated
         ));
     }
-    if found.reversals < 2 {
+    if found.reversals == 0 {
         list.push(
             "no reversal: neither pre-sliding (stiffness and damping of bristles) nor an offset can be seen; drag the \
              slider to and fro"
@@ -113,13 +115,20 @@ fn findings(found: &Quality) -> Vec<String> {
             found.slow
         ));
     }
-    let [low, high] = found.loads;
-    if high - low < ONE_LOAD * 0.5 * (high + low) {
-        list.push(format!(
-            "one normal force ({high} N): how friction depends on it cannot be seen; add a run with another load"
-        ));
-    }
     list
+}
+
+fn one_load([low, high]: [f64; 2]) -> Option<String> {
+    (high - low < ONE_LOAD * 0.5 * (high + low)).then(|| {
+        format!("one normal force ({high} N): how friction depends on it cannot be seen; add a run with another load")
+    })
+}
+
+/// Changes of direction between motions that are faster than a part of the fastest.
+fn reversals(velocity: &[f64], fastest: f64) -> usize {
+    let signs = velocity.iter().filter(|v| v.abs() > TURN * fastest).map(|v| *v > 0.0);
+    let signs: Vec<bool> = signs.collect();
+    signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
 
 /// Middle value; sorts the values.

@@ -467,7 +467,7 @@ impl Motion {
             friction_force,
             clocks,
         };
-        record.quality = quality(&record);
+        record.quality = quality(&record, rig);
         Ok(record)
     }
 

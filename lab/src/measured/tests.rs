@@ -53,7 +53,7 @@ fn friction_is_the_force_without_inertia_in_both_strokes() {
         assert!((record.friction_force[at] - friction(*t)).abs() < 2e-4, "{t}");
     }
     let quality = &record.quality;
-    assert_eq!([quality.samples, quality.reversals, quality.gaps.len()], [8000, 6, 0]);
+    assert_eq!([quality.samples, quality.reversals, quality.gaps.len()], [8000, 7, 0]);
     assert_eq!(quality.findings.len(), 1, "{quality:?}");
     assert!(quality.findings[0].starts_with("one normal force (20 N)"), "{quality:?}");
 }
