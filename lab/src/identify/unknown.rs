@@ -227,6 +227,29 @@ pub(super) fn unknowns(law: &ModelType, experiments: &[Experiment], wishes: &Wis
     if list.is_empty() { Err(Fault::value(format_args!("{}: nothing is left to fit", law.name))) } else { Ok(list) }
 }
 
+/// The range in which a delay is looked for; None if none is. Each record with clocks of its own has another one; the
+/// controller of an axis has one.
+fn doubted(experiments: &[Experiment]) -> Result<Option<[f64; 2]>, Fault> {
+    let mut ranges = experiments.iter().filter(|one| one.delay_range.is_some());
+    let Some(first) = ranges.next() else { return Ok(None) };
+    for other in ranges {
+        if first.alike.is_none() || other.alike.is_none() {
+            return Err(Fault::value(format_args!(
+                "{}: its delay is another one than that of {}: look for delays in one record at a time, and give them",
+                other.name, first.name
+            )));
+        }
+        if other.delay_range != first.delay_range {
+            return Err(Fault::value(format_args!(
+                "{}: is sampled at other intervals than {}, so that the controller delays it by another time: fit them \
+                 one at a time",
+                other.name, first.name
+            )));
+        }
+    }
+    Ok(first.delay_range)
+}
+
 /// The unknowns of the rig.
 fn of_rig(experiments: &[Experiment], wishes: &Wishes, magnitudes: &Magnitudes) -> Result<Vec<Unknown>, Fault> {
     let is_fixed = |name: &str| wishes.fixed.iter().any(|(fixed, _)| fixed == name);
@@ -245,7 +268,10 @@ fn of_rig(experiments: &[Experiment], wishes: &Wishes, magnitudes: &Magnitudes) 
         let range = [-magnitudes.force, magnitudes.force];
         list.push(Unknown { name: "offset".into(), unit: "N", target: Target::Offset, range, scale: Scale::Linear });
     }
-    let doubted = experiments.iter().find_map(|one| one.delay_range);
+    let doubted = doubted(experiments)?;
+    if doubted.is_none() && is_fixed("delay") {
+        return Err(Fault::value("delay: is held only where it is looked for; otherwise give it with the record"));
+    }
     if let Some(range) = doubted.filter(|_| !is_fixed("delay")) {
         list.push(Unknown { name: "delay".into(), unit: "s", target: Target::Delay, range, scale: Scale::Linear });
     } else if is_fitted("delay") {
@@ -280,7 +306,8 @@ fn check_names(law: &ModelType, known: &[(usize, Variable)], wishes: &Wishes) ->
 fn narrow(list: &mut [Unknown], law: &ModelType, wishes: &Wishes) -> Result<(), Fault> {
     for (name, [low, high]) in &wishes.ranges {
         let Some(unknown) = list.iter_mut().find(|unknown| unknown.name == *name) else {
-            return Err(Fault::value(format_args!("{}: {name} has a range and is not fitted", law.name)));
+            let how = if name == "mu_s" { "; it is fitted as 'mu_s - mu_k'" } else { "" };
+            return Err(Fault::value(format_args!("{}: {name} has a range and is not fitted{how}", law.name)));
         };
         let is_ordered = low < high && low.is_finite() && high.is_finite();
         let is_admitted = match unknown.target {
