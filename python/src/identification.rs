@@ -48,7 +48,7 @@ impl Known {
         }
         let mut wishes = Wishes { fixed: self.fix, fitted: self.fit, ranges: self.range };
         if self.axis {
-            axis::fitted(&mut wishes);
+            axis::fitted(&mut wishes, self.mass);
         }
         let delay = match self.delay {
             Some(delay) => Delay::Known(delay),
@@ -130,6 +130,9 @@ pub fn identify<'py>(
     columns.check().map_err(refused)?;
     let rest = known.rest;
     let (rig, task) = known.split()?;
+    if motion.is_some() && records.len() + unseen.len() > 1 {
+        return Err(refused("motion: is for a single record"));
+    }
     let reader = Reader { columns, rig, motion, rest, laws };
     let all = |named: &[(String, Bound<'py, PyAny>)]| -> PyResult<(Vec<Experiment>, Vec<Vec<String>>)> {
         let read: PyResult<Vec<_>> = named.iter().map(|(name, table)| reader.read(name, table)).collect();

@@ -3,9 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use lab::identify::{
-    self, EARLY, Experiment, Fit, Ranking, Task, Watch, Wishes, as_json, fit_all, laws_named, respond,
-};
+use lab::identify::{self, EARLY, Experiment, Fit, Ranking, Task, Watch, Wishes, as_json, fit_all, laws_named};
 use lab::measured::{self, Delay, Record, average};
 use lab::rig::{Faults, VirtualRig};
 use lab::sheet::Sheet;
@@ -156,9 +154,7 @@ pub fn fit(known: &Known, wanted: &Wanted, progress: &(dyn Fn(f64) -> bool + Syn
     let watch = Watch { cancel: &cancel, progress: &heard };
     let ranking = fit_all(&laws_named(&wanted.laws)?, &experiments, &task, &mut |_| {}, watch)?;
     let best = ranking.best();
-    let values = best.columns.iter().map(|(column, value)| (best.name_of(*column), *value));
-    let friction = respond(best.law, &values.filter(|(_, value)| value.is_finite()).collect(), &record)?;
-    let fitted = Record { friction_force: friction, ..record };
+    let fitted = best.explained_in(&best.seen(&record), 0);
     let cycle = average(&fitted).map(|cycle| cycle.friction_force);
     let arrays = std::iter::once(fitted.friction_force).chain(cycle).collect();
     Ok(Answer::with(told(&ranking, best)?, arrays))

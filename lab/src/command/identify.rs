@@ -1,14 +1,13 @@
 //! `stribeck identify`: parameters of laws from records of a rig.
 
-use std::collections::BTreeMap;
 use std::fmt::Display;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use lab::identify::{
-    Experiment, Fit, Method, Ranking, Reference, Task, Unseen, Verdict, Watch, Wishes, as_json, axis, fit, fit_all,
-    held_out, laws_named, preset,
+    Experiment, Fit, Method, Ranking, Reference, Searches, Task, Unseen, Verdict, Watch, Wishes, as_json, axis, fit,
+    fit_all, held_out, laws_named, of_law, preset,
 };
 use lab::measured::{Columns, Delay, MeasuredError, Record, Rig, average};
 use lab::report::{Identification, identification};
@@ -181,7 +180,7 @@ impl Arguments {
         }
         let (rig, columns) = (self.rig(), self.columns()?);
         let read = |path: &PathBuf| {
-            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            let name = self.name_of(path);
             let mut own = tables(path).map_err(|error| unreadable(path, &error))?;
             let motion = self.motion.as_ref();
             let motion = motion.map(|path| tables(path).map_err(|error| unreadable(path, &error))).transpose()?;
@@ -201,6 +200,21 @@ impl Arguments {
             Ok((name, record))
         };
         files.iter().map(read).collect()
+    }
+
+    /// Name of a record: that of its file, with folders before it if another file has the same name.
+    fn name_of(&self, path: &Path) -> String {
+        let parts = |path: &Path| -> Vec<String> {
+            let path = path.with_extension("");
+            let parts = path.components().filter(|part| matches!(part, Component::Normal(_)));
+            parts.rev().map(|part| part.as_os_str().to_string_lossy().into()).collect()
+        };
+        let own = parts(path);
+        let others = self.records.iter().chain(&self.hold_out).filter(|other| *other != path).map(|other| parts(other));
+        let alike = others.map(|other| own.iter().zip(&other).take_while(|(a, b)| a == b).count()).max().unwrap_or(0);
+        let mut name: Vec<String> = own.into_iter().take(alike + 1).collect();
+        name.reverse();
+        name.join("-")
     }
 
     fn columns(&self) -> Result<Columns, Fault> {
@@ -232,7 +246,7 @@ impl Arguments {
         let ranges = self.range.iter().map(|RangeChoice(name, ends)| (name.clone(), *ends)).collect();
         let mut wishes = Wishes { fixed, fitted: self.fit.clone(), ranges };
         if self.axis {
-            axis::fitted(&mut wishes);
+            axis::fitted(&mut wishes, self.mass);
         }
         Ok(Task {
             wishes,
@@ -250,21 +264,48 @@ impl Arguments {
         })
     }
 
-    fn reference(&self, law: &'static ModelType) -> Result<Option<Reference>, Failure> {
-        let Some(text) = &self.reference else { return Ok(None) };
+    /// The reference for each of the laws; None for a law that it does not fit. An error if it fits none of them.
+    fn references(&self, laws: &[&'static ModelType]) -> Result<Vec<Option<Reference>>, Failure> {
+        let Some(text) = &self.reference else { return Ok(laws.iter().map(|_| None).collect()) };
+        let mut all: Vec<Result<Option<Reference>, Failure>> =
+            laws.iter().map(|law| self.reference(law, text)).collect();
+        if all.iter().all(Result::is_err) {
+            return Err(all.swap_remove(0).err().unwrap_or_else(|| Fault::value("no law was given").into()));
+        }
+        let all: Vec<Option<Reference>> = all.into_iter().map(|found| found.ok().flatten()).collect();
+        if all.iter().all(Option::is_none) {
+            return Err(Fault::File(format!("{text}: has no parameter of these laws")).into());
+        }
+        Ok(all)
+    }
+
+    /// The reference of the best law; says so if there is none for it.
+    fn of_best<'a>(
+        &self,
+        best: &Fit,
+        mut references: impl Iterator<Item = (&'a &'static ModelType, Option<Reference>)>,
+    ) -> Option<Reference> {
+        let found = references.find(|(law, _)| law.name == best.law.name).and_then(|(_, found)| found);
+        if let Some(text) = self.reference.as_ref().filter(|_| found.is_none()) {
+            eprintln!("stribeck: --reference {text}: has no values for {}, so nothing is compared", best.law.name);
+        }
+        found
+    }
+
+    fn reference(&self, law: &'static ModelType, text: &str) -> Result<Option<Reference>, Failure> {
         let path = Path::new(text);
         if path.extension().is_none() {
-            return Ok(Some(preset(law, text)?));
+            return Ok(of_law(law, &preset(law, text)?));
         }
         if path.extension().is_some_and(|extension| extension == "toml") {
             let known: Configuration = read(path)?;
             let number = |(name, value): (String, toml::Value)| {
                 value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64)).map(|value| (name, value))
             };
-            return Ok(Some(known.set.into_iter().filter_map(number).collect()));
+            return Ok(of_law(law, &known.set.into_iter().filter_map(number).collect()));
         }
         let set = ParameterSet::load(law, path).map_err(|error| Fault::File(error.to_string()))?;
-        Ok(Some(set.values().map(|(variable, value)| (variable.path.to_string(), value)).collect::<BTreeMap<_, _>>()))
+        Ok(of_law(law, &set.values().map(|(variable, value)| (variable.path.to_string(), value)).collect()))
     }
 }
 
@@ -296,6 +337,10 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     let records = arguments.records(&arguments.records)?;
     let unseen = arguments.experiments(&arguments.records(&arguments.hold_out)?, &laws)?;
     let experiments = arguments.experiments(&records, &laws)?;
+    let references = arguments.references(&laws)?;
+    if arguments.check && arguments.json {
+        return Err(Fault::value("--check: writes no JSON").into());
+    }
     heed_interrupts();
     if !arguments.json {
         for ((name, record), experiment) in records.iter().zip(&experiments) {
@@ -311,18 +356,14 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     let watch = Watch { cancel: &CANCELLED, progress: &|rms, _| bar.reached(rms) };
     let mut ranking = fit_all(&laws, &experiments, &task, &mut |law| bar.begin(law.name), watch)?;
     bar.finish();
-    for fit in &mut ranking.fits {
-        let found = held_out(fit, &unseen)?;
-        fit.saw(found);
-    }
+    hold_against(&mut ranking, &unseen)?;
     let best = ranking.best();
-    let reference = arguments.reference(best.law)?;
+    let reference = arguments.of_best(best, laws.iter().zip(references));
     if arguments.json {
         println!("{}", as_json(&ranking));
     } else {
         print!("{}{}", table(&ranking), best.table(reference.as_ref()));
     }
-    save(arguments, best)?;
     let facts = Identification { records: &records, ranking: &ranking, reference: reference.as_ref() };
     if let Some(folder) = &arguments.curves {
         std::fs::create_dir_all(folder).map_err(|source| Failure::File { path: folder.clone(), source })?;
@@ -331,7 +372,22 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     if let Some(path) = &arguments.report {
         write(path, identification::html(&facts)?)?;
     }
+    save(arguments, best)?;
     Ok(if best.is_cancelled { Ending::Cancelled } else { Ending::Done })
+}
+
+/// Holds the laws against records that were not fitted. An error if the best one is refused there; another one that is
+/// has no figure.
+fn hold_against(ranking: &mut Ranking, unseen: &[Experiment]) -> Result<(), Fault> {
+    let best = ranking.best().law.name;
+    for fit in &mut ranking.fits {
+        match held_out(fit, unseen) {
+            Ok(found) => fit.saw(found),
+            Err(fault) if fit.law.name == best => return Err(fault),
+            Err(fault) => ranking.refused.push((fit.law.name, format!("not held against other records: {fault}"))),
+        }
+    }
+    Ok(())
 }
 
 /// Describes the quality of a record.
@@ -367,13 +423,18 @@ fn worth(name: &str, record: &Record) -> String {
 
 /// Says what the data can determine, without a number.
 fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Task) -> Result<Ending, Failure> {
-    let task = Task { budget: CHECK, profiles: false, repetitions: 0, ..task.clone() };
-    for law in laws {
+    let task = Task { budget: CHECK.min(task.budget), profiles: false, repetitions: 0, ..task.clone() };
+    let is_ended = || CANCELLED.load(std::sync::atomic::Ordering::Relaxed);
+    for law in laws.iter().filter(|_| !is_ended()) {
         let bar = Best::new();
         bar.begin(law.name);
         let found = fit(law, experiments, &task, Watch { cancel: &CANCELLED, progress: &|rms, _| bar.reached(rms) })?;
         bar.finish();
         println!("{}:", law.name);
+        if found.searches != Searches::Agree {
+            println!("  not decided by so short a search: leave out --check");
+            continue;
+        }
         for one in &found.estimates {
             let verdict = match &one.verdict {
                 Verdict::Determined => "can be determined".to_owned(),
@@ -384,7 +445,7 @@ fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Task) -
             println!("  {}: {verdict}", one.name);
         }
     }
-    Ok(if CANCELLED.load(std::sync::atomic::Ordering::Relaxed) { Ending::Cancelled } else { Ending::Done })
+    Ok(if is_ended() { Ending::Cancelled } else { Ending::Done })
 }
 
 /// The laws, the best first.
@@ -430,6 +491,12 @@ fn save(arguments: &Arguments, best: &Fit) -> Result<(), Failure> {
     if !left.is_empty() {
         eprintln!("stribeck: {}: left out, because it is not determined: {}", path.display(), left.join(", "));
     }
+    if let Some(level) = best.least_static() {
+        eprintln!(
+            "stribeck: {}: mu_s = {level} all the same, the kinetic level: the law refuses its start value, which is lower",
+            path.display()
+        );
+    }
     Ok(())
 }
 
@@ -438,6 +505,7 @@ const PIXELS: u32 = 2000;
 
 fn curves(folder: &Path, records: &[(String, Record)], facts: &Identification) -> Result<(), Failure> {
     for (number, (name, record)) in records.iter().enumerate() {
+        let record = &facts.ranking.best().seen(record);
         write(&folder.join(format!("{name}.csv")), record.csv().map_err(Fault::value)?)?;
         if let Some(cycle) = average(record) {
             write(&folder.join(format!("{name}-cycle.csv")), cycle.csv().map_err(Fault::value)?)?;

@@ -56,7 +56,7 @@ fn a_record_of_the_axis_gives_back_its_parameters() {
     let rig = Rig { normal_force: Some(axis::NORMAL_FORCE), is_axis: true, ..Rig::default() };
     let record = Record::of(&sheet, None, &rig).unwrap();
     let mut wishes = Wishes::default();
-    axis::fitted(&mut wishes);
+    axis::fitted(&mut wishes, 0.0);
     let experiment = axis::in_motion(Experiment::new("axis", &record), &[]).unwrap();
     let fit = fitted(axis::LAW, &[experiment], &Task { wishes, ..quick() });
     for (name, truth) in [("mass", 95.1089), ("mu_k", 20.3935), ("viscous_coefficient", 203.5034), ("offset", -3.1648)]
@@ -114,7 +114,7 @@ fn fit_of_axis(sheet: &Sheet, delay: Delay) -> Fit {
     let law = by_name(axis::LAW).unwrap();
     let experiment = axis::in_motion(Experiment::new("axis", &record), &[law]).unwrap();
     let mut wishes = Wishes::default();
-    axis::fitted(&mut wishes);
+    axis::fitted(&mut wishes, 0.0);
     fitted(axis::LAW, &[experiment], &Task { wishes, ..quick() })
 }
 

@@ -45,7 +45,8 @@ use stribeck::model::ModelType;
 
 pub use estimate::Estimate;
 pub use experiment::{Experiment, Rest};
-pub use output::{Difference, EARLY, Reference, as_json, difference, preset, respond};
+pub(crate) use output::known;
+pub use output::{Difference, EARLY, Reference, as_json, difference, of_law, preset, respond};
 pub use rank::{APART, Rank, rank};
 pub use search::{Method, Searches, Watch};
 pub use strut::{StrutFriction, strut_friction};
@@ -118,10 +119,14 @@ pub mod axis {
     /// Normal force in N, if none is known: a coefficient of friction is then the friction force in N.
     pub const NORMAL_FORCE: f64 = 1.0;
 
-    /// Adds mass and offset to the unknowns, unless they are held.
-    pub fn fitted(wishes: &mut Wishes) {
+    /// Adds mass and offset to the unknowns, unless they are held; a mass that is known, other than 0 kg, is.
+    pub fn fitted(wishes: &mut Wishes, mass: f64) {
         for name in ["mass", "offset"] {
-            if wishes.fixed.iter().all(|(held, _)| held != name) && wishes.fitted.iter().all(|known| known != name) {
+            let is_known = name == "mass" && mass != 0.0;
+            if !is_known
+                && wishes.fixed.iter().all(|(held, _)| held != name)
+                && wishes.fitted.iter().all(|known| known != name)
+            {
                 wishes.fitted.push(name.to_owned());
             }
         }

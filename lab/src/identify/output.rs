@@ -45,9 +45,9 @@ pub fn preset(law: &ModelType, name: &str) -> Result<Reference, Fault> {
     Ok(starts.chain(preset.values.iter().map(|(name, value)| ((*name).to_owned(), *value))).collect())
 }
 
-/// Friction force of a law with these values over the motion and the load of a record. Values of inputs and results are
-/// ignored, since the record has them.
-pub fn respond(law: &'static ModelType, values: &Reference, record: &Record) -> Result<Vec<f64>, Fault> {
+/// Friction force of a law with these values over the motion and the load of a record, with each interval between samples
+/// divided into `parts`. Values of inputs and results are ignored, since the record has them.
+pub fn respond(law: &'static ModelType, values: &Reference, record: &Record, parts: usize) -> Result<Vec<f64>, Fault> {
     let all: Vec<(String, usize)> =
         law.variables().map(|(column, variable)| (variable.path.to_string(), column)).collect();
     let mut columns = Vec::new();
@@ -63,10 +63,39 @@ pub fn respond(law: &'static ModelType, values: &Reference, record: &Record) -> 
     let refused = |reason: &dyn std::fmt::Display| Fault::value(format_args!("{}: {reason}", law.name));
     let ports = Ports::of(law).ok_or_else(|| refused(&"only laws of one sliding direction can be fitted"))?;
     let experiment = Experiment::new("record", record);
-    forces(&mut Instance::new(law), ports, &columns, &experiment, 1).map_err(|reason| refused(&reason))
+    forces(&mut Instance::new(law), ports, &columns, &experiment, parts).map_err(|reason| refused(&reason))
+}
+
+/// Values of a reference that a law has as parameters; None if it has none of them.
+pub fn of_law(law: &ModelType, reference: &Reference) -> Option<Reference> {
+    let is_known = |name: &str| law.find(name).is_some_and(|column| law.table.at(column).role.is_parameter());
+    let known = reference.iter().filter(|(name, _)| is_known(name));
+    let known: Reference = known.map(|(name, value)| (name.clone(), *value)).collect();
+    (!known.is_empty()).then_some(known)
 }
 
 impl Fit {
+    /// A record that was fitted as the fit sees it: with the motion at the delay, and the friction force without the
+    /// inertia and the offset, that were found.
+    pub fn seen(&self, record: &Record) -> Record {
+        let as_is = Experiment::new("record", record);
+        let by = self.delay.filter(|_| as_is.delay_range.is_some()).map_or(0.0, |delay| delay - as_is.delay);
+        let moved = if by == 0.0 { as_is } else { as_is.shifted(by) };
+        let inertia = moved.acceleration.iter().map(|a| self.mass * a + self.offset);
+        let friction_force = record.force.iter().zip(inertia).map(|(force, inertia)| force - inertia).collect();
+        let displacement = record.displacement.iter().zip(&record.velocity).map(|(x, v)| x + by * v).collect();
+        let (velocity, acceleration) = (moved.velocity, moved.acceleration);
+        Record { displacement, velocity, acceleration, friction_force, ..record.clone() }
+    }
+
+    /// The same with the friction force that the law explains in it; its number is that of the experiments that were
+    /// fitted.
+    pub fn explained_in(&self, seen: &Record, number: usize) -> Record {
+        let inertia = seen.acceleration.iter().map(|a| self.mass * a + self.offset);
+        let friction_force = self.explained[number].iter().zip(inertia).map(|(all, inertia)| all - inertia).collect();
+        Record { friction_force, ..seen.clone() }
+    }
+
     /// Name of a column of the law.
     pub fn name_of(&self, column: usize) -> String {
         self.law.table.at(column).path.to_string()
@@ -82,14 +111,28 @@ impl Fit {
         held.chain(told).collect()
     }
 
+    /// The kinetic level, if the static one is not determined and has a start value below it: the law takes no less.
+    pub fn least_static(&self) -> Option<f64> {
+        let values = self.values();
+        let value = |name: &str| values.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
+        let start = self.law.table.at(self.law.find("mu_s")?).start;
+        value("mu_k").filter(|kinetic| value("mu_s").is_none() && start < *kinetic)
+    }
+
+    /// The values, with the kinetic level for the static one where the law refuses its start value.
+    fn accepted(&self) -> Vec<(String, f64)> {
+        let least = self.least_static().map(|level| ("mu_s".to_owned(), level));
+        self.values().into_iter().chain(least).collect()
+    }
+
     /// The same as a parameter set, for the FMU and the C library.
     pub fn parameter_set(&self, name: &str) -> Result<ParameterSet, Fault> {
-        ParameterSet::new(self.law, name, self.values()).map_err(Fault::value)
+        ParameterSet::new(self.law, name, self.accepted()).map_err(Fault::value)
     }
 
     /// The same for `stribeck run --config`.
     pub fn configuration(&self) -> Configuration {
-        let set = self.values().into_iter().map(|(name, value)| (name, toml::Value::Float(value))).collect();
+        let set = self.accepted().into_iter().map(|(name, value)| (name, toml::Value::Float(value))).collect();
         Configuration { law: vec![self.law.name.to_owned()], set, ..Configuration::default() }
     }
 
@@ -151,6 +194,8 @@ pub fn as_json(ranking: &Ranking) -> serde_json::Value {
             "correlation": fit.residuals.correlation,
             "repeatable": fit.searches == Searches::Agree,
             "exact": fit.is_exact,
+            "condition": fit.condition,
+            "correlations": fit.correlation,
             "evaluations": fit.evaluations,
             "warnings": fit.warnings,
             "values": fit.values().into_iter().collect::<BTreeMap<String, f64>>(),
@@ -183,7 +228,7 @@ fn told(one: &Estimate, searches: Searches) -> String {
         return one.verdict.to_string();
     }
     if searches == Searches::Ended {
-        return format!("{} {unit} (the best so far)", digits(one.value));
+        return format!("{} {unit} (the best so far)", digits(one.value)).replace("  ", " ");
     }
     let [low, high] = one.interval().map(digits);
     let repeated = one.repeated.map(|ends| ends.map(digits));
@@ -196,12 +241,15 @@ fn compared(one: &Estimate, reference: Option<&Reference>) -> String {
     if one.verdict != Verdict::Determined {
         return format!("; reference {}", digits(known));
     }
+    if known == 0.0 {
+        return "; reference 0".to_owned();
+    }
     let Difference { to_reference, to_mean } = difference(one.value, known);
     format!("; reference {}, difference {to_reference:.1} % of it, {to_mean:.1} % of the mean", digits(known))
 }
 
 /// The value of a reference for an unknown.
-fn known(reference: &Reference, name: &str) -> Option<f64> {
+pub(crate) fn known(reference: &Reference, name: &str) -> Option<f64> {
     match name {
         "mu_s - mu_k" => Some(reference.get("mu_s")? - reference.get("mu_k")?),
         _ => reference.get(name).copied(),

@@ -2,7 +2,9 @@
 
 use super::html::Page;
 use super::{STYLE, versions_of};
-use crate::identify::{EARLY, Estimate, Fit, Ranking, Reference, Searches, Verdict, digits, respond};
+use crate::identify::{
+    Difference, EARLY, Estimate, Fit, Ranking, Reference, Searches, Verdict, difference, digits, known, respond,
+};
 use crate::measured::{Record, average};
 use crate::picture::{Kind, Named, Picture, Theme, curves};
 use crate::system::Fault;
@@ -26,6 +28,7 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
         page.paragraph("warning", warning);
     }
     estimates(&mut page, best, facts.reference);
+    unexplained(&mut page, best);
     page.heading("Pictures");
     for number in 0..facts.records.len() {
         for picture in drawn(facts, number, Theme::Auto)? {
@@ -35,7 +38,7 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
     ranking(&mut page, facts);
     records(&mut page, facts);
     correlations(&mut page, best);
-    page.heading("To repeat it");
+    page.heading("To run a system with it");
     page.listing("stribeck run --config fitted.toml      # with this in fitted.toml:");
     page.listing(&best.configuration().text());
     versions_of(&mut page, [best.law]);
@@ -44,13 +47,26 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
 
 fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
     page.heading("Parameters");
-    let head = ["Parameter", "Unit", "#Value", "95 % interval", "From repetitions", "#Reference", "Verdict"];
+    let apart = ["#Difference, % of it", "#% of the mean"];
+    let head = [
+        "Parameter",
+        "Unit",
+        "#Value",
+        "95 % interval",
+        "From repetitions",
+        "#Reference",
+        apart[0],
+        apart[1],
+        "Verdict",
+    ];
     page.begin_table(&head);
     let ends = |[low, high]: [f64; 2]| format!("{} to {}", digits(low), digits(high));
     for one in &best.estimates {
         let Estimate { name, unit, value, verdict, repeated, .. } = one;
         let is_told = *verdict == Verdict::Determined;
-        let known = reference.and_then(|reference| reference.get(name)).map_or(String::new(), |value| digits(*value));
+        let known = reference.and_then(|reference| known(reference, name));
+        let apart = known.filter(|known| is_told && *known != 0.0).map(|known| difference(*value, known));
+        let percent = |of: fn(Difference) -> f64| apart.map_or(String::new(), |apart| format!("{:.1}", of(apart)));
         let told = |text: String| if is_told { text } else { String::new() };
         let cells = [
             name.clone(),
@@ -58,12 +74,18 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
             told(digits(*value)),
             if best.searches == Searches::Ended { String::new() } else { told(ends(one.interval())) },
             told(repeated.map_or(String::new(), ends)),
-            known,
+            known.map_or(String::new(), digits),
+            percent(|apart| apart.to_reference),
+            percent(|apart| apart.to_mean),
             verdict.to_string(),
         ];
         page.row(if is_told { "" } else { "failed" }, &head, &cells);
     }
     page.end_table();
+}
+
+/// What the fit leaves unexplained.
+fn unexplained(page: &mut Page, best: &Fit) {
     for one in &best.unseen {
         let text = format!("{}, which was not fitted: {} N is not explained.", one.name, digits(one.rms));
         page.paragraph("note", &text);
@@ -152,13 +174,13 @@ pub fn pictures(facts: &Identification, number: usize) -> Result<Vec<Picture>, F
 fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Picture>, Fault> {
     let Some((name, record)) = facts.records.get(number) else { return Ok(Vec::new()) };
     let best = facts.ranking.best();
-    let mut all = vec![("measured".to_owned(), record.clone())];
+    let seen = best.seen(record);
+    let mut all = vec![("measured".to_owned(), seen.clone())];
     if let Some(reference) = facts.reference {
-        all.push(("reference".to_owned(), with_law(best, reference, record)?));
+        let friction_force = respond(best.law, reference, &seen, best.parts)?;
+        all.push(("reference".to_owned(), Record { friction_force, ..seen.clone() }));
     }
-    let mut values: Reference = best.columns.iter().map(|(column, value)| (best.name_of(*column), *value)).collect();
-    values.retain(|_, value| value.is_finite());
-    all.push((format!("{} fitted", best.law.name), with_law(best, &values, record)?));
+    all.push((format!("{} fitted", best.law.name), best.explained_in(&seen, number)));
     let cycled: Vec<(String, Record)> = all.iter().map(|(name, record)| (name.clone(), mean(record))).collect();
     let kinds = [Kind::Force, Kind::ForceOverVelocity, Kind::ForceOverDisplacement];
     let picture = |kind: Kind| {
@@ -167,10 +189,6 @@ fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Pict
         curves(kind, &format!("{name}: {}", kind.title()), lines, theme)
     };
     Ok(kinds.into_iter().filter_map(picture).collect())
-}
-
-fn with_law(best: &Fit, values: &Reference, record: &Record) -> Result<Record, Fault> {
-    Ok(Record { friction_force: respond(best.law, values, record)?, ..record.clone() })
 }
 
 /// The mean cycle; the record itself if it has none.
