@@ -1,8 +1,8 @@
 //! Parameters of laws from measured friction.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use lab::identify::{Experiment, Task, Watch, Wishes, as_json, axis, fit_all, held_out, laws_named};
+use lab::identify::{Experiment, Task, Watch, Wishes, as_json, axis, fit_all, held_out, laws_named, names};
 use lab::measured::{Columns, Delay, Record, Rig};
 use lab::sheet::Sheet;
 use lab::system::Fault;
@@ -123,7 +123,7 @@ pub fn identify<'py>(
     motion: Option<Bound<'py, PyAny>>,
     laws: Vec<String>,
     known: Known,
-) -> PyResult<(String, Vec<Bound<'py, PyDict>>)> {
+) -> PyResult<(String, Vec<(String, Bound<'py, PyDict>)>)> {
     let laws = if laws.is_empty() && known.axis { vec![axis::LAW.to_owned()] } else { laws };
     let laws = laws_named(&laws).map_err(refused)?;
     let columns = Columns { names: known.column.clone(), factors: known.scale.clone() };
@@ -134,8 +134,11 @@ pub fn identify<'py>(
         return Err(refused("motion: is for a single record"));
     }
     let reader = Reader { columns, rig, motion, rest, laws };
-    let all = |named: &[(String, Bound<'py, PyAny>)]| -> PyResult<(Vec<Experiment>, Vec<Vec<String>>)> {
-        let read: PyResult<Vec<_>> = named.iter().map(|(name, table)| reader.read(name, table)).collect();
+    let files: Vec<&Path> = records.iter().chain(&unseen).map(|(name, _)| Path::new(name)).collect();
+    let mut names = names(&files).into_iter();
+    let mut all = |tables: &[(String, Bound<'py, PyAny>)]| -> PyResult<(Vec<Experiment>, Vec<Vec<String>>)> {
+        let read: PyResult<Vec<_>> =
+            tables.iter().zip(names.by_ref()).map(|((_, table), name)| reader.read(&name, table)).collect();
         Ok(read?.into_iter().unzip())
     };
     let ((experiments, findings), (unseen, _)) = (all(&records)?, all(&unseen)?);
@@ -150,11 +153,11 @@ pub fn identify<'py>(
         Ok::<_, Fault>((as_json(&ranking), ranking.best().clone()))
     })?;
     let (mut told, best) = outcome.map_err(refused)?;
-    for ((name, _), said) in records.iter().zip(findings) {
-        told["findings"][name.as_str()] = said.into();
+    for (one, said) in experiments.iter().zip(findings) {
+        told["findings"][one.name.as_str()] = said.into();
     }
     let found = best.explained.into_iter().zip(best.fitted);
-    let tables = experiments.into_iter().zip(found).map(|(one, found)| table(py, one, found));
+    let tables = experiments.into_iter().zip(found).map(|(one, found)| Ok((one.name.clone(), table(py, one, found)?)));
     Ok((told.to_string(), tables.collect::<PyResult<_>>()?))
 }
 

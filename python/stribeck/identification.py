@@ -6,7 +6,6 @@ import json
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
@@ -155,7 +154,7 @@ def identify(
         raise _stribeck.Refused(f"delay = {delay!r}: must be a number in s, or 'find'")
     if loss not in ("squares", "robust"):
         raise _stribeck.Refused(f"loss = {loss!r}: must be 'squares' or 'robust'")
-    named = _named(records)
+    named = _named(records, "record")
     known = {
         "mass": mass,
         "normal_force": normal_force,
@@ -179,17 +178,17 @@ def identify(
     }
     laws = [law] if isinstance(law, str) else list(law)
     seen = None if motion is None else _plain(motion)
-    text, tables = _stribeck.identify(named, _named(hold_out), seen, laws, known)
-    return Identification(text, {name: table for (name, _), table in zip(named, tables, strict=True)})
+    text, tables = _stribeck.identify(named, _named(hold_out, "held out"), seen, laws, known)
+    return Identification(text, dict(tables))
 
 
-def _named(records: Record | Sequence[Record]) -> list[tuple[str, str | dict[str, NDArray[np.float64]]]]:
+def _named(records: Record | Sequence[Record], kind: str) -> list[tuple[str, str | dict[str, NDArray[np.float64]]]]:
     several = [records] if isinstance(records, str | os.PathLike | Mapping) else list(records)
-    return [(_name(number, record), _plain(record)) for number, record in enumerate(several)]
+    return [(_name(f"{kind} {number + 1}", record), _plain(record)) for number, record in enumerate(several)]
 
 
-def _name(number: int, record: Record) -> str:
-    return f"record {number + 1}" if isinstance(record, Mapping) else Path(record).stem
+def _name(name: str, record: Record) -> str:
+    return name if isinstance(record, Mapping) else os.fspath(record)
 
 
 def _plain(record: Record) -> str | dict[str, NDArray[np.float64]]:

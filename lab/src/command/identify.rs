@@ -1,13 +1,13 @@
 //! `stribeck identify`: parameters of laws from records of a rig.
 
 use std::fmt::Display;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use lab::identify::{
     Experiment, Fit, Method, Ranking, Reference, Searches, Task, Unseen, Verdict, Watch, Wishes, as_json, axis, fit,
-    fit_all, held_out, laws_named, of_law, preset,
+    fit_all, held_out, laws_named, names, of_law, preset,
 };
 use lab::measured::{Columns, Delay, MeasuredError, Record, Rig, average};
 use lab::report::{Identification, identification};
@@ -174,13 +174,24 @@ impl Arguments {
         Rig { mass: self.mass, normal_force, window: self.window, delay, skip: self.skip, is_axis: self.axis }
     }
 
-    fn records(&self, files: &[PathBuf]) -> Result<Vec<(String, Record)>, Failure> {
+    /// The records, and those that are not fitted.
+    fn all_records(&self) -> Result<[Vec<(String, Record)>; 2], Failure> {
+        let files: Vec<&Path> = self.records.iter().chain(&self.hold_out).map(PathBuf::as_path).collect();
+        let mut names = names(&files).into_iter();
+        let mut named = |files: &'_ [PathBuf]| self.read_all(files, names.by_ref());
+        Ok([named(&self.records)?, named(&self.hold_out)?])
+    }
+
+    fn read_all(
+        &self,
+        files: &[PathBuf],
+        names: &mut dyn Iterator<Item = String>,
+    ) -> Result<Vec<(String, Record)>, Failure> {
         if self.motion.is_some() && self.records.len() + self.hold_out.len() > 1 {
             return Err(Fault::value("--motion: is for a single record").into());
         }
         let (rig, columns) = (self.rig(), self.columns()?);
-        let read = |path: &PathBuf| {
-            let name = self.name_of(path);
+        let read = |(path, name): (&PathBuf, String)| {
             let mut own = tables(path).map_err(|error| unreadable(path, &error))?;
             let motion = self.motion.as_ref();
             let motion = motion.map(|path| tables(path).map_err(|error| unreadable(path, &error))).transpose()?;
@@ -199,22 +210,7 @@ impl Arguments {
             record.quality.findings.splice(0..0, said);
             Ok((name, record))
         };
-        files.iter().map(read).collect()
-    }
-
-    /// Name of a record: that of its file, with folders before it if another file has the same name.
-    fn name_of(&self, path: &Path) -> String {
-        let parts = |path: &Path| -> Vec<String> {
-            let path = path.with_extension("");
-            let parts = path.components().filter(|part| matches!(part, Component::Normal(_)));
-            parts.rev().map(|part| part.as_os_str().to_string_lossy().into()).collect()
-        };
-        let own = parts(path);
-        let others = self.records.iter().chain(&self.hold_out).filter(|other| *other != path).map(|other| parts(other));
-        let alike = others.map(|other| own.iter().zip(&other).take_while(|(a, b)| a == b).count()).max().unwrap_or(0);
-        let mut name: Vec<String> = own.into_iter().take(alike + 1).collect();
-        name.reverse();
-        name.join("-")
+        files.iter().zip(names).map(read).collect()
     }
 
     fn columns(&self) -> Result<Columns, Fault> {
@@ -334,8 +330,8 @@ fn with_motion(mut tables: Vec<Sheet>) -> Option<Sheet> {
 /// Finds the parameters of laws, ranks the laws if there are several, and tells how far to trust them.
 pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     let (laws, task) = (arguments.laws()?, arguments.task()?);
-    let records = arguments.records(&arguments.records)?;
-    let unseen = arguments.experiments(&arguments.records(&arguments.hold_out)?, &laws)?;
+    let [records, unseen] = arguments.all_records()?;
+    let unseen = arguments.experiments(&unseen, &laws)?;
     let experiments = arguments.experiments(&records, &laws)?;
     let references = arguments.references(&laws)?;
     if arguments.check && arguments.json {

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use stribeck::catalogue::by_name;
 
-use super::tests::{estimate, fitted, measured, noise, quick, standard};
+use super::tests::{estimate, fitted, measured, noise, quick, quiet, standard};
 use super::*;
 use crate::measured::{Delay, Record, Rig};
 use crate::sheet::{DISPLACEMENT, FORCE, Sheet, TIME};
@@ -66,6 +66,44 @@ fn a_record_of_the_axis_gives_back_its_parameters() {
         assert!((one.value / truth - 1.0).abs() < 5e-3, "{one:?}");
         assert!((low..=high).contains(&truth), "{one:?}");
     }
+    // What pictures show: the force without inertia and offset.
+    let seen = fit.seen(&record);
+    let explained = fit.explained_in(&seen, 0);
+    let fastest = seen.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    let fast: Vec<usize> = (0..seen.time.len()).filter(|at| seen.velocity[*at].abs() > 0.2 * fastest).collect();
+    assert!(fast.len() > 100);
+    for at in fast {
+        let friction = 20.3935 * seen.velocity[at].signum() + 203.5034 * seen.velocity[at];
+        assert!((explained.friction_force[at] - friction).abs() < 0.2, "{at} {friction}");
+        assert!((seen.friction_force[at] - friction).abs() < 1.5, "{at} {friction} {}", seen.friction_force[at]);
+    }
+}
+
+#[test]
+fn a_mass_that_is_known_is_not_fitted() {
+    let fitted = |mass: f64| {
+        let mut wishes = Wishes::default();
+        axis::fitted(&mut wishes, mass);
+        wishes.fitted
+    };
+    assert_eq!(fitted(0.0), ["mass", "offset"]);
+    assert_eq!(fitted(35.0), ["offset"]);
+}
+
+/// Clocks of their own: each record has a delay of its own.
+#[test]
+fn delays_of_several_records_are_not_taken_for_one() {
+    let one = |name: &str| {
+        let data = measured("Coulomb", &[], &standard(400), 0.01, 1);
+        Experiment { name: name.into(), delay_range: Some([-0.01, 0.01]), ..data }
+    };
+    let law = by_name("Coulomb").unwrap();
+    let text = fit(law, &[one("first"), one("second")], &quick(), quiet()).unwrap_err().to_string();
+    assert!(text.starts_with("second: its delay is another one than that of first"), "{text}");
+    let wishes = Wishes { fixed: vec![("delay".into(), 0.01)], ..Wishes::default() };
+    let known = Experiment { delay_range: None, ..one("known") };
+    let text = fit(law, &[known], &Task { wishes, ..quick() }, quiet()).unwrap_err().to_string();
+    assert!(text.contains("held only where it is looked for"), "{text}");
 }
 
 /// An axis of 60 kg, 250 N s/m, 25 N and -2 N.

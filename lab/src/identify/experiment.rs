@@ -1,5 +1,7 @@
 //! Experiments as a fit needs them.
 
+use std::path::{Component, Path};
+
 use crate::measured::{Alike, Record};
 use crate::system::Fault;
 
@@ -59,6 +61,22 @@ pub(super) const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 /// twice its level in samples that get the wrong sign: fifteen of 4001 decided that regularised laws explained the
 /// records of `Coulomb`, `CoulombViscous` and `Stribeck` better than these themselves.
 pub(super) const UNKNOWN_DIRECTION: f64 = 3.0;
+
+/// Names of records: those of their files, with folders before them where files have the same name.
+pub fn names(files: &[&Path]) -> Vec<String> {
+    let parts = |file: &&Path| -> Vec<String> {
+        let file = file.with_extension("");
+        let parts = file.components().filter(|part| matches!(part, Component::Normal(_)));
+        parts.rev().map(|part| part.as_os_str().to_string_lossy().into()).collect()
+    };
+    let all: Vec<Vec<String>> = files.iter().map(parts).collect();
+    let alike = |own: &Vec<String>, other: &Vec<String>| own.iter().zip(other).take_while(|(a, b)| a == b).count();
+    let name = |own: &Vec<String>| {
+        let most = all.iter().filter(|other| *other != own).map(|other| alike(own, other)).max().unwrap_or(0);
+        own.iter().take(most + 1).rev().map(String::as_str).collect::<Vec<&str>>().join("-")
+    };
+    all.iter().map(name).collect()
+}
 
 impl Experiment {
     /// A record of a rig, without the samples at its ends, where the filter of the motion has samples on one side only,
@@ -320,6 +338,13 @@ mod tests {
             assert!(known.verdict.is_told(), "{name} {:?}", known.verdict);
             assert!(known.deviation < 1.5 * clean.deviation, "{name} {} {}", known.deviation, clean.deviation);
         }
+    }
+
+    #[test]
+    fn records_of_the_same_name_are_told_apart_by_their_folders() {
+        let files = ["a/force.csv", "/rig/b/force.csv", "other.csv", "force.csv", "x/b/force.csv"];
+        let expected = ["a-force", "rig-b-force", "other", "force", "x-b-force"];
+        assert_eq!(names(&files.map(Path::new)), expected);
     }
 
     #[test]

@@ -44,7 +44,7 @@ use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 
 pub use estimate::Estimate;
-pub use experiment::{Experiment, Rest};
+pub use experiment::{Experiment, Rest, names};
 pub(crate) use output::known;
 pub use output::{Difference, EARLY, Reference, as_json, difference, of_law, preset, respond};
 pub use rank::{APART, Rank, rank};

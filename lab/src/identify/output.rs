@@ -255,3 +255,34 @@ pub(crate) fn known(reference: &Reference, name: &str) -> Option<f64> {
         _ => reference.get(name).copied(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Task;
+    use super::super::tests::{fitted, measured, quick, standard};
+    use super::*;
+
+    /// Fast sliding at 0.3 tells the kinetic level only, and the start value of the static one is 0.15.
+    #[test]
+    fn a_parameter_set_without_the_static_level_is_one_that_the_law_takes() {
+        let even = standard(400);
+        let velocity = (0..400).map(|at| if at % 100 < 50 { 0.5 } else { -0.5 }).collect();
+        let sliding = Experiment { velocity, ..even };
+        let data = measured("Stribeck", &[("mu_k", 0.3), ("mu_s", 0.4)], &sliding, 0.01, 1);
+        let fit = fitted("Stribeck", &[data], &Task { ..quick() });
+        let values = fit.values();
+        assert_eq!(values.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["mu_k"], "{:?}", fit.estimates);
+        assert_eq!(fit.least_static(), Some(values[0].1));
+        assert!(fit.parameter_set("sliding").is_ok());
+        assert!(fit.configuration().text().contains("mu_s"));
+    }
+
+    #[test]
+    fn a_reference_is_compared_by_the_parameters_that_the_law_has() {
+        let law = stribeck::catalogue::by_name("Dahl").unwrap();
+        let reference = [("mu_k", 0.2), ("stribeck_velocity", 1e-3), ("velocity", 1.0)];
+        let reference: Reference = reference.map(|(name, value)| (name.to_owned(), value)).into();
+        assert_eq!(of_law(law, &reference), Some([("mu_k".to_owned(), 0.2)].into()));
+        assert_eq!(of_law(law, &[("stribeck_velocity".to_owned(), 1e-3)].into()), None);
+    }
+}

@@ -11,7 +11,7 @@ use super::*;
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
-fn quiet() -> Watch<'static> {
+pub(super) fn quiet() -> Watch<'static> {
     Watch { cancel: &NEVER, progress: &|_, _| {} }
 }
 
