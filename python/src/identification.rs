@@ -113,6 +113,9 @@ impl Reader<'_> {
     }
 }
 
+/// Arrays of each record, by its name.
+type Tables<'py> = Vec<(String, Bound<'py, PyDict>)>;
+
 /// Fits laws to records, and holds them against records that are not fitted. The outcome as JSON, and for each record a
 /// dictionary of arrays: time, velocity, normal_force, force, and the force that the best law explains.
 #[pyfunction]
@@ -123,7 +126,7 @@ pub fn identify<'py>(
     motion: Option<Bound<'py, PyAny>>,
     laws: Vec<String>,
     known: Known,
-) -> PyResult<(String, Vec<(String, Bound<'py, PyDict>)>)> {
+) -> PyResult<(String, Tables<'py>)> {
     let laws = if laws.is_empty() && known.axis { vec![axis::LAW.to_owned()] } else { laws };
     let laws = laws_named(&laws).map_err(refused)?;
     let columns = Columns { names: known.column.clone(), factors: known.scale.clone() };
