@@ -99,7 +99,9 @@ pub fn run(arguments: &Arguments) -> Result<(), DamperError> {
 }
 
 fn fitted(law: &str, seed: u64, test: &Test, options: &Options) -> Result<StrutFriction, Fault> {
-    let law = laws_named(&[law.to_owned()])?[0];
+    let [law] = laws_named(&[law.to_owned()])?[..] else {
+        return Err(Fault::value(format_args!("--law {law}: must be one law")));
+    };
     let never = AtomicBool::new(false);
     let watch = Watch { cancel: &never, progress: &|_, _| {} };
     strut_friction(law, test, options, &Task { seed, ..Task::default() }, watch)

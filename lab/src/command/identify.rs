@@ -125,7 +125,7 @@ enum MethodChoice {
 enum LossChoice {
     /// Half the squares
     Squares,
-    /// Squares up to 1.3 times the noise, magnitudes from there on
+    /// Squares of small residuals, magnitudes of those well above 1.3 times the noise
     Robust,
 }
 
@@ -356,7 +356,7 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     let best = ranking.best();
     let reference = arguments.of_best(best, laws.iter().zip(references));
     if arguments.json {
-        println!("{}", as_json(&ranking));
+        println!("{}", with_findings(as_json(&ranking), &records));
     } else {
         print!("{}{}", table(&ranking), best.table(reference.as_ref()));
     }
@@ -384,6 +384,14 @@ fn hold_against(ranking: &mut Ranking, unseen: &[Experiment]) -> Result<(), Faul
         }
     }
     Ok(())
+}
+
+/// What is to be known of each record, beside the outcome.
+fn with_findings(mut told: serde_json::Value, records: &[(String, Record)]) -> serde_json::Value {
+    for (name, record) in records {
+        told["findings"][name.as_str()] = record.quality.findings.clone().into();
+    }
+    told
 }
 
 /// Describes the quality of a record.
@@ -434,7 +442,7 @@ fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Task) -
         for one in &found.estimates {
             let verdict = match &one.verdict {
                 Verdict::Determined => "can be determined".to_owned(),
-                Verdict::AtMost(_) => "cannot be told from 0".to_owned(),
+                Verdict::AtMost(_) => "not distinguishable from 0".to_owned(),
                 Verdict::Undetermined(reason) => format!("cannot be determined: {reason}"),
                 Verdict::AtEnd(_) => "is beyond its range".to_owned(),
             };

@@ -68,7 +68,7 @@ impl Ended<'_> {
         let profile = (profiles && verdict.is_told()).then(|| self.profile(number));
         let verdict = match profile {
             Some(ends) if is_open(unknown, value, ends) => Verdict::Undetermined(format!(
-                "other values of the others explain the force as well, with {} from {:.3e} to {:.3e}",
+                "the other parameters can compensate for it, with {} from {:.3e} to {:.3e}",
                 unknown.name, ends[0], ends[1]
             )),
             _ => verdict,

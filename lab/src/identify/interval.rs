@@ -429,7 +429,7 @@ mod tests {
         // Where the time is a little longer than the rests, slopes alone show it.
         let slopes = trust(&problem, &places(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]), &judged.seen);
         let reason = slopes.verdicts[excess].to_string();
-        assert!(reason.contains("only together with"), "{reason}");
+        assert!(reason.contains("only in combination with"), "{reason}");
     }
 
     /// Viscous friction ends at 0, where the steps of the others end with it: a scan of one of them goes on.

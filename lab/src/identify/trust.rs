@@ -67,7 +67,7 @@ impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Verdict::Determined => f.write_str("determined"),
-            Verdict::AtMost(most) => write!(f, "cannot be told from 0; at most {}", digits(*most)),
+            Verdict::AtMost(most) => write!(f, "not distinguishable from 0; at most {}", digits(*most)),
             Verdict::Undetermined(reason) => write!(f, "not determined: {reason}"),
             Verdict::AtEnd(end) => write!(f, "at an end of its range: {}", digits(*end)),
         }
@@ -439,8 +439,8 @@ fn verdict(unknown: &Unknown, one: &Known, partner: Option<&str>, is_smooth: boo
     if is_open {
         let reason = match partner {
             _ if alone > DETERMINED => format!("it hardly changes the force; {}", remedy(unknown)),
-            Some(partner) => format!("only together with {partner}; {}", remedy(unknown)),
-            None => format!("only together with others; {}", remedy(unknown)),
+            Some(partner) => format!("only in combination with {partner}; {}", remedy(unknown)),
+            None => format!("only in combination with others; {}", remedy(unknown)),
         };
         Verdict::Undetermined(reason)
     } else if is_blurred {
@@ -465,7 +465,7 @@ fn remedy(unknown: &Unknown) -> &'static str {
         (name, "1") if name.starts_with("mu") => "slide longer at several speeds",
         ("sigma_1", _) => "reverse faster, and sample the reversals more often",
         ("viscous_coefficient" | "mu_v", _) => "slide faster",
-        (_, "N/m" | "m") => "reverse often, and move to and fro by less than the contact yields",
+        (_, "N/m" | "m") => "reverse often, with strokes shorter than the pre-sliding displacement",
         (_, "m/s" | "s/m") => "move more slowly around rest",
         (_, "s") => "let it rest for different times, and change the speed quickly",
         (_, "N") => "add runs with other normal forces",

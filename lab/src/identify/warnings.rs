@@ -41,7 +41,7 @@ pub(super) fn warnings(
         list.extend(problem.experiments.iter().filter_map(|one| relaxed(one, estimates)));
     } else if seen.neighbours > ALIKE {
         list.push(format!(
-            "the residuals are not noise (neighbours are correlated by {:.2}): something else than the law acts, such as \
+            "the residuals are not noise (neighbours are correlated by {:.2}): an effect outside the law acts, such as \
              a ripple along the way, and the intervals may not hold",
             seen.neighbours
         ));
@@ -78,8 +78,9 @@ fn relaxed(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
     let way: f64 = rest.map(step).sum();
     (way > RELAXED * yields).then(|| {
         format!(
-            "{}: the noise of the velocity, {error:.1e} m/s, moves the contact at rest by {way:.1e} m to and fro, and it \
-             yields by {yields:.1e} m: its friction relaxes there; give the displacement instead of the velocity",
+            "{}: noise of the velocity, {error:.1e} m/s, moves the resting contact to and fro by {way:.1e} m in all, with a \
+             pre-sliding displacement of {yields:.1e} m: its friction relaxes in the law although the rig held it; give \
+             the displacement instead of the velocity",
             experiment.name
         )
     })

@@ -92,7 +92,7 @@ fn findings(found: &Quality) -> Vec<String> {
     if let Some(gap) = found.gaps.first() {
         let more = if found.gaps.len() > 1 { format!(" and {} more", found.gaps.len() - 1) } else { String::new() };
         list.push(format!(
-            "a gap of {:.3} s at {:.3} s{more}: the law is led across it on a straight line",
+            "a gap of {:.3} s at {:.3} s{more}: the law is driven across it on a straight line",
             gap.length, gap.time
         ));
     }

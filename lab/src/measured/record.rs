@@ -88,7 +88,7 @@ pub enum MeasuredError {
         least: usize,
     },
     /// A channel does not move.
-    #[error("{name}: all values are {value}; friction is seen only where it moves")]
+    #[error("{name}: all values are {value}; nothing can be identified from it")]
     Constant {
         /// The channel.
         name: &'static str,

@@ -176,7 +176,8 @@ fn hold(formula: &mut MagicFormula, task: &TyreTask) {
 
 /// Why a coefficient is not determined, and what would help.
 fn why(one: &Coefficient, alone: f64) -> String {
-    let why = if alone > DETERMINED { "it hardly changes what was measured" } else { "only together with others" };
+    let why =
+        if alone > DETERMINED { "it hardly changes what was measured" } else { "only in combination with others" };
     format!("{why}; {}", one.needs.remedy())
 }
 
