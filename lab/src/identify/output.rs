@@ -146,7 +146,7 @@ impl Fit {
     pub fn table(&self, reference: Option<&Reference>) -> String {
         let seen = &self.residuals;
         let mut text = format!(
-            "{}: {} N of {} N is not explained (root mean square; {} samples, of which {:.1} count as one)\n",
+            "{}: {} N of {} N is not explained (root mean square; {} samples, correlation time {:.1} samples)\n",
             self.law.name,
             digits(seen.rms),
             digits(self.level),

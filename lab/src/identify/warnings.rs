@@ -34,7 +34,7 @@ pub(super) fn warnings(
     }
     if seen.correlation > SYSTEMATIC {
         list.push(format!(
-            "the residuals are not noise ({:.0} samples count as one): law, clocks or mass are not those of the rig, \
+            "the residuals are not noise (correlation time {:.0} samples): law, clocks or mass are not those of the rig, \
              and the intervals may not hold",
             seen.correlation
         ));

@@ -94,8 +94,8 @@ fn unexplained(page: &mut Page, best: &Fit) {
     page.paragraph(
         "note",
         &format!(
-            "Not explained: {} N (root mean square) of {} N. Correlation of neighbouring residuals {:.2}; {:.1} of {} \
-             samples count as one. Condition {:.1e}. {} evaluations; sensitivities {}.",
+            "Not explained: {} N (root mean square) of {} N. Correlation of neighbouring residuals {:.2}, correlation time \
+             {:.1} of {} samples. Condition {:.1e}. {} evaluations; sensitivities {}.",
             digits(seen.rms),
             digits(best.level),
             seen.neighbours,
