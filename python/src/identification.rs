@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use lab::identify::{Experiment, Task, Watch, Wishes, as_json, axis, fit_all, held_out, laws_named, names};
 use lab::measured::{Columns, Delay, Record, Rig};
-use lab::sheet::Sheet;
+use lab::sheet::{Sheet, tables};
 use lab::system::Fault;
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -80,7 +80,13 @@ fn sheet(table: &Bound<PyAny>) -> PyResult<Sheet> {
             columns.iter().map(|(name, values)| Ok((name.extract()?, values.extract()?))).collect::<PyResult<_>>()?;
         return Sheet::of_columns(&columns).map_err(refused);
     }
-    Sheet::load(&table.extract::<PathBuf>()?).map_err(refused)
+    let path = table.extract::<PathBuf>()?;
+    let mut all = tables(&path).map_err(refused)?;
+    if all.len() != 1 {
+        let text = format!("{}: has tables of {} clocks: give the arrays of each", path.display(), all.len());
+        return Err(refused(text));
+    }
+    Ok(all.swap_remove(0))
 }
 
 /// Reads records.
@@ -160,8 +166,8 @@ pub fn identify<'py>(
         told["findings"][one.name.as_str()] = said.into();
     }
     let found = best.explained.into_iter().zip(best.fitted);
-    let tables = experiments.into_iter().zip(found).map(|(one, found)| Ok((one.name.clone(), table(py, one, found)?)));
-    Ok((told.to_string(), tables.collect::<PyResult<_>>()?))
+    let arrays = experiments.into_iter().zip(found).map(|(one, found)| Ok((one.name.clone(), table(py, one, found)?)));
+    Ok((told.to_string(), arrays.collect::<PyResult<_>>()?))
 }
 
 /// An experiment with what the best law explains, and whether each sample was fitted.

@@ -637,6 +637,8 @@ def test_identify_takes_arrays_and_gives_no_number_for_what_is_not_determined(ri
         stribeck.identify(record, "Dahl", fix={"sigma": 1.0}, **known)
     with pytest.raises(stribeck.Refused, match="no law was given"):
         stribeck.identify(record, [], **known)
+    with pytest.raises(stribeck.Refused, match="built without MDF"):
+        stribeck.identify("record.mf4", "Dahl", **known)
     with pytest.raises(stribeck.Refused, match="motion: is for a single record"):
         stribeck.identify([record, record], "Dahl", motion=drive, **known)
     with pytest.raises(stribeck.Refused, match="longest_delay = 0.01: needs delay="):
