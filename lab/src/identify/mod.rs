@@ -380,7 +380,7 @@ fn fit_from(
 }
 
 /// The experiments without samples of which it is not known whether the contact speeds up or slows down, for a law that
-/// differs then. For fits with intervals only; laws are ranked by the same samples.
+/// differs then. For fits with intervals only: laws are ranked by the samples that count for all of them.
 fn of_known_branch(law: &ModelType, experiments: &[Experiment], task: &Task) -> Option<Vec<Experiment>> {
     let differs = task.profiles && Ports::of(law)?.acceleration.is_some();
     differs.then(|| experiments.iter().map(Experiment::of_known_branch).collect())
