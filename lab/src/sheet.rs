@@ -352,9 +352,11 @@ fn split(heading: &str) -> (String, String) {
 fn plain(unit: &str) -> String {
     let letters: String = unit.chars().filter(|letter| !letter.is_whitespace()).collect();
     let letters = letters.replace(['\u{b5}', '\u{3bc}'], "u").replace(['\u{b7}', '\u{22c5}'], ".");
+    let is_lost = letters.starts_with(char::REPLACEMENT_CHARACTER);
     match letters.strip_prefix(['\u{b0}', '\u{ba}', char::REPLACEMENT_CHARACTER]) {
         Some("") => "deg".to_owned(),
-        Some(unit) if ["m", "s"].contains(&unit) => format!("u{unit}"),
+        Some("m" | "s") if !is_lost => letters,
+        Some(unit @ ("m" | "s")) => format!("u{unit}"),
         Some(unit) => unit.to_owned(),
         None => letters,
     }
@@ -399,6 +401,7 @@ mod tests {
             ["\u{b0}", "\u{fffd}", "\u{b0}C", "\u{fffd}C", "N\u{b7}m"].map(plain),
             ["deg", "deg", "C", "C", "N.m"]
         );
+        assert_eq!(plain("\u{b0}m"), "\u{b0}m");
         let other = Sheet::parse("displacement [\u{e4}m]\n1\n").unwrap();
         assert!(other.column(&DISPLACEMENT).unwrap_err().to_string().contains("unit '\u{e4}m'"));
     }

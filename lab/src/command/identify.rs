@@ -386,7 +386,7 @@ fn hold_against(ranking: &mut Ranking, unseen: &[Experiment]) -> Result<(), Faul
     Ok(())
 }
 
-/// What is to be known of each record, beside the outcome.
+/// The outcome with what was found out about each record.
 fn with_findings(mut told: serde_json::Value, records: &[(String, Record)]) -> serde_json::Value {
     for (name, record) in records {
         told["findings"][name.as_str()] = record.quality.findings.clone().into();

@@ -1,5 +1,6 @@
 //! Experiments as a fit needs them.
 
+use std::borrow::Cow;
 use std::path::{Component, Path};
 
 use crate::measured::{Alike, Record};
@@ -173,6 +174,16 @@ impl Experiment {
     pub(super) fn at_delay(&self, delay: f64) -> Experiment {
         let left_out = self.shifted(delay - self.delay).left_out(self.rest);
         Experiment { left_out, ..self.clone() }
+    }
+
+    /// The same with the motion at the delay that was found, unless its own is known.
+    pub(super) fn with_delay(&self, found: Option<f64>) -> Cow<'_, Experiment> {
+        match found {
+            Some(delay) if self.delay_range.is_some() && delay != self.delay => {
+                Cow::Owned(self.shifted(delay - self.delay))
+            }
+            _ => Cow::Borrowed(self),
+        }
     }
 
     /// Whether a sample counts.

@@ -80,9 +80,8 @@ impl Fit {
     pub fn seen(&self, record: &Record) -> Record {
         let as_is = Experiment::new("record", record);
         let by = self.delay.filter(|_| as_is.delay_range.is_some()).map_or(0.0, |delay| delay - as_is.delay);
-        let moved = if by == 0.0 { as_is } else { as_is.shifted(by) };
-        let inertia = moved.acceleration.iter().map(|a| self.mass * a + self.offset);
-        let friction_force = record.force.iter().zip(inertia).map(|(force, inertia)| force - inertia).collect();
+        let moved = as_is.with_delay(self.delay).into_owned();
+        let friction_force = self.without_inertia(&record.force, &moved.acceleration);
         let displacement = record.displacement.iter().zip(&record.velocity).map(|(x, v)| x + by * v).collect();
         let (velocity, acceleration) = (moved.velocity, moved.acceleration);
         Record { displacement, velocity, acceleration, friction_force, ..record.clone() }
@@ -91,9 +90,13 @@ impl Fit {
     /// The same with the friction force that the law explains in it; its number is that of the experiments that were
     /// fitted.
     pub fn explained_in(&self, seen: &Record, number: usize) -> Record {
-        let inertia = seen.acceleration.iter().map(|a| self.mass * a + self.offset);
-        let friction_force = self.explained[number].iter().zip(inertia).map(|(all, inertia)| all - inertia).collect();
+        let friction_force = self.without_inertia(&self.explained[number], &seen.acceleration);
         Record { friction_force, ..seen.clone() }
+    }
+
+    /// Friction in forces of the load cell.
+    fn without_inertia(&self, forces: &[f64], acceleration: &[f64]) -> Vec<f64> {
+        forces.iter().zip(acceleration).map(|(force, a)| force - (self.mass * a + self.offset)).collect()
     }
 
     /// Name of a column of the law.
@@ -258,7 +261,6 @@ pub(crate) fn known(reference: &Reference, name: &str) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Task;
     use super::super::tests::{fitted, measured, quick, standard};
     use super::*;
 
@@ -269,7 +271,7 @@ mod tests {
         let velocity = (0..400).map(|at| if at % 100 < 50 { 0.5 } else { -0.5 }).collect();
         let sliding = Experiment { velocity, ..even };
         let data = measured("Stribeck", &[("mu_k", 0.3), ("mu_s", 0.4)], &sliding, 0.01, 1);
-        let fit = fitted("Stribeck", &[data], &Task { ..quick() });
+        let fit = fitted("Stribeck", &[data], &quick());
         let values = fit.values();
         assert_eq!(values.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["mu_k"], "{:?}", fit.estimates);
         assert_eq!(fit.least_static(), Some(values[0].1));

@@ -155,12 +155,7 @@ impl Problem<'_> {
     /// The experiments with the motion at its delay.
     fn seen(&self, point: &Point) -> impl Iterator<Item = Cow<'_, Experiment>> {
         let delay = point.delay;
-        self.experiments.iter().map(move |one| match delay {
-            Some(delay) if one.delay_range.is_some() && delay != one.delay => {
-                Cow::Owned(one.shifted(delay - one.delay))
-            }
-            _ => Cow::Borrowed(one),
-        })
+        self.experiments.iter().map(move |one| one.with_delay(delay))
     }
 
     /// Gives a place that was found on fewer samples its cost on all of them.

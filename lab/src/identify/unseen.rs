@@ -69,7 +69,9 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Unseen>, Fa
 /// branches without samples whose branch is not known.
 fn as_fitted(fit: &Fit, ports: Ports, experiment: &Experiment) -> Experiment {
     let found = match fit.delay {
-        Some(delay) if experiment.delay_range.is_some() => experiment.at_delay(delay).shifted(delay - experiment.delay),
+        Some(delay) if experiment.delay_range.is_some() => {
+            experiment.at_delay(delay).with_delay(fit.delay).into_owned()
+        }
         _ => experiment.clone(),
     };
     if ports.acceleration.is_some() { found.of_known_branch() } else { found }

@@ -103,8 +103,8 @@ impl Signal<'_> {
         (noise * [shorter, longer][taken].gains[1] + missed[taken]).sqrt()
     }
 
-    /// What a window lets pass of the noise of the samples into a derivative, root mean square. Where the acceleration
-    /// passes through 0, hardly anything else is wrong with it.
+    /// Noise of a derivative in a window, root mean square. Where the acceleration passes through 0, it has hardly any other
+    /// error.
     pub fn passed(&self, window: f64, derivative: usize) -> f64 {
         let shortest = shortest(self.interval);
         let places = Places::new(self, self.part.clone().collect(), window.max(shortest));

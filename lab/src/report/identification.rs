@@ -28,7 +28,7 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
         page.paragraph("warning", warning);
     }
     estimates(&mut page, best, facts.reference);
-    unexplained(&mut page, best);
+    residuals(&mut page, best);
     page.heading("Pictures");
     for number in 0..facts.records.len() {
         for picture in drawn(facts, number, Theme::Auto)? {
@@ -47,7 +47,6 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
 
 fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
     page.heading("Parameters");
-    let apart = ["#Difference, % of it", "#% of the mean"];
     let head = [
         "Parameter",
         "Unit",
@@ -55,8 +54,8 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
         "95 % interval",
         "From repetitions",
         "#Reference",
-        apart[0],
-        apart[1],
+        "#Difference, % of it",
+        "#% of the mean",
         "Verdict",
     ];
     page.begin_table(&head);
@@ -84,8 +83,8 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
     page.end_table();
 }
 
-/// What the fit leaves unexplained.
-fn unexplained(page: &mut Page, best: &Fit) {
+/// Sizes of the residuals, also in records that were not fitted.
+fn residuals(page: &mut Page, best: &Fit) {
     for one in &best.unseen {
         let text = format!("{}, which was not fitted: {} N is not explained.", one.name, digits(one.rms));
         page.paragraph("note", &text);
