@@ -90,7 +90,7 @@ pub struct Task {
 }
 
 impl Default for Task {
-    /// [`BUDGET`] evaluations, profiles, 40 repetitions (chosen).
+    /// The usual number of evaluations, profiles, 40 repetitions (chosen).
     fn default() -> Task {
         Task {
             wishes: Wishes::default(),
