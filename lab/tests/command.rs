@@ -216,6 +216,10 @@ fn a_virtual_rig_is_identified_and_the_result_runs() {
     assert!(shown.contains("reference 0.2000, difference 0."), "{shown}");
     let page = text(Path::new(report));
     assert!(page.contains("Identification of Dahl") && page.matches("<svg").count() == 3, "{page}");
+    assert!(
+        page.contains("<td>Seed</td><td>1</td>") && page.contains("--mass 2 --normal-force 20 --law Dahl"),
+        "{page}"
+    );
     roxmltree::Document::parse(page.trim_start_matches("<!DOCTYPE html>\n")).expect("a page");
     assert!(text(&Path::new(curves).join("force.csv")).lines().count() == 1002);
     let line = stribeck(&["run", "--config", toml, "--until", "1"]);
@@ -230,10 +234,19 @@ fn a_virtual_rig_is_identified_and_the_result_runs() {
     let stiffness = estimates.iter().find(|one| one["name"] == "sigma_0").expect("sigma_0");
     assert!((stiffness["value"].as_f64().expect("a number") / 3e4 - 1.0).abs() < 0.02, "{stiffness}");
     assert!(text(Path::new(csv)).contains("sigma_0"));
+}
 
-    let check = stribeck(&[&known[..], &["Dahl", "--check"]].concat());
-    let check = String::from_utf8(check.stdout).expect("text");
+/// What a record can determine is told without a number, and not as JSON.
+#[test]
+fn what_can_be_determined_is_told_first() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("rig").to_str().expect("text").to_owned();
+    assert_eq!(stribeck(&["rig", "--law", "Dahl", "--duration", "1", "--out", &out]).status.code(), Some(0));
+    let record = format!("{out}/force.csv");
+    let known = ["identify", &record, "--mass", "2", "--normal-force", "20", "--law", "Dahl", "--check"];
+    let check = String::from_utf8(stribeck(&known).stdout).expect("text");
     assert!(check.ends_with("Dahl:\n  mu_k: can be determined\n  sigma_0: can be determined\n"), "{check}");
+    assert_eq!(refusal(&[&known[..], &["--json"]].concat()), "stribeck: --check: writes no JSON");
 }
 
 #[test]

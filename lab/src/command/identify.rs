@@ -48,8 +48,8 @@ pub struct Arguments {
     /// Normal force in N, if the record has none
     #[arg(long)]
     normal_force: Option<f64>,
-    /// Window in s for smoothing and differentiating the motion (default: 5 to 391 samples, at most a tenth of the record, with the least error of velocity and acceleration; for
-    /// an axis 9 to 191 samples, force and motion alike)
+    /// Window in s for smoothing and differentiating the motion (default: 5 to 391 samples, at most a tenth of the
+    /// record, with the least error of velocity and acceleration; for an axis 9 to 191 samples, force and motion alike)
     #[arg(long)]
     window: Option<f64>,
     /// Delay of the motion behind the force in s; or `find`, or `find:LONGEST` (default: 0; for an axis that of a
@@ -353,23 +353,45 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     let mut ranking = fit_all(&laws, &experiments, &task, &mut |law| bar.begin(law.name), watch)?;
     bar.finish();
     hold_against(&mut ranking, &unseen)?;
+    let reference = arguments.of_best(ranking.best(), laws.iter().zip(references));
+    let command = command_line();
+    tell(
+        arguments,
+        &Identification {
+            records: &records,
+            task: &task,
+            command: &command,
+            ranking: &ranking,
+            reference: reference.as_ref(),
+        },
+    )
+}
+
+/// Prints the outcome, and writes the files that were asked for.
+fn tell(arguments: &Arguments, facts: &Identification) -> Result<Ending, Failure> {
+    let Identification { records, ranking, reference, .. } = *facts;
     let best = ranking.best();
-    let reference = arguments.of_best(best, laws.iter().zip(references));
     if arguments.json {
-        println!("{}", with_findings(as_json(&ranking), &records));
+        println!("{}", with_findings(as_json(ranking), records));
     } else {
-        print!("{}{}", table(&ranking), best.table(reference.as_ref()));
+        print!("{}{}", table(ranking), best.table(reference));
     }
-    let facts = Identification { records: &records, ranking: &ranking, reference: reference.as_ref() };
     if let Some(folder) = &arguments.curves {
         std::fs::create_dir_all(folder).map_err(|source| Failure::File { path: folder.clone(), source })?;
-        curves(folder, &records, &facts)?;
+        curves(folder, records, facts)?;
     }
     if let Some(path) = &arguments.report {
-        write(path, identification::html(&facts)?)?;
+        write(path, identification::html(facts)?)?;
     }
     save(arguments, best)?;
     Ok(if best.is_cancelled { Ending::Cancelled } else { Ending::Done })
+}
+
+/// The command line as it was typed, quoted for a shell; empty if it can't be.
+fn command_line() -> String {
+    let arguments: Option<Vec<String>> = std::env::args_os().skip(1).map(|one| one.into_string().ok()).collect();
+    let words = arguments.and_then(|words| shlex::try_join(words.iter().map(String::as_str)).ok());
+    words.map_or(String::new(), |words| format!("stribeck {words}"))
 }
 
 /// Holds the laws against records that were not fitted. An error if the best one is refused there; another one that is

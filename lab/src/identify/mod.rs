@@ -278,14 +278,24 @@ pub fn fit_all(
             None => refused.push((law.name, format!("{}: not reached before the end", law.name))),
         }
     }
-    let ranks = rank(&fits);
+    let mut ranks = rank(&fits);
     let Some(best) = ranks.first().map(|place| place.fit) else { return Err(reason) };
     if laws.len() > 1 && !fits[best].is_cancelled {
         begin(fits[best].law);
         let first = laws.iter().position(|law| law.name == fits[best].law.name).and_then(|at| seen.get(at).cloned());
-        fits[best] = fit_from(fits[best].law, experiments, task, watch, first.flatten(), false)?;
+        let whole = fit_from(fits[best].law, experiments, task, watch, first.flatten(), false)?;
+        ranks = with_whole(&mut fits, best, whole).unwrap_or(ranks);
     }
     Ok(Ranking { fits, ranks, refused })
+}
+
+/// Puts the whole fit of the best law into its place, and ranks anew: it may have been searched again. None if the ranking
+/// stays, because the whole fit leaves other samples out.
+fn with_whole(fits: &mut [Fit], best: usize, whole: Fit) -> Option<Vec<Rank>> {
+    let is_of_the_same = whole.samples == fits[best].samples;
+    fits[best] = whole;
+    let ranks = rank(fits);
+    (is_of_the_same && ranks[0].fit == best).then_some(ranks)
 }
 
 /// Work on laws, in their order; None for those that were not begun before an early end, if it stops there.

@@ -184,8 +184,8 @@ fn two_searches(problem: &Problem, task: &Task, round: u32, first: Option<Found>
     })
 }
 
-/// Members of a population for each unknown, the least of them all, and generations for each usual budget (chosen: twice
-/// what LuGre needs).
+/// Members of a population for each unknown, the least of them all, and generations in the usual budget, or in
+/// proportion to a larger one (chosen: twice what LuGre needs).
 const MEMBERS: usize = 8;
 const LEAST_MEMBERS: usize = 24;
 const GENERATIONS: u64 = 60;
@@ -200,7 +200,7 @@ fn search(problem: &Problem, method: Method, seed: u64, budget: u64, watch: Watc
         Method::Evolution => {
             let solver =
                 De::new(seed).with_pop_size(members).with_mutation(DeMutation::CurrentToBest1).with_dither(0.5, 1.0);
-            let most = GENERATIONS * budget.div_ceil(BUDGET);
+            let most = GENERATIONS.saturating_mul(budget.max(BUDGET)) / BUDGET;
             let generations = (budget / members as u64).clamp(1, most);
             run(Executor::new(problem.clone(), solver, empty), generations, problem, watch)
         }

@@ -119,9 +119,8 @@ fn findings(found: &Quality) -> Vec<String> {
 }
 
 fn one_load([low, high]: [f64; 2]) -> Option<String> {
-    (high - low < ONE_LOAD * 0.5 * (high + low)).then(|| {
-        format!("one normal force ({high} N): how friction depends on it cannot be seen; add a run with another load")
-    })
+    (high - low < ONE_LOAD * 0.5 * (high + low))
+        .then(|| format!("one normal force ({high} N): how friction depends on it cannot be seen in this record alone"))
 }
 
 /// Changes of direction between motions that are faster than a part of the fastest.

@@ -3,7 +3,8 @@
 use super::html::Page;
 use super::{STYLE, versions_of};
 use crate::identify::{
-    Difference, EARLY, Estimate, Fit, Ranking, Reference, Searches, Verdict, difference, digits, known, respond,
+    Difference, EARLY, Estimate, Fit, Method, Ranking, Reference, Searches, Task, Verdict, difference, digits, known,
+    respond,
 };
 use crate::measured::{Record, average};
 use crate::picture::{Kind, Named, Picture, Theme, curves};
@@ -14,6 +15,10 @@ use crate::system::Fault;
 pub struct Identification<'a> {
     /// The records with their names.
     pub records: &'a [(String, Record)],
+    /// How they were fitted.
+    pub task: &'a Task,
+    /// The command line that repeats it; left out if empty.
+    pub command: &'a str,
     /// The fits.
     pub ranking: &'a Ranking,
     /// Values to compare the best fit with.
@@ -38,6 +43,7 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
     ranking(&mut page, facts);
     records(&mut page, facts);
     correlations(&mut page, best);
+    settings(&mut page, facts);
     page.heading("To run a system with it");
     page.listing("stribeck run --config fitted.toml      # with this in fitted.toml:");
     page.listing(&best.configuration().text());
@@ -162,6 +168,29 @@ fn correlations(page: &mut Page, best: &Fit) {
         page.row("", &head, &cells);
     }
     page.end_table();
+}
+
+/// What was asked for, with what is usual where nothing was.
+fn settings(page: &mut Page, facts: &Identification) {
+    let Task { wishes, method, seed, budget, repetitions, mass, is_robust, folds, .. } = facts.task;
+    page.heading("How it was fitted");
+    let head = ["Setting", "Value"];
+    let mut rows = vec![
+        ("Search", if *method == Method::Genetic { "genetic algorithm" } else { "differential evolution" }.to_owned()),
+        ("Seed", seed.to_string()),
+        ("Evaluations in a search", budget.to_string()),
+        ("Loss", if *is_robust { "robust" } else { "squares" }.to_owned()),
+        ("Repetitions", repetitions.to_string()),
+        ("Parts for cross-validation", folds.to_string()),
+        ("Mass between load cell and contact", format!("{mass} kg, unless it was fitted or held")),
+    ];
+    rows.extend(wishes.fixed.iter().map(|(name, value)| ("Held", format!("{name} = {value}"))));
+    rows.extend(wishes.fitted.iter().map(|name| ("Fitted as well", name.clone())));
+    rows.extend(wishes.ranges.iter().map(|(name, [low, high])| ("Range", format!("{name} from {low} to {high}"))));
+    page.begin_table(&head);
+    rows.into_iter().for_each(|(setting, value)| page.row("", &head, &[setting.to_owned(), value]));
+    page.end_table();
+    page.listing(facts.command);
 }
 
 /// Friction of a record over time, velocity and displacement: measured, of the reference, and fitted (the thesis'
