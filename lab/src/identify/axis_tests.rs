@@ -147,11 +147,14 @@ fn held(force: impl Fn(f64) -> f64) -> Sheet {
 }
 
 fn fit_of_axis(sheet: &Sheet, delay: Delay) -> Fit {
+    fit_with(sheet, delay, Wishes::default())
+}
+
+fn fit_with(sheet: &Sheet, delay: Delay, mut wishes: Wishes) -> Fit {
     let rig = Rig { normal_force: Some(axis::NORMAL_FORCE), is_axis: true, delay, ..Rig::default() };
     let record = Record::of(sheet, None, &rig).unwrap();
     let law = by_name(axis::LAW).unwrap();
     let experiment = axis::in_motion(Experiment::new("axis", &record), &[law]).unwrap();
-    let mut wishes = Wishes::default();
     axis::fitted(&mut wishes, 0.0);
     fitted(axis::LAW, &[experiment], &Task { wishes, ..quick() })
 }
@@ -222,5 +225,66 @@ fn a_delay_that_looks_like_friction_leaves_the_friction_open() {
         let [low, high] = one.interval();
         let is_open = low < truth && truth < high && high - low > 0.05 * truth.abs();
         assert!(one.verdict != Verdict::Determined || is_open, "{one:?}");
+    }
+}
+
+/// The same axis under a controller that holds its force between samples of an encoder of 5 um: its answers to the
+/// rounding look like a delay.
+#[test]
+fn rounding_that_a_controller_answers_is_not_taken_for_a_delay() {
+    const INTERVAL: f64 = 0.004;
+    let [mass, ..] = AXIS.map(|(_, value)| value);
+    let (corner, rate) = (TAU * 12.0, TAU * 1.05);
+    let time: Vec<f64> = (0..3000).map(|at| f64::from(at) * INTERVAL).collect();
+    let random = noise(9, time.len());
+    let mut state = [0.0_f64; 2];
+    let (mut force, mut displacement) = (Vec::new(), Vec::new());
+    for (t, noise) in time.iter().zip(&random) {
+        let rounded = (state[0] / 5e-6).round() * 5e-6;
+        let [x, v] = [0.04 * (1.0 - (rate * t).cos()), 0.04 * rate * (rate * t).sin()];
+        let drive = mass * corner * (corner * (x - rounded) + 1.6 * (v - state[1]));
+        force.push(drive + 0.06 * noise);
+        displacement.push(rounded);
+        state = moved(state, drive, INTERVAL);
+    }
+    let columns = [("time", time), ("force", force), ("displacement", displacement)];
+    let sheet = Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
+    let fit = fit_of_axis(&sheet, Delay::OfController);
+    assert!(matches!(estimate(&fit, "delay").verdict, Verdict::Undetermined(_)), "{:?}", estimate(&fit, "delay"));
+    for (name, truth) in AXIS {
+        let one = estimate(&fit, name);
+        assert!(is_open_or_true(one, truth), "{one:?}");
+    }
+}
+
+/// A slide that is pushed one way ever faster: M a is as constant as Coulomb friction, and noise must not tell them apart.
+#[test]
+fn a_constant_acceleration_tells_no_mass() {
+    let [mass, viscous, level, offset] = AXIS.map(|(_, value)| value);
+    let time: Vec<f64> = (0..2000).map(|at| f64::from(at) * 1e-3).collect();
+    let [random, shaken] = [noise(2, time.len()), noise(3, time.len())];
+    let force = |t: f64| mass * 0.05 + level + offset + viscous * (0.02 + 0.05 * t);
+    let columns = [
+        ("time", time.clone()),
+        ("force", time.iter().zip(&random).map(|(t, noise)| force(*t) + 0.05 * noise).collect()),
+        ("displacement", time.iter().zip(&shaken).map(|(t, noise)| 0.02 * t + 0.025 * t * t + 1e-7 * noise).collect()),
+    ];
+    let sheet = Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
+    let wishes = Wishes { fixed: vec![("offset".into(), offset)], ..Wishes::default() };
+    let fit = fit_with(&sheet, Delay::OfController, wishes);
+    for (name, truth) in [("mass", mass), ("mu_k", level)] {
+        let one = estimate(&fit, name);
+        assert!(is_open_or_true(one, truth), "{one:?}");
+    }
+    assert!(!matches!(estimate(&fit, "mass").verdict, Verdict::Determined));
+}
+
+/// Whether an interval or a limit contains the truth, if there is one.
+fn is_open_or_true(one: &Estimate, truth: f64) -> bool {
+    let [low, high] = one.interval();
+    match one.verdict {
+        Verdict::Determined => (low..=high).contains(&truth),
+        Verdict::AtMost(limit) => truth <= limit,
+        _ => true,
     }
 }

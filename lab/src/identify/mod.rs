@@ -113,6 +113,7 @@ const BUDGET: u64 = 3000;
 pub mod axis {
     use super::experiment::UNKNOWN_DIRECTION;
     use super::{Experiment, Fault, ModelType, Wishes};
+    use crate::measured::SLOW;
 
     /// Law of its guides, unless another one is given.
     pub const LAW: &str = "CoulombViscous";
@@ -131,10 +132,6 @@ pub mod axis {
             }
         }
     }
-
-    /// Part of the highest speed below which friction is more than Coulomb and viscous friction (chosen): the static
-    /// level and what is left of it, and pre-sliding.
-    const SLOW: f64 = 0.05;
 
     /// An experiment without its samples at rest: there the guides carry whatever force there is, and the sign of the
     /// velocity is noise. If only [`LAW`] is fitted, without those that are slow either.

@@ -467,6 +467,7 @@ fn remedy(unknown: &Unknown) -> &'static str {
         ("viscous_coefficient" | "mu_v", _) => "slide faster",
         (_, "N/m" | "m") => "reverse often, with strokes shorter than the pre-sliding displacement",
         (_, "m/s" | "s/m") => "move more slowly around rest",
+        ("delay", _) => "move with several frequencies",
         (_, "s") => "let it rest for different times, and change the speed quickly",
         (_, "N") => "add runs with other normal forces",
         ("mass", _) => "accelerate more",

@@ -24,7 +24,8 @@
 //!
 //! where p_k is the coefficient of the term; that of da/dt is the mass times the doubt about the delay, or times the
 //! delay that the reaction of a controller to noise feigns, whichever is larger. The share of noise is taken away from
-//! what da/dt does not have in common with the others, so that noise does not look like a delay. The force of a
+//! what da/dt does not have in common with the others, so that noise does not look like a delay; from a share of
+//! [`NOISY`], all of that is taken away, from a and v too, and the coefficient is not determined. The force of a
 //! controller is held until the next sample, which averages it over an interval h; its samples are averaged likewise,
 //! y_j + (y_j-1 - 2 y_j + y_j+1) / 24.
 //!
@@ -81,11 +82,20 @@ const ACCELERATION: usize = 0;
 const VELOCITY: usize = 1;
 const JERK: usize = 4;
 
+/// Part of the highest speed below which friction is more than Coulomb and viscous friction (chosen): the static level
+/// and what is left of it, and pre-sliding.
+pub const SLOW: f64 = 0.05;
+
 /// Averages with which a regression is made at least (chosen).
 const LEAST: usize = 4 * TERMS;
 
 /// Errors of the velocity below which its sign is not known (chosen, as in [`crate::identify`]).
 const UNKNOWN_SIGN: f64 = 3.0;
+
+/// Share of noise in what a term has for itself from which that tells nothing (chosen). It was below 0.006 in records of
+/// three frequencies, and from 0.10 to 0.33 in those of one, in which the reaction of a controller to rounding then looked
+/// like 1 to 6 ms of delay.
+const NOISY: f64 = 0.05;
 
 /// Rounds in which the delay is found: each takes the motion from where the one before saw it.
 const ROUNDS: usize = 4;
@@ -121,9 +131,9 @@ pub(super) fn alike(
     let noise = noise_of_motion(record, &moved);
     let tried = windows.into_iter().filter_map(|window| {
         let averages = Averages::of(record, &force, &moved, window, doubt);
-        Some((averages.regression(record, noise, doubt)?.doubt(), window))
+        Some((averages.are_few(record), averages.regression(record, noise, doubt)?.doubt(), window))
     });
-    let (_, window) = tried.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (.., window) = tried.min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)))?;
     let (range, mut delay) = (around(about, doubt), about);
     for _ in 0..if doubt > 0.0 { ROUNDS } else { 0 } {
         let averages = Averages::of(record, &force, &moved, window, doubt);
@@ -209,6 +219,12 @@ impl Averages {
         Averages { chosen, values, least_speed, gains: gains(half, interval) }
     }
 
+    /// Whether few are left without those that are slow.
+    fn are_few(&self, record: &Record) -> bool {
+        let slow = SLOW * record.quality.fastest;
+        self.least_speed.iter().filter(|least| **least > slow).count() < LEAST
+    }
+
     /// Regression of the force where the velocity keeps its sign; None if too little is left.
     fn regression(&self, record: &Record, noise: Noise, doubt: f64) -> Option<Regression> {
         let is_moving = |least: &f64| *least > UNKNOWN_SIGN * record.velocity_error && *least > 0.0;
@@ -228,12 +244,23 @@ impl Averages {
         Some(found)
     }
 
-    /// Takes the share of noise away from what the jerk does not have in common with the other terms.
+    /// Takes the share of noise away from what the jerk does not have in common with the other terms. Of a term that has
+    /// only noise for itself, what the others explain is left: its coefficient is then undetermined, not wrong.
     fn calibrate(&mut self, regression: &Regression) {
-        let share = regression.share(JERK).min(1.0);
+        let is_noisy = [ACCELERATION, VELOCITY, JERK].map(|term| regression.share(term) > NOISY);
+        let noisy = [(ACCELERATION, 2), (VELOCITY, 1), (JERK, 3)].into_iter().zip(is_noisy).filter(|(_, it)| *it);
+        let noisy: Vec<(usize, usize)> = noisy.map(|(one, _)| one).collect();
+        let kept: Vec<usize> = (0..TERMS).filter(|term| noisy.iter().all(|(noisy, _)| noisy != term)).collect();
+        let explained: Vec<_> = noisy.iter().map(|(term, _)| regression.explained(*term, &kept)).collect();
+        let share = regression.share(JERK);
         for values in &mut self.values {
-            let alone = regression.alone(&terms(values), JERK);
-            values[3] -= share * alone;
+            let terms = terms(values);
+            for ((_, column), weights) in noisy.iter().zip(&explained) {
+                values[*column] = weights.dot(&terms);
+            }
+            if share <= NOISY {
+                values[3] -= share * regression.alone(&terms, JERK);
+            }
         }
     }
 
@@ -272,7 +299,9 @@ const ROUNDING: f64 = 1e-12;
 /// Regression of the force.
 struct Regression {
     values: SVector<f64, TERMS>,
-    /// Inverse of the normal equations.
+    /// Normal equations.
+    gram: SMatrix<f64, TERMS, TERMS>,
+    /// Their inverse.
     inverse: SMatrix<f64, TERMS, TERMS>,
     /// Variance of what is left.
     variance: f64,
@@ -291,17 +320,11 @@ impl Regression {
             gram += terms * terms.transpose();
             right += terms * *force;
         }
-        // Terms of their own size: the largest jerk is far above 1.
-        let size = gram.diagonal().map(|square| square.sqrt().max(f64::MIN_POSITIVE));
-        let scaled =
-            SMatrix::<f64, TERMS, TERMS>::from_fn(|row, column| gram[(row, column)] / (size[row] * size[column]));
-        let inverse = (scaled + SMatrix::identity() * ROUNDING).try_inverse()?;
-        let inverse =
-            SMatrix::<f64, TERMS, TERMS>::from_fn(|row, column| inverse[(row, column)] / (size[row] * size[column]));
+        let inverse = inverse(&gram)?;
         let values = inverse * right;
         let left: f64 = rows.iter().map(|(terms, force)| (force - terms.dot(&values)).powi(2)).sum();
         let variance = left / (rows.len() - TERMS) as f64;
-        Some(Regression { values, inverse, variance, count: rows.len() as f64, noises: [(0, 0.0, 0.0); 3] })
+        Some(Regression { values, gram, inverse, variance, count: rows.len() as f64, noises: [(0, 0.0, 0.0); 3] })
     }
 
     /// Share of noise of the motion in what a term does not have in common with the others.
@@ -315,24 +338,37 @@ impl Regression {
         (self.inverse.row(term) * terms)[0] / self.inverse[(term, term)]
     }
 
-    /// Amount by which the noise of the motion may shift a coefficient.
-    fn shift(&self, term: usize) -> f64 {
+    /// Weights with which some terms explain another one.
+    fn explained(&self, term: usize, by: &[usize]) -> SVector<f64, TERMS> {
+        let is_used = |one: usize| by.contains(&one);
+        let gram = SMatrix::<f64, TERMS, TERMS>::from_fn(|row, column| match (is_used(row), is_used(column)) {
+            (true, true) => self.gram[(row, column)],
+            _ => f64::from(u8::from(row == column)),
+        });
+        let right = SVector::<f64, TERMS>::from_fn(|row, _| if is_used(row) { self.gram[(row, term)] } else { 0.0 });
+        inverse(&gram).map_or(SVector::zeros(), |inverse| inverse * right)
+    }
+
+    /// Amount by which the noise of the motion in some terms may shift a coefficient.
+    fn shift(&self, term: usize, is_meant: impl Fn(usize) -> bool) -> f64 {
         let by = |(noisy, _, value): &(usize, f64, f64)| {
             self.share(*noisy) * (self.inverse[(term, *noisy)] / self.inverse[(*noisy, *noisy)] * value).abs()
         };
-        self.noises.iter().map(by).sum()
+        self.noises.iter().filter(|(noisy, ..)| is_meant(*noisy)).map(by).sum()
     }
 
-    /// The same as a part of the coefficient; None if it is within its own error, as viscous friction that there hardly
-    /// is.
+    /// The amount that the intervals do not say, as a part of the coefficient: that by terms that do not only have noise
+    /// for themselves, of which the averages are free. None if the coefficient is within its own error, as viscous
+    /// friction that there hardly is.
     fn relative_shift(&self, term: usize) -> Option<f64> {
         let value = self.values[term].abs();
-        (value * value > self.error(term)).then(|| self.shift(term) / value)
+        let is_told = |noisy: usize| self.share(noisy) <= NOISY;
+        (value * value > self.error(term)).then(|| self.shift(term, is_told) / value)
     }
 
     /// Square of the error of a coefficient.
     fn error(&self, term: usize) -> f64 {
-        self.variance * self.inverse[(term, term)].max(0.0) + self.shift(term).powi(2)
+        self.variance * self.inverse[(term, term)].max(0.0) + self.shift(term, |_| true).powi(2)
     }
 
     /// Sum of the logarithms of the errors of mass, viscous and Coulomb friction, and offset.
@@ -343,8 +379,17 @@ impl Regression {
     /// Time by which the motion is later than assumed, s; 0 if noise says so.
     fn late(&self) -> f64 {
         let mass = self.values[ACCELERATION];
-        if mass > 0.0 && self.share(JERK) < 0.5 { self.values[JERK] / mass } else { 0.0 }
+        if mass > 0.0 && self.share(JERK) < NOISY { self.values[JERK] / mass } else { 0.0 }
     }
+}
+
+/// Inverse of normal equations. Terms are brought to a size of their own: the largest jerk is far above 1.
+fn inverse(gram: &SMatrix<f64, TERMS, TERMS>) -> Option<SMatrix<f64, TERMS, TERMS>> {
+    type Square = SMatrix<f64, TERMS, TERMS>;
+    let size = gram.diagonal().map(|square| square.sqrt().max(f64::MIN_POSITIVE));
+    let scaled = Square::from_fn(|row, column| gram[(row, column)] / (size[row] * size[column]));
+    let inverse = (scaled + Square::identity() * ROUNDING).try_inverse()?;
+    Some(Square::from_fn(|row, column| inverse[(row, column)] / (size[row] * size[column])))
 }
 
 /// Whether all samples within some time of one are there: a stencil cannot bridge a gap.

@@ -34,7 +34,7 @@ mod stencil;
 mod tests;
 mod window;
 
-pub use alike::Alike;
+pub use alike::{Alike, SLOW};
 pub use clock::Clocks;
 pub use columns::Columns;
 pub use cycle::{Cycle, average, interpolate};
