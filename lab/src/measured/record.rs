@@ -95,6 +95,18 @@ pub enum MeasuredError {
         /// Its value.
         value: f64,
     },
+    /// A channel of the motion is noise.
+    #[error("{name}: its range, {range:.3e} {unit}, is that of its noise ({noise:.1e} {unit}): nothing moves")]
+    Still {
+        /// The channel.
+        name: &'static str,
+        /// Difference between its largest and its least value.
+        range: f64,
+        /// Standard deviation of its noise.
+        noise: f64,
+        /// Their unit.
+        unit: &'static str,
+    },
     /// A normal force is negative.
     #[error("line {line}, normal_force: {value} N; must be >= 0")]
     Load {
@@ -320,6 +332,18 @@ fn moving(name: &'static str, values: &[f64]) -> Result<(), MeasuredError> {
     if values.iter().all(|other| *other == value) { Err(MeasuredError::Constant { name, value }) } else { Ok(()) }
 }
 
+/// Standard deviations of noise in the range of a channel up to which all of it may be noise (chosen: a million samples of
+/// white noise have a range of 9.8).
+const STILL: f64 = 10.0;
+
+fn more_than_noise(name: &'static str, unit: &'static str, values: &[f64]) -> Result<(), MeasuredError> {
+    let [low, high] = values
+        .iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(*value), high.max(*value)]);
+    let (range, noise) = (high - low, noise(values));
+    if range < STILL * noise { Err(MeasuredError::Still { name, range, noise, unit }) } else { Ok(()) }
+}
+
 fn load(sheet: &Sheet, rig: &Rig) -> Result<Vec<f64>, MeasuredError> {
     let Some(loads) = sheet.column(&NORMAL_FORCE)? else {
         return rig.normal_force.map(|load| vec![load; sheet.len()]).ok_or(MeasuredError::NoLoad);
@@ -354,6 +378,10 @@ impl Motion {
             (None, None) => sheet.required(DISPLACEMENT.name, &DISPLACEMENT)?,
         };
         moving("displacement", &displacement)?;
+        match &velocity {
+            Some(velocity) => more_than_noise("velocity", "m/s", velocity)?,
+            None => more_than_noise("displacement", "m", &displacement)?,
+        }
         Ok(Motion { time, displacement, velocity })
     }
 

@@ -278,6 +278,27 @@ fn inertia_of_an_unknown_mass_does_not_drive_an_axis() {
     assert!((0.9..1.0).contains(&(energy / (viscous + dry))), "{energy}");
 }
 
+/// A slider at rest, seen by a sensor with noise or by an encoder between two counts, has neither velocity nor friction.
+#[test]
+fn noise_of_a_slider_at_rest_is_no_motion() {
+    let mut random = fastrand::Rng::with_seed(1);
+    for (name, unit, quantum) in [("displacement", "m", 1e-12), ("velocity", "m/s", 1e-12), ("displacement", "m", 1e-7)]
+    {
+        let rows = (0..4000).map(|k| {
+            let mut white = || (0..12).map(|_| random.f64()).sum::<f64>() - 6.0;
+            let [force, noise] = [0.03 * white(), 1e-7 * white()];
+            format!("{},{force},{}\n", f64::from(k) * 1e-3, (noise / quantum).round() * quantum)
+        });
+        let text = format!("time,force,{name}\n") + &rows.collect::<String>();
+        let refused = record(&text, &rig()).map(|_| ()).unwrap_err().to_string();
+        assert!(
+            refused.starts_with(&format!("{name}: its range, ")) && refused.ends_with("nothing moves"),
+            "{refused}"
+        );
+        assert!(refused.contains(&format!(" {unit}, is that of its noise (")), "{refused}");
+    }
+}
+
 /// An axis without viscous friction, with a coarse encoder: no part of zero is reported.
 #[test]
 fn no_shift_is_told_of_a_friction_that_there_is_not() {
