@@ -41,7 +41,11 @@ const PLACES: usize = 400;
 /// Part of the largest speed that the slider must exceed between two turns: slower motion is noise (chosen).
 pub(super) const TURN: f64 = 0.05;
 
-/// Averages the whole cycles of a record; None if there are fewer than two.
+/// Standard deviation of the displacement among cycles, as a part of the mean stroke, from which they are not the same
+/// motion (chosen). The mean of strokes of different length is a friction that there never was.
+const UNLIKE: f64 = 0.05;
+
+/// Averages the whole cycles of a record; None if there are fewer than two, or if they are different motions.
 pub fn average(record: &Record) -> Option<Cycle> {
     let starts = starts(record);
     let periods: Vec<[f64; 2]> = starts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
@@ -57,16 +61,21 @@ pub fn average(record: &Record) -> Option<Cycle> {
         (mean, spread.sqrt())
     };
     let mut cycle = Cycle { count, period: (starts[count] - starts[0]) / count as f64, ..Cycle::default() };
+    let mut apart = 0.0;
     for place in 0..PLACES {
         let phase = place as f64 / (PLACES - 1) as f64;
         let (force, deviation) = mean(&record.friction_force, phase);
         cycle.phase.push(phase);
-        cycle.displacement.push(mean(&record.displacement, phase).0);
+        let (displacement, unlike) = mean(&record.displacement, phase);
+        apart += unlike * unlike / PLACES as f64;
+        cycle.displacement.push(displacement);
         cycle.velocity.push(mean(&record.velocity, phase).0);
         cycle.friction_force.push(force);
         cycle.deviation.push(deviation);
     }
-    Some(cycle)
+    let ends = |[low, high]: [f64; 2], x: &f64| [low.min(*x), high.max(*x)];
+    let [low, high] = cycle.displacement.iter().fold([f64::INFINITY, f64::NEG_INFINITY], ends);
+    (f64::sqrt(apart) <= UNLIKE * (high - low)).then_some(cycle)
 }
 
 /// Times at which the slider begins to move forwards.

@@ -127,6 +127,18 @@ fn cycles_lie_on_top_of_each_other() {
     assert!((0.04..0.1).contains(&spread), "{spread}");
 }
 
+/// Two frequencies: each stroke has another length, and their mean would be a motion and a friction that never were.
+#[test]
+fn strokes_of_different_lengths_have_no_mean() {
+    let sine =
+        |t: f64, size: f64, rate: f64| [size * (TAU * rate * t).sin(), size * TAU * rate * (TAU * rate * t).cos()];
+    let motion = |t: f64| [0, 1].map(|order| sine(t, 1e-2, 0.8)[order] + sine(t, 5e-3, 2.3)[order]);
+    let text = file(|t| format!("{t},{},{}", 4.0 * motion(t)[1].signum(), motion(t)[0]));
+    let record = record(&text, &Rig { mass: 0.0, ..rig() }).unwrap();
+    assert!(record.quality.reversals > 10);
+    assert_eq!(average(&record), None);
+}
+
 #[test]
 fn what_is_missing_in_a_record_is_named() {
     let findings = |text: &str| record(text, &rig()).unwrap().quality.findings.join("\n");

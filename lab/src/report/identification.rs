@@ -194,7 +194,7 @@ fn settings(page: &mut Page, facts: &Identification) {
 }
 
 /// Friction of a record over time, velocity and displacement: measured, of the reference, and fitted (the thesis'
-/// Figures 8.7 to 8.11). Over velocity and displacement it is the mean cycle, if the record has cycles.
+/// Figures 8.7 to 8.11). Over velocity and displacement it is the mean cycle, if the cycles of the record are alike.
 pub fn pictures(facts: &Identification, number: usize) -> Result<Vec<Picture>, Fault> {
     drawn(facts, number, Theme::Light)
 }
@@ -209,17 +209,19 @@ fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Pict
         all.push(("reference".to_owned(), Record { friction_force, ..seen.clone() }));
     }
     all.push((format!("{} fitted", best.law.name), best.explained_in(&seen, number)));
+    let cycles = average(&seen).map_or(0, |cycle| cycle.count);
     let cycled: Vec<(String, Record)> = all.iter().map(|(name, record)| (name.clone(), mean(record))).collect();
     let kinds = [Kind::Force, Kind::ForceOverVelocity, Kind::ForceOverDisplacement];
     let picture = |kind: Kind| {
         let source = if kind == Kind::Force { &all } else { &cycled };
+        let of = if kind == Kind::Force || cycles == 0 { String::new() } else { format!(" (mean of {cycles} cycles)") };
         let lines: Vec<Named> = source.iter().map(|(name, record)| (name.clone(), points(kind, record))).collect();
-        curves(kind, &format!("{name}: {}", kind.title()), lines, theme)
+        curves(kind, &format!("{name}: {}{of}", kind.title()), lines, theme)
     };
     Ok(kinds.into_iter().filter_map(picture).collect())
 }
 
-/// The mean cycle; the record itself if it has none.
+/// The mean cycle; the record itself if it has none, or if its cycles are different motions.
 fn mean(record: &Record) -> Record {
     let Some(cycle) = average(record) else { return record.clone() };
     let mut mean = record.clone();
