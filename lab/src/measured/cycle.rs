@@ -45,12 +45,13 @@ pub(super) const TURN: f64 = 0.05;
 /// motion (chosen). The mean of strokes of different length is a friction that there never was.
 const UNLIKE: f64 = 0.05;
 
-/// Averages the whole cycles of a record; None if there are fewer than two, or if they are different motions.
+/// Averages the whole cycles of a record; None if there are fewer than two, if they are different motions, or if
+/// the samples are averages already, which mix both directions at the turns.
 pub fn average(record: &Record) -> Option<Cycle> {
     let starts = starts(record);
     let periods: Vec<[f64; 2]> = starts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
     let count = periods.len();
-    if count < 2 {
+    if count < 2 || record.alike.is_some() {
         return None;
     }
     let mean = |values: &[f64], phase: f64| {

@@ -237,5 +237,8 @@ fn points(kind: Kind, record: &Record) -> Vec<[f64; 2]> {
         Kind::ForceOverDisplacement => &record.displacement,
         _ => &record.time,
     };
-    across.iter().zip(&record.friction_force).map(|(x, y)| [*x, *y]).collect()
+    // An average that mixes both directions is no friction: the curve has a gap there.
+    let is_mixed = |at: usize| record.alike.as_ref().is_some_and(|alike| alike.least_speed[at] == 0.0);
+    let force = |at: usize| if is_mixed(at) { f64::NAN } else { record.friction_force[at] };
+    across.iter().enumerate().map(|(at, x)| [*x, force(at)]).collect()
 }
