@@ -513,6 +513,9 @@ fn save(arguments: &Arguments, best: &Fit) -> Result<(), Failure> {
     } else {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         best.parameter_set(&name)?.save(path).map_err(|error| Fault::File(error.to_string()))?;
+        if best.axis_load.is_some() {
+            eprintln!("stribeck: {}: the law only; mass and offset of the axis go into a .toml file", path.display());
+        }
     }
     if !left.is_empty() {
         eprintln!("stribeck: {}: left out, because it is not determined: {}", path.display(), left.join(", "));

@@ -172,6 +172,12 @@ fn a_force_that_is_held_between_samples_shifts_no_parameter_of_an_axis() {
         assert!(one.verdict == Verdict::Determined && (low..=high).contains(&truth), "{one:?}");
     }
     assert!((estimate(&fit, "delay").value - 0.005).abs() < 3e-4);
+    // The system of the workbench takes all of it.
+    let known = fit.configuration();
+    assert_eq!((known.system.as_deref(), known.law.as_slice()), (Some("axis"), &["CoulombViscous".to_owned()][..]));
+    let names: Vec<&str> = known.set.keys().map(String::as_str).collect();
+    assert_eq!(names, ["axis.guide_force", "axis.mass", "axis.offset", "mu_k", "viscous_coefficient"]);
+    assert!(fit.note().is_some_and(|note| note.contains("friction force in N")));
     assert!(fit.warnings.is_empty(), "{:?}", fit.warnings);
 }
 

@@ -120,6 +120,13 @@ pub mod axis {
     /// Normal force in N, if none is known: a coefficient of friction is then the friction force in N.
     pub const NORMAL_FORCE: f64 = 1.0;
 
+    /// Normal force of experiments that all are of an axis; None for others.
+    pub(super) fn load(experiments: &[Experiment]) -> Option<f64> {
+        let load = *experiments.first()?.normal_force.first()?;
+        let is_of_axis = |one: &Experiment| one.alike.is_some() && one.normal_force.iter().all(|other| *other == load);
+        experiments.iter().all(is_of_axis).then_some(load)
+    }
+
     /// Adds mass and offset to the unknowns, unless they are held; a mass that is known, other than 0 kg, is.
     pub fn fitted(wishes: &mut Wishes, mass: f64) {
         for name in ["mass", "offset"] {
@@ -182,6 +189,8 @@ pub struct Fit {
     pub offset: f64,
     /// Delay of the motion behind the force, if it was fitted or held, s.
     pub delay: Option<f64>,
+    /// Normal force of an axis, N, whose coefficient of friction is a force if that is 1 N.
+    pub axis_load: Option<f64>,
     /// Parts into which the intervals between samples were divided.
     pub parts: usize,
     /// Residuals in experiments that were not fitted.
@@ -531,12 +540,11 @@ fn finish(
     shift: f64,
 ) -> Result<Fit, Fault> {
     let Judged { searches, seen, trust } = judged;
-    let is_ended = || watch.cancel.load(Ordering::Relaxed);
     let undivided = if problem.parts > 1 { problem.undivided(&best.places) } else { None };
     let quick = undivided.as_ref().unwrap_or(problem);
     let best_quick = quick.judge(best.clone());
     let repeated = repetitions(quick, &best_quick, seen, task.repetitions, task.seed, watch);
-    let is_cancelled = is_ended();
+    let is_cancelled = watch.cancel.load(Ordering::Relaxed);
     let ended = Ended { problem: quick, best: &best_quick, seen, trust };
     let estimates = ended.estimates(task.profiles && !is_cancelled, &repeated);
     let point = problem.point(&best.places);
@@ -557,6 +565,7 @@ fn finish(
         mass: point.mass,
         offset: point.offset,
         delay: point.delay,
+        axis_load: axis::load(problem.experiments),
         parts: problem.parts,
         unseen: Vec::new(),
         columns: point.columns,

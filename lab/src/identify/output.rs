@@ -133,10 +133,30 @@ impl Fit {
         ParameterSet::new(self.law, name, self.accepted()).map_err(Fault::value)
     }
 
-    /// The same for `stribeck run --config`.
+    /// The same for `stribeck run --config`; of an axis for the system `axis`, with its mass and offset.
     pub fn configuration(&self) -> Configuration {
-        let set = self.accepted().into_iter().map(|(name, value)| (name, toml::Value::Float(value))).collect();
-        Configuration { law: vec![self.law.name.to_owned()], set, ..Configuration::default() }
+        let of_rig = self.axis().into_iter().map(|(name, value)| (format!("axis.{name}"), value));
+        let set = self.accepted().into_iter().chain(of_rig);
+        Configuration {
+            system: self.axis_load.map(|_| "axis".to_owned()),
+            law: vec![self.law.name.to_owned()],
+            set: set.map(|(name, value)| (name, toml::Value::Float(value))).collect(),
+            ..Configuration::default()
+        }
+    }
+
+    /// What is known of an axis beside its friction.
+    fn axis(&self) -> Vec<(&'static str, f64)> {
+        let Some(load) = self.axis_load else { return Vec::new() };
+        let is_known = |name: &str| self.undetermined().all(|open| open != name);
+        let all = [("mass", self.mass), ("offset", self.offset), ("guide_force", load)];
+        all.into_iter().filter(|(name, _)| is_known(name)).collect()
+    }
+
+    /// Tells what a coefficient of friction is if the normal force is only a unit.
+    pub fn note(&self) -> Option<String> {
+        let load = self.axis_load.filter(|load| *load == super::axis::NORMAL_FORCE)?;
+        Some(format!("at a normal force of {load} N a coefficient of friction, mu_k, is the friction force in N"))
     }
 
     /// Names of the unknowns that have no number.
@@ -169,8 +189,8 @@ impl Fit {
         for one in &self.estimates {
             let _ = writeln!(text, "  {:<width$}  {}{}", one.name, told(one, self.searches), compared(one, reference));
         }
-        if self.is_cancelled {
-            let _ = writeln!(text, "{EARLY}");
+        for note in self.note().iter().map(String::as_str).chain(self.is_cancelled.then_some(EARLY)) {
+            let _ = writeln!(text, "{note}");
         }
         for warning in &self.warnings {
             let _ = writeln!(text, "warning: {warning}");

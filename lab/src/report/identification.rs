@@ -87,6 +87,9 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
         page.row(if is_told { "" } else { "failed" }, &head, &cells);
     }
     page.end_table();
+    if let Some(note) = best.note() {
+        page.paragraph("note", &note);
+    }
 }
 
 /// Sizes of the residuals, also in records that were not fitted.
