@@ -33,6 +33,16 @@ impl Estimate {
         let [low, high] = self.linear;
         self.profile.map_or(self.linear, |profile| [low.min(profile[0]), high.max(profile[1])])
     }
+
+    /// The same with an upper limit in place of an interval that contains 0, below which there is nothing.
+    fn or_limit(self) -> Estimate {
+        let [low, high] = self.interval();
+        let verdict = match self.verdict {
+            Verdict::Determined if low <= 0.0 => Verdict::AtMost(high),
+            other => other,
+        };
+        Estimate { verdict, ..self }
+    }
 }
 
 /// Values of the unknowns in repetitions of a fit.
@@ -73,7 +83,7 @@ impl Ended<'_> {
             )),
             _ => verdict,
         };
-        Estimate {
+        let estimate = Estimate {
             name: unknown.name.clone(),
             unit: unknown.unit,
             value,
@@ -82,7 +92,8 @@ impl Ended<'_> {
             profile,
             repeated: repeated.interval(|values| values[number]),
             verdict,
-        }
+        };
+        if unknown.can_be_zero() { estimate.or_limit() } else { estimate }
     }
 
     /// mu_s = mu_k + d.
@@ -106,7 +117,7 @@ impl Ended<'_> {
         let deviation = pairs.map(|at| self.trust.covariance[at]).sum::<f64>().max(0.0).sqrt();
         let value = sum(values);
         let of_kinetic = kinetic.map_or(&Verdict::Determined, |kinetic| &known[kinetic].verdict);
-        Some(Estimate {
+        let level = Estimate {
             name: "mu_s".to_owned(),
             unit: unknowns[excess].unit,
             value,
@@ -118,7 +129,11 @@ impl Ended<'_> {
             linear: around(value, deviation),
             profile: (profiles && !self.trust.elsewhere.is_empty()).then(|| self.covering(sum, [WIDTH * deviation; 2])),
             repeated: repeated.interval(sum),
-        })
+        };
+        let limit = level.interval()[1];
+        // The limit of the kinetic level is not its own.
+        let verdict = if let Verdict::AtMost(_) = level.verdict { Verdict::AtMost(limit) } else { level.verdict };
+        Some(Estimate { verdict, ..level })
     }
 }
 
@@ -134,6 +149,24 @@ fn is_open(unknown: &Unknown, value: f64, [low, high]: [f64; 2]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The profile may go farther than straight lines: a coefficient has no negative values.
+    #[test]
+    fn an_interval_around_zero_is_a_limit() {
+        let one = |low: f64, verdict: Verdict| Estimate {
+            name: "mu_k".into(),
+            unit: "1",
+            value: 0.175,
+            deviation: 0.05,
+            verdict,
+            linear: around(0.175, 0.05),
+            profile: Some([low, 0.274]),
+            repeated: None,
+        };
+        assert_eq!(one(-0.02, Verdict::Determined).or_limit().verdict, Verdict::AtMost(0.274));
+        assert_eq!(one(0.02, Verdict::Determined).or_limit().verdict, Verdict::Determined);
+        assert_eq!(one(-0.02, Verdict::AtEnd(0.175)).or_limit().verdict, Verdict::AtEnd(0.175));
+    }
 
     /// 0.4 of a large change times 1.96: half a width of 0.784 for a logarithm, of 0.392 in a range of 1.
     #[test]

@@ -28,7 +28,7 @@ use super::blur;
 use super::loss::Loss;
 use super::problem::{Problem, dot};
 use super::search::Found;
-use super::unknown::{Scale, Target, Unknown};
+use super::unknown::{Target, Unknown};
 
 /// Part of a large change up to which the data must know an unknown.
 pub const DETERMINED: f64 = 0.4;
@@ -434,7 +434,6 @@ struct Known {
 }
 
 fn verdict(unknown: &Unknown, one: &Known, partner: Option<&str>, is_smooth: bool) -> Verdict {
-    let can_be_zero = unknown.scale != Scale::Logarithmic && unknown.range[0] == 0.0;
     let Known { value, place, is_open, deviation, alone, is_blurred } = *one;
     if is_open {
         let reason = match partner {
@@ -449,7 +448,7 @@ fn verdict(unknown: &Unknown, one: &Known, partner: Option<&str>, is_smooth: boo
         )
     } else if !is_smooth {
         Verdict::Undetermined("the force changes with it in jumps, so that no interval can be given".to_owned())
-    } else if can_be_zero && value < WIDTH * deviation {
+    } else if unknown.can_be_zero() && value < WIDTH * deviation {
         Verdict::AtMost(value + WIDTH * deviation)
     } else if !(AT_END..=1.0 - AT_END).contains(&place) {
         Verdict::AtEnd(value)

@@ -92,6 +92,11 @@ impl Unknown {
         ((self.scale.forth(value.clamp(self.range[0], self.range[1])) - low) / (high - low)).clamp(0.0, 1.0)
     }
 
+    /// Whether its least value is 0, which no interval then has to exclude.
+    pub(super) fn can_be_zero(&self) -> bool {
+        self.scale != Scale::Logarithmic && self.range[0] == 0.0
+    }
+
     /// Change of the value that is large: half the range on a linear scale, the value itself on a logarithmic one.
     pub(super) fn large(&self, value: f64) -> f64 {
         match self.scale {
