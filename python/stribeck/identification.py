@@ -32,6 +32,8 @@ class Estimate:
     """Interval of 95 %, by the sensitivities and the profile likelihood."""
     repeated: tuple[float, float] | None
     """Interval of 95 %, from repetitions with blocks of residuals."""
+    text: str
+    """Value and intervals as `stribeck identify` prints them, or why there are none."""
 
 
 @dataclass(frozen=True)
@@ -80,20 +82,14 @@ class Identification:
     def __repr__(self) -> str:
         best = self.best
         lines = [f"{best.law}: {best.rms:.4g} N not explained"]
-        for one in best.estimates.values():
-            if one.value is None or one.interval is None:
-                lines.append(f"  {one.name}: {one.verdict}")
-            else:
-                low, high = one.interval
-                unit = "" if one.unit == "1" else f" {one.unit}"
-                lines.append(f"  {one.name} = {one.value:.4g}{unit} (95 %: {low:.4g} to {high:.4g})")
+        lines += [f"  {one.name}: {one.text}" for one in best.estimates.values()]
         lines += [f"  warning: {warning}" for warning in best.warnings]
         lines += [f"  {fit.law}: behind by {fit.behind:.1f}" for fit in self.fits[1:]]
         return "\n".join(lines)
 
 
 def _fit(one: dict[str, Any]) -> Fit:
-    names = ("name", "unit", "verdict", "value")
+    names = ("name", "unit", "verdict", "value", "text")
     ends = ("interval", "repeated")
     estimates = [
         Estimate(**{name: each[name] for name in names}, **{name: each[name] and tuple(each[name]) for name in ends})

@@ -34,6 +34,12 @@ impl Estimate {
         self.profile.map_or(self.linear, |profile| [low.min(profile[0]), high.max(profile[1])])
     }
 
+    /// Width of the interval.
+    pub fn width(&self) -> f64 {
+        let [low, high] = self.interval();
+        high - low
+    }
+
     /// The same with an upper limit in place of an interval that contains 0, below which there is nothing.
     fn or_limit(self) -> Estimate {
         let [low, high] = self.interval();

@@ -50,7 +50,7 @@ pub use output::{Difference, EARLY, Reference, as_json, difference, of_law, pres
 pub use rank::{APART, Rank, rank};
 pub use search::{Method, Searches, Watch};
 pub use strut::{StrutFriction, strut_friction};
-pub use trust::{DETERMINED, Residuals, Verdict, digits};
+pub use trust::{DETERMINED, Residuals, Verdict, digits, digits_within};
 pub use unknown::{Scale, Target, Unknown, Wishes};
 pub use unseen::{Unseen, held_out};
 

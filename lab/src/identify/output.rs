@@ -9,7 +9,7 @@ use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 
 use super::response::{Ports, forces};
-use super::trust::digits;
+use super::trust::{digits, digits_within};
 use super::unknown::OF_RIG;
 use super::{Estimate, Experiment, Fit, Rank, Ranking, Searches, Verdict};
 use crate::measured::Record;
@@ -242,9 +242,11 @@ fn estimate(one: &Estimate, searches: Searches) -> serde_json::Value {
         "value": is_told.then_some(one.value),
         "interval": (is_told && searches != Searches::Ended).then(|| one.interval()),
         "repeated": one.repeated.filter(|_| is_told),
+        "text": told(one, searches),
     })
 }
 
+/// Value and intervals of an unknown, or why it has none.
 fn told(one: &Estimate, searches: Searches) -> String {
     let unit = if one.unit == "1" { "" } else { one.unit };
     if one.verdict != Verdict::Determined {
@@ -253,10 +255,11 @@ fn told(one: &Estimate, searches: Searches) -> String {
     if searches == Searches::Ended {
         return format!("{} {unit} (the best so far)", digits(one.value)).replace("  ", " ");
     }
-    let [low, high] = one.interval().map(digits);
-    let repeated = one.repeated.map(|ends| ends.map(digits));
+    let precise = |value: f64| digits_within(value, one.width());
+    let [low, high] = one.interval().map(precise);
+    let repeated = one.repeated.map(|ends| ends.map(precise));
     let repeated = repeated.map_or(String::new(), |[low, high]| format!("; repeated {low} to {high}"));
-    format!("{} {unit} (95 %: {low} to {high}{repeated})", digits(one.value)).replace("  ", " ")
+    format!("{} {unit} (95 %: {low} to {high}{repeated})", precise(one.value)).replace("  ", " ")
 }
 
 fn compared(one: &Estimate, reference: Option<&Reference>) -> String {

@@ -76,12 +76,21 @@ impl fmt::Display for Verdict {
 
 /// A number with four digits.
 pub fn digits(value: f64) -> String {
+    digits_within(value, f64::INFINITY)
+}
+
+/// A number with four digits, or with as many more as show two of the width of its interval.
+pub fn digits_within(value: f64, width: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    let is_plain = (1e-3..1e5).contains(&value.abs());
-    let decimals = (3.0 - value.abs().max(1e-300).log10().floor()).max(0.0) as usize;
-    if is_plain { format!("{value:.decimals$}") } else { format!("{value:.3e}") }
+    let order = |number: f64| number.abs().max(1e-300).log10().floor();
+    let of_width = if width > 0.0 && width.is_finite() { order(value) - order(width) + 1.0 } else { 0.0 };
+    // Beyond these a number of double precision has no more.
+    let after_first = of_width.clamp(3.0, 15.0);
+    let decimals = (after_first - order(value)).max(0.0) as usize;
+    let mantissa = after_first as usize;
+    if (1e-3..1e5).contains(&value.abs()) { format!("{value:.decimals$}") } else { format!("{value:.mantissa$e}") }
 }
 
 /// Size and correlation of the residuals.
@@ -477,6 +486,19 @@ fn remedy(unknown: &Unknown) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_number_has_four_digits_or_those_of_its_interval() {
+        assert_eq!(
+            [0.0, 0.12344, -49.99777, 1e-4, 123_456.0].map(digits),
+            ["0", "0.1234", "-50.00", "1.000e-4", "1.235e5"]
+        );
+        // Widths of 0.0034, of more than the value, and of a millionth of it.
+        assert_eq!(digits_within(49.99777, 0.0034), "49.9978");
+        assert_eq!(digits_within(49.99777, 80.0), "50.00");
+        assert_eq!(digits_within(123_456.0, 0.123), "1.2345600e5");
+        assert_eq!(digits_within(1.0, 0.0), "1.000");
+    }
 
     /// Each residual is 0.8 of the one before and noise: (1 + 0.8) / (1 - 0.8) samples count as one, also beside an
     /// experiment with few samples.

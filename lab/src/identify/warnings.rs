@@ -5,7 +5,7 @@ use super::experiment::UNKNOWN_DIRECTION;
 use super::problem::Problem;
 use super::refine::SHIFT;
 use super::search::Searches;
-use super::trust::{Residuals, Verdict};
+use super::trust::{Residuals, Verdict, digits};
 use super::{Estimate, Experiment, SYSTEMATIC};
 
 /// Correlation of neighbours from which it is not noise that is left, although it swings so often that few samples count
@@ -48,7 +48,8 @@ pub(super) fn warnings(
     }
     for estimate in estimates {
         if let Verdict::AtEnd(end) = estimate.verdict {
-            list.push(format!("{} is at an end of its range ({end:.4e} {})", estimate.name, estimate.unit));
+            let unit = if estimate.unit == "1" { String::new() } else { format!(" {}", estimate.unit) };
+            list.push(format!("{} is at an end of its range ({}{unit})", estimate.name, digits(end)));
         }
     }
     for one in problem.experiments {

@@ -3,8 +3,8 @@
 use super::html::Page;
 use super::{STYLE, versions_of};
 use crate::identify::{
-    Difference, EARLY, Estimate, Fit, Method, Ranking, Reference, Searches, Task, Verdict, difference, digits, known,
-    respond,
+    Difference, EARLY, Estimate, Fit, Method, Ranking, Reference, Searches, Task, Verdict, difference, digits,
+    digits_within, known, respond,
 };
 use crate::measured::{Record, average};
 use crate::picture::{Kind, Named, Picture, Theme, curves};
@@ -65,8 +65,9 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
         "Verdict",
     ];
     page.begin_table(&head);
-    let ends = |[low, high]: [f64; 2]| format!("{} to {}", digits(low), digits(high));
     for one in &best.estimates {
+        let precise = |value: f64| digits_within(value, one.width());
+        let ends = |[low, high]: [f64; 2]| format!("{} to {}", precise(low), precise(high));
         let Estimate { name, unit, value, verdict, repeated, .. } = one;
         let is_told = *verdict == Verdict::Determined;
         let known = reference.and_then(|reference| known(reference, name));
@@ -76,7 +77,7 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
         let cells = [
             name.clone(),
             (*unit).to_owned(),
-            told(digits(*value)),
+            told(precise(*value)),
             if best.searches == Searches::Ended { String::new() } else { told(ends(one.interval())) },
             told(repeated.map_or(String::new(), ends)),
             known.map_or(String::new(), digits),
