@@ -63,7 +63,7 @@ pub struct Arguments {
     /// viscous friction of an axis a twentieth of the highest speed; 0 for none)
     #[arg(long)]
     rest: Option<f64>,
-    /// Parameter that is held: sigma_1=0; also mass and offset of the rig
+    /// Parameter that is held, in those of several laws that have it: sigma_1=0; also mass and offset of the rig
     #[arg(long, value_name = "NAME=VALUE")]
     fix: Vec<Setting>,
     /// Parameter that is fitted although it usually is not: an exponent, mass, offset

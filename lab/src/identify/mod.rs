@@ -89,6 +89,13 @@ pub struct Task {
     pub folds: usize,
 }
 
+impl Task {
+    /// The task for one of several laws.
+    fn of(&self, law: &ModelType, laws: &[&ModelType]) -> Task {
+        Task { wishes: self.wishes.of(law, laws), ..self.clone() }
+    }
+}
+
 impl Default for Task {
     /// The usual number of evaluations, profiles, 40 repetitions (chosen).
     fn default() -> Task {
@@ -262,7 +269,7 @@ pub fn fit_all(
 ) -> Result<Ranking, Fault> {
     let is_ranked = laws.len() > 1 && task.method == Method::Evolution;
     let quick = if laws.len() > 1 { Task { profiles: false, repetitions: 0, ..task.clone() } } else { task.clone() };
-    let look = |law: &'static ModelType| Some(first_look(&problem(law, experiments, &quick).ok()?, &quick, watch));
+    let look = |law| Some(first_look(&problem(law, experiments, &quick.of(law, laws)).ok()?, &quick, watch));
     let looked = if is_ranked { side_by_side(laws, begin, watch, true, |_, law| look(law)) } else { Vec::new() };
     let seen: Vec<Option<Found>> = looked.iter().cloned().map(Option::flatten).collect();
     let least = seen.iter().flatten().map(|found| found.cost).fold(f64::INFINITY, f64::min);
@@ -270,7 +277,7 @@ pub fn fit_all(
         let first = seen.get(number).cloned().flatten();
         let is_far = first.as_ref().is_some_and(|first| first.cost > FAR * FAR * least);
         let was_reached = !is_ranked || looked.get(number).is_some_and(Option::is_some);
-        was_reached.then(|| fit_from(law, experiments, &quick, watch, first, is_far))
+        was_reached.then(|| fit_from(law, experiments, &quick.of(law, laws), watch, first, is_far))
     };
     let (mut fits, mut refused, mut reason) = (Vec::new(), Vec::new(), Fault::value("no law was given"));
     // After an early end, what was found by then is ranked.
@@ -287,9 +294,10 @@ pub fn fit_all(
     let mut ranks = rank(&fits);
     let Some(best) = ranks.first().map(|place| place.fit) else { return Err(reason) };
     if laws.len() > 1 && !fits[best].is_cancelled {
-        begin(fits[best].law);
-        let first = laws.iter().position(|law| law.name == fits[best].law.name).and_then(|at| seen.get(at).cloned());
-        let whole = fit_from(fits[best].law, experiments, task, watch, first.flatten(), false)?;
+        let law = fits[best].law;
+        begin(law);
+        let first = laws.iter().position(|other| other.name == law.name).and_then(|at| seen.get(at).cloned());
+        let whole = fit_from(law, experiments, &task.of(law, laws), watch, first.flatten(), false)?;
         ranks = with_whole(&mut fits, best, whole).unwrap_or(ranks);
     }
     Ok(Ranking { fits, ranks, refused })

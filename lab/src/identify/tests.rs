@@ -611,11 +611,10 @@ fn a_law_that_cannot_be_fitted_does_not_stop_the_others() {
         ranking.best().values(),
         [("sigma_0".to_owned(), 1e5), ("mu_k".to_owned(), ranking.best().estimates[0].value)]
     );
-    assert_eq!(ranking.refused.len(), 1);
-    assert_eq!(ranking.refused[0].0, "Coulomb");
-    assert!(ranking.refused[0].1.starts_with("Coulomb: parameter 'sigma_0' does not exist"), "{:?}", ranking.refused);
+    // What is held in one law is no parameter of the other.
+    assert!(ranking.refused.is_empty(), "{:?}", ranking.refused);
     let none = fit_all(&laws[..1], &data, &task, &mut |_| {}, quiet()).map(|_| ()).unwrap_err();
-    assert_eq!(none.to_string(), ranking.refused[0].1);
+    assert!(none.to_string().starts_with("Coulomb: parameter 'sigma_0' does not exist"), "{none}");
 }
 
 /// Without noise nothing but the division of the intervals is left.

@@ -184,6 +184,21 @@ pub struct Wishes {
     pub ranges: Vec<(String, [f64; 2])>,
 }
 
+impl Wishes {
+    /// Those for one of several laws: without names that others of them have and it does not.
+    pub(super) fn of(&self, law: &ModelType, laws: &[&ModelType]) -> Wishes {
+        let has =
+            |law: &ModelType, name: &str| law.find(name.split_once(" - ").map_or(name, |(name, _)| name)).is_some();
+        let is_meant =
+            |name: &str| OF_RIG.contains(&name) || has(law, name) || !laws.iter().any(|other| has(other, name));
+        let mut found = self.clone();
+        found.fixed.retain(|(name, _)| is_meant(name));
+        found.fitted.retain(|name| is_meant(name));
+        found.ranges.retain(|(name, _)| is_meant(name));
+        found
+    }
+}
+
 /// Names of the unknowns that are of the rig and not of the law.
 pub(super) const OF_RIG: [&str; 3] = ["mass", "offset", "delay"];
 
