@@ -84,7 +84,7 @@ pub fn run(arguments: &Arguments) -> Result<(), DamperError> {
     }
     print!("{}", report(&test, &damper));
     if let Some(friction) = &friction {
-        print!("\nslow strokes:\n{}", friction.fit.table(None));
+        print!("\nslow strokes, at a mean normal force of {:.1} N:\n{}", friction.load, friction.fit.table(None));
         if !friction.left.is_empty() {
             println!("not determined, so that the strut keeps its defaults: {}", friction.left.join(", "));
         }

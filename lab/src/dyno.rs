@@ -225,6 +225,17 @@ pub enum DynoError {
         /// The speed, m/s.
         low_speed: f64,
     },
+    /// The test has slow strokes only.
+    #[error(
+        "no sample is faster than {fastest:.3e} m/s: up to {low_speed} m/s (low speed) friction is told from damping by \
+         faster strokes; add some, or give a lower low speed"
+    )]
+    OnlySlow {
+        /// The highest speed, m/s.
+        fastest: f64,
+        /// The speed up to which friction is looked for, m/s.
+        low_speed: f64,
+    },
     /// Squares of velocities or forces overflow, or table points coincide.
     #[error("speeds up to {speed:e} m/s and forces up to {force:e} N are too large or too small to compute with")]
     OutOfRange {
@@ -264,6 +275,10 @@ pub fn find_damper(test: &Test, options: &Options) -> Result<Damper, DynoError> 
     check(options)?;
     let force_sign = force_sign(test, options)?;
     let mut samples = samples(test, options, force_sign);
+    let (fastest, low_speed) = (top_speed(&samples), options.low_speed);
+    if fastest <= low_speed {
+        return Err(DynoError::OnlySlow { fastest, low_speed });
+    }
     let mut warnings = warnings_of(test);
     let gradient = if test.displacement.is_some() { remove_gradient(&mut samples) } else { None };
     if test.displacement.is_some() && gradient.is_none() {

@@ -29,6 +29,8 @@ pub struct StrutFriction {
     pub damper: Damper,
     /// The law fitted to the slow strokes.
     pub fit: Fit,
+    /// Mean normal force for which its coefficients hold, N: with it, the coefficient of the shock absorber gives the level.
+    pub load: f64,
     /// Values of the shock absorber that follow from it.
     pub values: Vec<(String, f64)>,
     /// Parameters that the test does not determine: the shock absorber keeps its defaults.
@@ -90,8 +92,8 @@ fn strut_friction_once(
     wishes.fixed.extend(viscous.map(|name| ((*name).to_owned(), 0.0)));
     let fit = fit(law, &experiments, &Task { wishes, mass: 0.0, ..task.clone() }, watch)?;
     let values = vec![("friction.model".to_owned(), chosen)];
-    let mut found = StrutFriction { damper, values, left: Vec::new(), fit };
-    found.transfer(strut, mu, load)?;
+    let mut found = StrutFriction { damper, values, left: Vec::new(), fit, load };
+    found.transfer(strut, mu)?;
     Ok(found)
 }
 
@@ -120,14 +122,14 @@ fn experiment(stroke: &Stroke, load: f64, asymmetry: f64) -> Experiment {
 
 impl StrutFriction {
     /// Translates the fit into values of the strut.
-    pub(super) fn transfer(&mut self, strut: &'static ModelType, mu: f64, load: f64) -> Result<(), Fault> {
+    pub(super) fn transfer(&mut self, strut: &'static ModelType, mu: f64) -> Result<(), Fault> {
         let law = self.fit.law;
         let told = |name: &str| self.fit.estimates.iter().find(|one| one.name == name);
         let Some(kinetic) = told("mu_k").filter(is_told).map(|one| one.value) else {
             let reason = told("mu_k").map_or("the law has none".to_owned(), |one| one.verdict.to_string());
             return Err(Fault::value(format_args!("{}: mu_k, on which all levels depend: {reason}", law.name)));
         };
-        let level = kinetic * load * SHARE;
+        let level = kinetic * self.load * SHARE;
         let starts = ["c1.preload_k", "c1.preload_s"];
         let starts = ParameterSet::starts(strut, starts).map_err(Fault::value)?;
         let ratio = match told("mu_s") {

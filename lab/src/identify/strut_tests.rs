@@ -140,8 +140,9 @@ fn the_two_contacts_of_a_strut_are_together_the_fitted_law() {
             fit: Fit { law, estimates, ..any.fit.clone() },
             values: vec![("friction.model".to_owned(), chosen)],
             left: Vec::new(),
+            load: LOAD,
         };
-        found.transfer(strut, 0.1, LOAD).unwrap();
+        found.transfer(strut, 0.1).unwrap();
         let (_, given) = driven(&found.values, 0.0, 1);
         let alone = alone(law, &known, LOAD);
         let level = alone.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
