@@ -94,7 +94,7 @@ impl Ended<'_> {
             unit: unknown.unit,
             value,
             deviation,
-            linear: around(value, deviation),
+            linear: around(value, deviation + self.problem.doubt_of_mass(unknown) * value / WIDTH),
             profile,
             repeated: repeated.interval(|values| values[number]),
             verdict,

@@ -25,6 +25,8 @@ pub struct Experiment {
     pub velocity_error: f64,
     /// Error of the acceleration where it passes through 0, m/s2; 0 if it is not known.
     pub acceleration_error: f64,
+    /// Part of the acceleration that a filter has taken away.
+    pub acceleration_lost: f64,
     /// Delay of the motion behind the force that velocity and acceleration are for, s.
     pub delay: f64,
     /// Range in which it is, s; None if it was not looked for.
@@ -95,6 +97,7 @@ impl Experiment {
             force: record.force.clone(),
             velocity_error: record.velocity_error,
             acceleration_error: record.acceleration_error,
+            acceleration_lost: if record.alike.is_none() { record.acceleration_lost } else { 0.0 },
             delay: record.clocks.delay,
             delay_range: record.delay_range,
             left_out: Vec::new(),
@@ -116,6 +119,12 @@ impl Experiment {
         let steady = UNKNOWN_DIRECTION * self.acceleration_error;
         let found = self.clone().without(Rest { steady, ..self.rest });
         if 2 * found.samples() > self.samples() { found } else { self.clone() }
+    }
+
+    /// The same with the acceleration that its filter has taken away: a mass would be found too large by that part.
+    pub(super) fn with_all_acceleration(&self) -> Experiment {
+        let whole = 1.0 / (1.0 - self.acceleration_lost);
+        Experiment { acceleration: self.acceleration.iter().map(|a| whole * a).collect(), ..self.clone() }
     }
 
     /// The same without its ends and what is at rest.
@@ -241,6 +250,7 @@ impl Experiment {
             force: take(&self.force),
             velocity_error: self.velocity_error,
             acceleration_error: self.acceleration_error,
+            acceleration_lost: self.acceleration_lost,
             delay: self.delay,
             delay_range: self.delay_range,
             left_out: self.left_out.iter().copied().step_by(parts).collect(),

@@ -366,8 +366,8 @@ fn fit_from(
     first: Option<Found>,
     is_far: bool,
 ) -> Result<Fit, Fault> {
-    let known = of_known_branch(law, experiments, task);
-    let experiments = known.as_deref().unwrap_or(experiments);
+    let prepared = prepared(law, experiments, task);
+    let experiments = prepared.as_deref().unwrap_or(experiments);
     let mut problem = problem(law, experiments, task)?;
     let found = best(&problem, task, watch, first, is_far);
     let again = if is_far { None } else { searched_again(&problem, &found.found, task, watch) };
@@ -403,11 +403,17 @@ fn fit_from(
     Ok(fit)
 }
 
-/// The experiments without samples of which it is not known whether the contact speeds up or slows down, for a law that
-/// differs then. For fits with intervals only: laws are ranked by the samples that count for all of them.
-fn of_known_branch(law: &ModelType, experiments: &[Experiment], task: &Task) -> Option<Vec<Experiment>> {
+/// The experiments as a law needs them; None if that is as they are. For a law that differs then, without samples of which
+/// it is not known whether the contact speeds up or slows down; for fits with intervals only, since laws are ranked by the
+/// samples that count for all of them. For a mass that is fitted, with all of the acceleration.
+fn prepared(law: &ModelType, experiments: &[Experiment], task: &Task) -> Option<Vec<Experiment>> {
     let differs = task.profiles && Ports::of(law)?.acceleration.is_some();
-    differs.then(|| experiments.iter().map(Experiment::of_known_branch).collect())
+    let is_weighed = task.wishes.fitted.iter().any(|name| name == "mass");
+    let prepare = |one: &Experiment| {
+        let one = if differs { one.of_known_branch() } else { one.clone() };
+        if is_weighed { one.with_all_acceleration() } else { one }
+    };
+    (differs || is_weighed).then(|| experiments.iter().map(prepare).collect())
 }
 
 /// The ends of other searches, if the residuals of the best place are not noise and these explain more: two searches may

@@ -76,7 +76,16 @@ pub(super) struct Point {
     pub delay: Option<f64>,
 }
 
+/// Part of what a filter takes away of the acceleration that is doubtful (chosen): it takes more of what is faster.
+const DOUBTFUL: f64 = 0.5;
+
 impl Problem<'_> {
+    /// Part of an unknown, if it is a mass, by which it may be off because of the filter of the acceleration.
+    pub fn doubt_of_mass(&self, unknown: &Unknown) -> f64 {
+        let lost = self.experiments.iter().map(|one| one.acceleration_lost).fold(0.0, f64::max);
+        if unknown.target == Target::Mass { DOUBTFUL * lost } else { 0.0 }
+    }
+
     /// Number of samples that count.
     pub fn samples(&self) -> usize {
         self.lengths().iter().sum()

@@ -109,6 +109,7 @@ fn experiment(stroke: &Stroke, load: f64, asymmetry: f64) -> Experiment {
         force: stroke.friction_force.clone(),
         velocity_error: 0.0,
         acceleration_error: 0.0,
+        acceleration_lost: 0.0,
         delay: 0.0,
         delay_range: None,
         left_out: Vec::new(),

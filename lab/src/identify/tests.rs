@@ -29,6 +29,7 @@ pub(super) fn standard(samples: u32) -> Experiment {
         force: vec![0.0; time.len()],
         velocity_error: 0.0,
         acceleration_error: 0.0,
+        acceleration_lost: 0.0,
         delay: 0.0,
         delay_range: None,
         left_out: Vec::new(),

@@ -65,8 +65,8 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Unseen>, Fa
     experiments.iter().map(one).collect()
 }
 
-/// A record as those that were fitted: with the delay that was found, if its own is not known, and for a law with two
-/// branches without samples whose branch is not known.
+/// A record as those that were fitted: with the delay that was found, if its own is not known; for a law with two
+/// branches without samples whose branch is not known, and for a mass that was found with all of the acceleration.
 fn as_fitted(fit: &Fit, ports: Ports, experiment: &Experiment) -> Experiment {
     let found = match fit.delay {
         Some(delay) if experiment.delay_range.is_some() => {
@@ -74,7 +74,9 @@ fn as_fitted(fit: &Fit, ports: Ports, experiment: &Experiment) -> Experiment {
         }
         _ => experiment.clone(),
     };
-    if ports.acceleration.is_some() { found.of_known_branch() } else { found }
+    let found = if ports.acceleration.is_some() { found.of_known_branch() } else { found };
+    let is_weighed = fit.estimates.iter().any(|one| one.name == "mass");
+    if is_weighed { found.with_all_acceleration() } else { found }
 }
 
 /// Refuses a number of parts that experiments cannot be divided into.

@@ -199,6 +199,8 @@ pub struct Record {
     pub velocity_error: f64,
     /// Error of the acceleration where it passes through 0, m/s2, root mean square: what the filter lets pass of noise.
     pub acceleration_error: f64,
+    /// Part of the acceleration that its filter takes away.
+    pub acceleration_lost: f64,
     /// Median interval between samples of the motion, s.
     pub motion_interval: f64,
     /// First and last time of the motion on the clock of the force, s.
@@ -485,6 +487,7 @@ impl Motion {
             alike: None,
             velocity_error: self.velocity_error(own, rig, windows[0]),
             acceleration_error: self.acceleration_error(own, rig, windows[1]),
+            acceleration_lost: 0.0,
             motion_ends: clocks.ends([self.time[0], self.time[self.time.len() - 1]]),
             quality: Quality::default(),
             time,
@@ -496,6 +499,7 @@ impl Motion {
             clocks,
         };
         record.quality = quality(&record, rig);
+        record.acceleration_lost = self.acceleration_lost(&record);
         Ok(record)
     }
 
@@ -531,6 +535,23 @@ impl Motion {
         }
     }
 
+    /// Part of the acceleration that its filter takes away, by the square of the window, from what one of twice the length
+    /// takes away more: noise in the difference of the two has nothing in common with noise in the longer one.
+    fn acceleration_lost(&self, record: &Record) -> f64 {
+        let window = record.acceleration_window;
+        let (values, order) = self.velocity.as_ref().map_or((&self.displacement, 2), |velocity| (velocity, 1));
+        let [one, twice] = [window, 2.0 * window].map(|window| Local::new(&self.time, values, window));
+        let [first, last] = [record.motion_ends[0] + window, record.motion_ends[1] - window];
+        let (mut difference, mut square) = (0.0, 0.0);
+        let inside = record.time.iter().filter(|t| (first..=last).contains(*t));
+        for t in inside.step_by(record.time.len().div_ceil(LOOKED_AT)) {
+            let [a, damped] = [one, twice].map(|local| local.at(record.clocks.of_motion(*t))[order]);
+            difference += (a - damped) * damped;
+            square += damped * damped;
+        }
+        if square > 0.0 { (difference / (3.0 * square)).max(0.0) } else { 0.0 }
+    }
+
     /// Displacement, velocity and acceleration at a time. A velocity that was measured is not smoothed.
     fn at(&self, [of_velocity, of_acceleration]: [f64; 2], time: f64) -> [f64; 3] {
         let in_window = |values, window| Local::new(&self.time, values, window).at(time);
@@ -549,6 +570,9 @@ impl Motion {
         }
     }
 }
+
+/// Samples at which a filter is compared with another one, at most (chosen).
+const LOOKED_AT: usize = 2000;
 
 /// Range around a middle.
 pub(super) fn around(middle: f64, half: f64) -> [f64; 2] {
