@@ -164,7 +164,7 @@ impl Experiment {
         if let Some(alike) = &self.alike {
             return alike.least_speed.iter().map(|least| *least <= rest.speed).collect();
         }
-        let mut found = vec![false; self.time.len()];
+        let mut found = self.in_pauses(rest);
         let mut from = 0;
         // Where a filter reaches across rest, it does so too if no sample is slow enough.
         let turns = |at: usize| self.velocity.get(at + 1).is_some_and(|next| next * self.velocity[at] < 0.0);
@@ -177,6 +177,25 @@ impl Experiment {
             from = to;
         }
         if found.contains(&true) { found } else { Vec::new() }
+    }
+
+    /// Whether each sample is in a pause, longer than the window of the filter, or within a window of it: there the filter
+    /// sees the motion begin too early and end too late.
+    fn in_pauses(&self, rest: Rest) -> Vec<bool> {
+        let mut found = vec![false; self.time.len()];
+        let is_slow = |at: &usize| self.velocity[*at].abs() < rest.speed;
+        let mut at = 0;
+        while let Some(begin) = (at..self.time.len()).find(is_slow) {
+            let end = (begin..self.time.len()).find(|at| !is_slow(at)).unwrap_or(self.time.len());
+            let [first, last] = [self.time[begin], self.time[end - 1]];
+            if self.window > 0.0 && last - first > self.window {
+                let from = self.time.partition_point(|t| *t < first - self.window);
+                let to = self.time.partition_point(|t| *t <= last + self.window);
+                found[from..to].fill(true);
+            }
+            at = end;
+        }
+        found
     }
 
     /// The same, with the samples left out that are at rest if the motion has another delay.
@@ -335,6 +354,43 @@ mod tests {
     use super::super::tests::{estimate, fitted, measured, noise, quick, standard};
     use super::super::{Task, held_out};
     use super::*;
+
+    /// Strokes of 0.9 s and pauses of 0.6 s, in which the contact holds half of its level. The filter of the displacement
+    /// sees motion before it begins.
+    #[test]
+    fn the_ends_of_pauses_do_not_count() {
+        let place = |t: f64| {
+            let stroke = (t / 1.5 + 1e-12).floor();
+            let part = ((t - 1.5 * stroke) / 0.9).clamp(0.0, 1.0);
+            let way = 0.5 - 0.5 * (std::f64::consts::PI * part).cos();
+            0.02 * if stroke % 2.0 == 0.0 { way } else { 1.0 - way }
+        };
+        let time: Vec<f64> = (0..6000).map(|k| f64::from(k) * 1e-3).collect();
+        let speed = |t: f64| (place(t + 1e-6) - place(t - 1e-6)) / 2e-6;
+        let acceleration = |t: f64| (speed(t + 1e-5) - speed(t - 1e-5)) / 2e-5;
+        let force = |t: f64| match t % 1.5 < 0.9 {
+            true => 2.0 * acceleration(t) + 4.0 * speed(t).signum() + 5.0 * speed(t),
+            false => 2.0,
+        };
+        let [random, shaken] = [noise(1, time.len()), noise(2, time.len())];
+        let columns = [
+            ("time", time.clone()),
+            ("force", time.iter().zip(&random).map(|(t, noise)| force(*t) + 0.03 * noise).collect()),
+            ("displacement", time.iter().zip(&shaken).map(|(t, noise)| place(*t) + 1e-7 * noise).collect()),
+        ];
+        let sheet = crate::sheet::Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
+        let rig = crate::measured::Rig { mass: 2.0, normal_force: Some(20.0), ..crate::measured::Rig::default() };
+        let experiment = Experiment::new("paused", &Record::of(&sheet, None, &rig).unwrap());
+        let share = experiment.samples() as f64 / time.len() as f64;
+        assert!((0.5..0.6).contains(&share), "{share}");
+        let fit = fitted("CoulombViscous", &[experiment], &Task { mass: 2.0, ..quick() });
+        for (name, truth) in [("mu_k", 0.2), ("viscous_coefficient", 5.0)] {
+            let one = estimate(&fit, name);
+            let [low, high] = one.interval();
+            assert!(one.verdict == super::super::Verdict::Determined && (low..=high).contains(&truth), "{one:?}");
+        }
+        assert!(fit.warnings.is_empty(), "{:?}", fit.warnings);
+    }
 
     /// At the highest speeds the acceleration passes through 0: noise of 0.005 m/s2 there takes the wrong curve, in some
     /// samples out of a hundred.
