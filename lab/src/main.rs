@@ -10,7 +10,7 @@ mod tyre;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{Arg, Command, CommandFactory, FromArgMatches, Parser, Subcommand};
 use lab::system::{BUILT_IN, Description, Fault};
 use ssp::parameter_set::text_of;
 use stribeck::catalogue;
@@ -59,8 +59,18 @@ enum Task {
     Tyre(tyre::Arguments),
 }
 
+/// The command line. A negative number after an option is its value, so that it is judged by what the number is for.
+fn command_line() -> Command {
+    let takes_negative = |argument: Arg| {
+        let has_value = argument.get_action().takes_values() && !argument.is_positional();
+        argument.allow_negative_numbers(has_value)
+    };
+    Arguments::command().mut_subcommands(|task| task.mut_args(takes_negative))
+}
+
 fn main() -> ExitCode {
-    match Arguments::parse().task {
+    let arguments = Arguments::from_arg_matches(&command_line().get_matches()).unwrap_or_else(|error| error.exit());
+    match arguments.task {
         Task::Models => {
             for model in catalogue::models() {
                 println!("{:<16} {}", model.name, model.summary);

@@ -265,8 +265,8 @@ fn refusals_of_an_identification_name_what_is_wrong() {
     for (arguments, expected) in [
         (vec!["LuGr"], "friction law 'LuGr' does not exist (did you mean 'LuGre'?)".to_owned()),
         (vec!["Dahl"], format!("{record}: no column 'normal_force', and no value was given for it")),
-        (vec!["Dahl", "--normal-force=-1"], format!("{record}: normal_force = -1: must be >= 0 and finite, in N")),
-        (vec!["Dahl", "--mass=-1"], format!("{record}: mass = -1: must be >= 0 and finite, in kg")),
+        (vec!["Dahl", "--normal-force", "-1"], format!("{record}: normal_force = -1: must be >= 0 and finite, in N")),
+        (vec!["Dahl", "--mass", "-1"], format!("{record}: mass = -1: must be >= 0 and finite, in kg")),
         (vec!["Dahl", "--fix", "mu_k=x"], "mu_k = x: must be a number".to_owned()),
         (vec!["Dahl", "--motion", "absent.csv"], "absent.csv: No such file or directory (os error 2)".to_owned()),
         (
