@@ -59,6 +59,7 @@ const HOUSES: &[House] = &[
             "picture",
             "report",
             "standard_output",
+            "outputs",
             "damper",
             "tyre",
             "command",

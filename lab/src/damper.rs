@@ -9,6 +9,8 @@ use lab::identify::{StrutFriction, Task, Watch, laws_named, strut_friction};
 use lab::system::Fault;
 use thiserror::Error;
 
+use crate::outputs;
+
 #[derive(Args)]
 pub struct Arguments {
     /// Table with the columns velocity and force, optionally displacement and temperature; units in brackets.
@@ -45,9 +47,9 @@ pub enum DamperError {
     /// No damper was found.
     #[error(transparent)]
     Dyno(#[from] DynoError),
-    /// No friction law was found.
+    /// No friction law was found, or the set cannot be written.
     #[error(transparent)]
-    Law(#[from] Fault),
+    Fault(#[from] Fault),
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -76,6 +78,7 @@ pub fn run(arguments: &Arguments) -> Result<(), DamperError> {
         falling: 0.0,
         gas_force: arguments.gas_force,
     };
+    arguments.out.as_ref().map_or(Ok(()), |out| outputs::file(out, &["csv", "ssv"]))?;
     let test = Test::load(&arguments.file).map_err(DynoError::from)?;
     let mut damper = find_damper(&test, &options)?;
     let friction = arguments.law.as_ref().map(|law| fitted(law, arguments.seed, &test, &options)).transpose()?;

@@ -6,6 +6,7 @@ mod standard_output;
 
 mod command;
 mod damper;
+mod outputs;
 mod tyre;
 
 use std::process::ExitCode;

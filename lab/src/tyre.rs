@@ -1,6 +1,6 @@
 //! `stribeck tyre`: turns a tyre property file into a parameter set, and a tyre test into a tyre property file.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::ValueEnum;
 use lab::identify::tyre::{Axes, TyreTask, TyreTest, TyreTestError, fit_tyre, property_file, table};
@@ -10,6 +10,8 @@ use lab::tir::{self, TirError, TyreFile};
 use ssp::parameter_set::SetError;
 use stribeck::host::Side;
 use thiserror::Error;
+
+use crate::outputs;
 
 /// Input and output files.
 #[derive(clap::Args)]
@@ -78,11 +80,10 @@ pub enum TyreError {
 
 /// Writes the result to the file or to standard output, and messages to standard error.
 pub fn run(arguments: &Arguments) -> Result<(), TyreError> {
-    if has_extension(&arguments.file, "tir") { convert(arguments) } else { fit(arguments) }
-}
-
-fn has_extension(path: &Path, wanted: &str) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(wanted))
+    let is_property_file = outputs::has_ending(&arguments.file, "tir");
+    let endings: &[&str] = if is_property_file { &["csv", "ssv"] } else { &["tir"] };
+    arguments.out.as_ref().map_or(Ok(()), |out| outputs::file(out, endings))?;
+    if is_property_file { convert(arguments) } else { fit(arguments) }
 }
 
 fn convert(arguments: &Arguments) -> Result<(), TyreError> {
@@ -129,9 +130,6 @@ fn fit(arguments: &Arguments) -> Result<(), TyreError> {
         None => return Err(Fault::value("--axes: a tyre test needs iso or sae").into()),
     };
     let radius = arguments.radius.ok_or_else(|| Fault::value("--radius: a tyre test needs the radius without load"))?;
-    if let Some(out) = arguments.out.as_ref().filter(|out| !has_extension(out, "tir")) {
-        return Err(Fault::value(format_args!("{}: a fitted tyre is written as .tir", out.display())).into());
-    }
     let side = if let SideChoice::Left = arguments.side { Side::Left } else { Side::Right };
     let test = |source: TyreTestError| TyreError::Test { path: path.clone(), source };
     let sheet = renamed(Sheet::load(path).map_err(|error: SheetError| test(error.into()))?, arguments)?;

@@ -284,6 +284,30 @@ fn refusals_of_an_identification_name_what_is_wrong() {
     }
 }
 
+/// Before a record is read: there is none.
+#[test]
+fn files_that_cannot_be_written_are_refused_first() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let [taken, text, page, nowhere] = ["taken", "out.txt", "page.htm", "absent/out.csv"].map(file);
+    std::fs::write(&taken, "").expect("a file");
+    let identify = ["identify", "absent.csv", "--law", "Dahl"];
+    let tyre = ["tyre", "absent.csv", "--axes", "sae", "--radius", "0.2"];
+    let damper = ["damper", "absent.csv"];
+    for (command, option, name, expected) in [
+        (&identify[..], "--out", &text, "must end in .toml, .csv or .ssv".to_owned()),
+        (&identify[..], "--out", &nowhere, format!("there is no folder {}", file("absent"))),
+        (&identify[..], "--report", &page, "must end in .html".to_owned()),
+        (&identify[..], "--curves", &taken, format!("must be a folder; {taken} is a file")),
+        (&tyre[..], "--out", &text, "must end in .tir".to_owned()),
+        (&["tyre", "absent.tir"][..], "--out", &text, "must end in .csv or .ssv".to_owned()),
+        (&damper[..], "--out", &text, "must end in .csv or .ssv".to_owned()),
+    ] {
+        let found = refusal(&[command, &[option, name]].concat());
+        assert!(found.ends_with(&format!("{name}: {expected}")), "{found}");
+    }
+}
+
 #[test]
 fn columns_of_a_tyre_test_have_the_names_that_were_given() {
     let folder = tempfile::tempdir().expect("a folder");

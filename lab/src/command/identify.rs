@@ -19,6 +19,7 @@ use stribeck::model::ModelType;
 
 use super::watch::{Best, CANCELLED, heed_interrupts};
 use super::{Failure, Verdict as Ending, write};
+use crate::outputs;
 
 /// Records, laws, what is known of the rig, and the files for the results.
 #[derive(Args, Clone, Debug)]
@@ -233,6 +234,13 @@ impl Arguments {
         records.iter().map(experiment).collect()
     }
 
+    /// Refuses files that could not be written, before the work for them is done.
+    fn refuse_outputs(&self) -> Result<(), Fault> {
+        self.out.as_ref().map_or(Ok(()), |path| outputs::file(path, &["toml", "csv", "ssv"]))?;
+        self.report.as_ref().map_or(Ok(()), |path| outputs::file(path, &["html"]))?;
+        self.curves.as_ref().map_or(Ok(()), |path| outputs::folder(path))
+    }
+
     fn laws(&self) -> Result<Vec<&'static ModelType>, Fault> {
         if self.law.is_empty() { laws_named(&[axis::LAW.to_owned()]) } else { laws_named(&self.law) }
     }
@@ -293,7 +301,7 @@ impl Arguments {
         if path.extension().is_none() {
             return Ok(of_law(law, &preset(law, text)?));
         }
-        if path.extension().is_some_and(|extension| extension == "toml") {
+        if outputs::has_ending(path, "toml") {
             let known: Configuration = read(path)?;
             let number = |(name, value): (String, toml::Value)| {
                 value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64)).map(|value| (name, value))
@@ -329,6 +337,7 @@ fn with_motion(mut tables: Vec<Sheet>) -> Option<Sheet> {
 
 /// Finds the parameters of laws, ranks the laws if there are several, and tells how far to trust them.
 pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
+    arguments.refuse_outputs()?;
     let (laws, task) = (arguments.laws()?, arguments.task()?);
     let [records, unseen] = arguments.all_records()?;
     let unseen = arguments.experiments(&unseen, &laws)?;
@@ -508,7 +517,7 @@ fn worst(unseen: &[Unseen]) -> Option<f64> {
 fn save(arguments: &Arguments, best: &Fit) -> Result<(), Failure> {
     let Some(path) = &arguments.out else { return Ok(()) };
     let left: Vec<&str> = best.undetermined().filter(|name| best.law.find(name).is_some()).collect();
-    if path.extension().is_some_and(|extension| extension == "toml") {
+    if outputs::has_ending(path, "toml") {
         write(path, best.configuration().text())?;
     } else {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
