@@ -268,6 +268,8 @@ fn refusals_of_an_identification_name_what_is_wrong() {
         (vec!["Dahl", "--normal-force", "-1"], format!("{record}: normal_force = -1: must be >= 0 and finite, in N")),
         (vec!["Dahl", "--mass", "-1"], format!("{record}: mass = -1: must be >= 0 and finite, in kg")),
         (vec!["Dahl", "--fix", "mu_k=x"], "mu_k = x: must be a number".to_owned()),
+        (vec!["Dahl", "--mass", "2", "--fix", "mass=3"], "--fix mass=3 contradicts --mass 2".to_owned()),
+        (vec!["Dahl", "--fix", "mass=3", "--fit", "mass"], "--fix mass=3 contradicts --fit mass".to_owned()),
         (vec!["Dahl", "--motion", "absent.csv"], "absent.csv: No such file or directory (os error 2)".to_owned()),
         (
             vec!["Dahl", "--normal-force=1", "--motion", camera],

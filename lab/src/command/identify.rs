@@ -43,9 +43,9 @@ pub struct Arguments {
     /// unless --law is given, at a normal force of 1 N unless one is known
     #[arg(long)]
     axis: bool,
-    /// Mass between load cell and contact in kg
-    #[arg(long, default_value_t = 0.0)]
-    mass: f64,
+    /// Mass between load cell and contact in kg (default: 0)
+    #[arg(long)]
+    mass: Option<f64>,
     /// Normal force in N, if the record has none
     #[arg(long)]
     normal_force: Option<f64>,
@@ -168,11 +168,15 @@ impl FromStr for RangeChoice {
 const CHECK: u64 = 400;
 
 impl Arguments {
+    fn mass(&self) -> f64 {
+        self.mass.unwrap_or(0.0)
+    }
+
     fn rig(&self) -> Rig {
         let usual = if self.axis { Delay::OfController } else { Delay::Known(0.0) };
         let delay = self.delay.map_or(usual, |DelayChoice(delay)| delay);
         let normal_force = self.normal_force.or(self.axis.then_some(axis::NORMAL_FORCE));
-        Rig { mass: self.mass, normal_force, window: self.window, delay, skip: self.skip, is_axis: self.axis }
+        Rig { mass: self.mass(), normal_force, window: self.window, delay, skip: self.skip, is_axis: self.axis }
     }
 
     /// The records, and those that are not fitted.
@@ -245,12 +249,31 @@ impl Arguments {
         if self.law.is_empty() { laws_named(&[axis::LAW.to_owned()]) } else { laws_named(&self.law) }
     }
 
+    /// Refuses a parameter that is held at two values, or held and fitted.
+    fn refuse_contradictions(&self, fixed: &[(String, f64)]) -> Result<(), Fault> {
+        for (name, value) in fixed {
+            let contradicts =
+                |other: String| Err(Fault::value(format_args!("--fix {name}={value} contradicts {other}")));
+            if let Some(mass) = self.mass.filter(|mass| name == "mass" && mass != value) {
+                return contradicts(format!("--mass {mass}"));
+            }
+            if self.fit.contains(name) {
+                return contradicts(format!("--fit {name}"));
+            }
+            if let Some((_, other)) = fixed.iter().find(|(known, other)| known == name && other != value) {
+                return contradicts(format!("--fix {name}={other}"));
+            }
+        }
+        Ok(())
+    }
+
     fn task(&self) -> Result<Task, Fault> {
         let fixed = self.fix.iter().map(Setting::number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
+        self.refuse_contradictions(&fixed)?;
         let ranges = self.range.iter().map(|RangeChoice(name, ends)| (name.clone(), *ends)).collect();
         let mut wishes = Wishes { fixed, fitted: self.fit.clone(), ranges };
         if self.axis {
-            axis::fitted(&mut wishes, self.mass);
+            axis::fitted(&mut wishes, self.mass());
         }
         Ok(Task {
             wishes,
@@ -261,7 +284,7 @@ impl Arguments {
             seed: self.seed,
             budget: self.budget,
             repetitions: self.repetitions,
-            mass: self.mass,
+            mass: self.mass(),
             is_robust: self.loss == LossChoice::Robust,
             folds: self.folds,
             ..Task::default()
