@@ -278,6 +278,12 @@ fn refusals_of_an_identification_name_what_is_wrong() {
     ] {
         assert_eq!(refusal(&[&law[..], &arguments].concat()), format!("stribeck: {expected}"));
     }
+    let again = folder.path().join(".").join("r.csv");
+    let again = again.to_str().expect("text");
+    let twice = refusal(&["identify", record, again, "--law", "Dahl"]);
+    assert_eq!(twice, format!("stribeck: {again}: is given twice"));
+    let held_out = refusal(&[&law[..], &["Dahl", "--hold-out", again]].concat());
+    assert_eq!(held_out, format!("stribeck: {again}: is a record and held out too"));
     let rig = refusal(&["rig", "--law", "LuGrePlanar", "--out", "x"]);
     assert!(rig.starts_with("stribeck: friction law 'LuGrePlanar' does not exist"), "{rig}");
     for arguments in [["--range", "mu_k=1"], ["--delay", "late"]] {

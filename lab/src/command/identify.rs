@@ -179,8 +179,25 @@ impl Arguments {
         Rig { mass: self.mass(), normal_force, window: self.window, delay, skip: self.skip, is_axis: self.axis }
     }
 
+    /// Refuses a file that is given twice: it would count twice, or be held against itself.
+    fn refuse_twice(&self) -> Result<(), Fault> {
+        let records = self.records.iter().map(|path| (path, false));
+        let mut known: Vec<(PathBuf, bool)> = Vec::new();
+        for (path, is_held_out) in records.chain(self.hold_out.iter().map(|path| (path, true))) {
+            // A file that is not there is refused when it is read.
+            let Ok(real) = path.canonicalize() else { continue };
+            if let Some((_, was_held_out)) = known.iter().find(|(other, _)| *other == real) {
+                let why = if is_held_out == *was_held_out { "is given twice" } else { "is a record and held out too" };
+                return Err(Fault::File(format!("{}: {why}", path.display())));
+            }
+            known.push((real, is_held_out));
+        }
+        Ok(())
+    }
+
     /// The records, and those that are not fitted.
     fn all_records(&self) -> Result<[Vec<(String, Record)>; 2], Failure> {
+        self.refuse_twice()?;
         let files: Vec<&Path> = self.records.iter().chain(&self.hold_out).map(PathBuf::as_path).collect();
         let mut names = names(&files).into_iter();
         let mut named = |files: &'_ [PathBuf]| self.read_all(files, names.by_ref());
