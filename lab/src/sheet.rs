@@ -1,8 +1,8 @@
 //! Tables of measurements as rigs and dynamometers write them.
 //!
 //! A heading names the columns, each with its unit in brackets if it is not the SI unit; a row of units may follow it
-//! instead. The separator (tab, semicolon or comma) is that of the heading; unless it is a comma, numbers may have a
-//! decimal comma. `#` begins a comment; columns that nobody asks for are ignored.
+//! instead. The separator (tab, semicolon, comma, or blanks if there is none of these) is that of the heading; unless it
+//! is a comma, numbers may have a decimal comma. `#` begins a comment; columns that nobody asks for are ignored.
 
 mod binary;
 
@@ -91,16 +91,30 @@ pub enum SheetError {
         /// Why.
         why: String,
     },
-    /// The rows of the table do not fit its heading.
+    /// The text is not a table.
     #[error("no table: {0}")]
     Table(#[from] csv::Error),
+    /// A row of the table does not fit its heading.
+    #[error("no table: line {line}, columns: {cells}, must be {headings} as in the heading{hint}")]
+    Row {
+        /// Line of the file.
+        line: u64,
+        /// Number of its cells.
+        cells: u64,
+        /// Number of the headings.
+        headings: u64,
+        /// What may be the reason.
+        hint: &'static str,
+    },
     /// A required column is missing.
-    #[error("no column '{wanted}'; there are {found}")]
+    #[error("no column '{wanted}'; there are {found}{hint}")]
     Column {
         /// The column.
         wanted: String,
         /// The headings of the file.
         found: String,
+        /// How a heading is to be written, if one of them looks like the column.
+        hint: String,
     },
     /// Several columns may be the wanted one.
     #[error("{wanted}: '{candidates}' may be it; say which: --column {wanted}=...")]
@@ -163,12 +177,38 @@ pub enum SheetError {
     Empty,
 }
 
+/// Heading of a column.
+#[derive(Debug)]
+struct Heading {
+    /// Name; empty for a column that nobody shall find.
+    name: String,
+    /// Name in the file.
+    own: String,
+    /// Unit; empty for the SI unit.
+    unit: String,
+}
+
+impl Heading {
+    fn new(name: &str, unit: &str) -> Heading {
+        Heading { name: name.trim().to_owned(), own: name.trim().to_owned(), unit: plain(unit) }
+    }
+
+    /// The name in the file, and what the column was taken as.
+    fn shown(&self) -> String {
+        let is_renamed = !self.name.is_empty() && self.name != self.own;
+        if is_renamed { format!("{} ({})", self.own, self.name) } else { self.own.clone() }
+    }
+
+    fn is(&self, name: &str) -> bool {
+        self.name.eq_ignore_ascii_case(name)
+    }
+}
+
 /// A table under its headings, as text.
 #[derive(Debug)]
 pub struct Sheet {
     separator: char,
-    /// Name and unit of each column; an empty unit is the SI unit.
-    headings: Vec<(String, String)>,
+    headings: Vec<Heading>,
     /// Factors of columns, by their names.
     factors: Vec<(String, f64)>,
     rows: Vec<csv::StringRecord>,
@@ -187,18 +227,23 @@ impl Sheet {
     pub fn parse(text: &str) -> Result<Sheet, SheetError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let heading = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or_default();
-        let separator = ['\t', ';'].into_iter().find(|mark| heading.contains(*mark)).unwrap_or(',');
+        let tabbed = with_tabs(text, heading);
+        let (text, separator) = match &tabbed {
+            Some(tabbed) => (tabbed.as_str(), '\t'),
+            None => (text, SEPARATORS.into_iter().find(|mark| heading.contains(*mark)).unwrap_or(',')),
+        };
         let mut reader = csv::ReaderBuilder::new()
             .delimiter(separator as u8)
             .comment(Some(b'#'))
             .trim(csv::Trim::All)
             .from_reader(text.as_bytes());
-        let mut headings: Vec<(String, String)> = reader.headers()?.iter().map(split).collect();
-        let mut rows = reader.records().collect::<Result<Vec<csv::StringRecord>, csv::Error>>()?;
+        let mut headings: Vec<Heading> = reader.headers()?.iter().map(split).collect();
+        let rows = reader.records().collect::<Result<Vec<csv::StringRecord>, csv::Error>>();
+        let mut rows = rows.map_err(|error| of_rows(error, separator))?;
         if rows.first().is_some_and(is_of_units) {
-            for ((_, unit), text) in headings.iter_mut().zip(rows.remove(0).iter()) {
-                if unit.is_empty() {
-                    *unit = plain(text.trim_matches(['[', ']', '(', ')']));
+            for (heading, text) in headings.iter_mut().zip(rows.remove(0).iter()) {
+                if heading.unit.is_empty() {
+                    heading.unit = plain(text.trim_matches(['[', ']', '(', ')']));
                 }
             }
         }
@@ -218,36 +263,36 @@ impl Sheet {
         let cell = |values: &Vec<f64>, row: usize| values.get(row).map_or(String::new(), f64::to_string);
         let rows = (0..count).map(|row| channels.iter().map(|(_, _, values)| cell(values, row)).collect());
         let rows = rows.collect();
-        let headings = channels.into_iter().map(|(name, unit, _)| (name, plain(&unit))).collect();
+        let headings = channels.into_iter().map(|(name, unit, _)| Heading::new(&name, &unit)).collect();
         Sheet { separator: ',', headings, factors: Vec::new(), rows }
     }
 
     /// Whether it has a column.
     pub fn has(&self, name: &str) -> bool {
-        self.headings.iter().any(|(heading, _)| heading.eq_ignore_ascii_case(name))
+        self.headings.iter().any(|heading| heading.is(name))
     }
 
     /// Gives a column another name, if it is there; a column that had it loses it.
     pub fn rename(&mut self, from: &str, to: &str) {
         let is_here = self.has(from);
-        for (heading, _) in &mut self.headings {
-            if heading.eq_ignore_ascii_case(from) {
-                to.clone_into(heading);
-            } else if is_here && heading.eq_ignore_ascii_case(to) {
-                heading.clear();
+        for heading in &mut self.headings {
+            if heading.is(from) {
+                to.clone_into(&mut heading.name);
+            } else if is_here && heading.is(to) {
+                heading.name.clear();
             }
         }
     }
 
     /// Names of its columns.
     pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.headings.iter().map(|(name, _)| name.as_str())
+        self.headings.iter().map(|heading| heading.name.as_str())
     }
 
     /// Multiplies the column of a quantity, if it is there, by a factor: its SI values, or its numbers if they have the
     /// unit of a signal, such as volts or newton metres.
     pub fn scale(&mut self, quantity: &Quantity, factor: f64) {
-        for (name, unit) in &mut self.headings {
+        for Heading { name, unit, .. } in &mut self.headings {
             let has = |known: &Quantity| known.units.iter().any(|known| known.0 == unit);
             let is_known = QUANTITIES.iter().any(|known| has(known)) && !OF_SIGNALS.iter().any(|known| has(known));
             if name.eq_ignore_ascii_case(quantity.name) && !is_known {
@@ -280,12 +325,12 @@ impl Sheet {
 
     /// As [`Sheet::column`], for a column with another name.
     pub fn column_named(&self, name: &str, quantity: &Quantity) -> Result<Option<Vec<f64>>, SheetError> {
-        let mut found = (0..self.headings.len()).filter(|at| self.headings[*at].0.eq_ignore_ascii_case(name));
+        let mut found = (0..self.headings.len()).filter(|at| self.headings[*at].is(name));
         let Some(at) = found.next() else { return Ok(None) };
         if found.next().is_some() {
             return Err(SheetError::Twice(name.to_owned()));
         }
-        let unit = &self.headings[at].1;
+        let unit = &self.headings[at].unit;
         let known = quantity.units.iter().find(|known| unit.is_empty() || known.0 == unit);
         let Some((_, factor, offset)) = known else {
             let wanted: Vec<&str> = quantity.units.iter().map(|known| known.0).collect();
@@ -305,9 +350,11 @@ impl Sheet {
 
     /// The error for a column that is not there.
     pub fn missing(&self, name: &str) -> SheetError {
-        let found: Vec<&str> = self.names().filter(|name| !name.is_empty()).collect();
+        let found = self.headings.iter().map(Heading::shown).filter(|shown| !shown.is_empty());
+        let found: Vec<String> = found.collect();
         let found = if found.is_empty() { "no columns".to_owned() } else { found.join(", ") };
-        SheetError::Column { wanted: name.to_owned(), found }
+        let hint = self.headings.iter().find_map(|heading| unit_in_name(&heading.own, name)).unwrap_or_default();
+        SheetError::Column { wanted: name.to_owned(), found, hint }
     }
 
     fn number(&self, row: usize, at: usize) -> Result<f64, SheetError> {
@@ -315,10 +362,25 @@ impl Sheet {
         let number = if self.separator == ',' { text.parse() } else { text.replace(',', ".").parse::<f64>() };
         number.ok().filter(|number| number.is_finite()).ok_or_else(|| SheetError::Number {
             line: self.line(row),
-            column: self.headings[at].0.clone(),
+            column: self.headings[at].name.clone(),
             text: text.to_owned(),
         })
     }
+}
+
+/// The error for a row that cannot be read.
+fn of_rows(error: csv::Error, separator: char) -> SheetError {
+    let csv::ErrorKind::UnequalLengths { pos: Some(ref place), expected_len: headings, len: cells } = *error.kind()
+    else {
+        return error.into();
+    };
+    let hint = if separator == ',' && cells > headings {
+        "; if its numbers have decimal commas, columns are separated by semicolons, tabs or blanks"
+    } else {
+        ""
+    };
+    let line = place.line();
+    SheetError::Row { line, cells, headings, hint }
 }
 
 fn not_too_large(path: &Path) -> Result<(), SheetError> {
@@ -341,9 +403,47 @@ pub fn text(columns: &[(&str, &[f64])]) -> csv::Result<String> {
 }
 
 /// Name and unit of a heading `name`, `name [unit]` or `name (unit)`.
-fn split(heading: &str) -> (String, String) {
+fn split(heading: &str) -> Heading {
     let (name, unit) = heading.split_once(['[', '(']).unwrap_or((heading, ""));
-    (name.trim().to_owned(), plain(unit.trim_end_matches([']', ')'])))
+    Heading::new(name, unit.trim_end_matches([']', ')']))
+}
+
+/// A hint for a heading such as `time_ms`, if it looks like the column that is looked for.
+fn unit_in_name(heading: &str, wanted: &str) -> Option<String> {
+    let (name, unit) = heading.rsplit_once(['_', ' ', '-', '.'])?;
+    let is_unit = QUANTITIES.iter().any(|quantity| quantity.units.iter().any(|known| known.0 == unit));
+    (is_unit && name.eq_ignore_ascii_case(wanted))
+        .then(|| format!("; units stand in brackets: '{wanted} [{unit}]' instead of '{heading}'"))
+}
+
+/// Marks between columns besides blanks.
+const SEPARATORS: [char; 3] = ['\t', ';', ','];
+
+/// Columns of a heading that are separated by blanks; a unit in brackets belongs to the name before it.
+fn between_blanks(heading: &str) -> Vec<String> {
+    let mut columns: Vec<String> = Vec::new();
+    for word in heading.split_whitespace() {
+        match columns.last_mut() {
+            Some(column) if word.starts_with(['[', '(']) => *column += word,
+            _ => columns.push(word.to_owned()),
+        }
+    }
+    columns
+}
+
+/// A table whose columns are separated by blanks, with tabs instead; None for other tables.
+fn with_tabs(text: &str, heading: &str) -> Option<String> {
+    let columns = between_blanks(heading);
+    if heading.contains(SEPARATORS) || columns.len() < 2 {
+        return None;
+    }
+    let row = |line: &str| {
+        let is_heading = std::ptr::eq(line, heading);
+        let cells =
+            if is_heading { columns.join("\t") } else { line.split_whitespace().collect::<Vec<_>>().join("\t") };
+        cells + "\n"
+    };
+    Some(text.lines().map(row).collect())
 }
 
 /// A unit in ASCII: the micro sign and the Greek letter become u, a raised dot becomes a dot, a degree sign alone is deg
@@ -415,6 +515,39 @@ mod tests {
         let sheet =
             Sheet::of_columns(&[("time".into(), values.clone()), ("left, upper \"A\"".into(), values)]).unwrap();
         assert_eq!(sheet.len(), 3);
+    }
+
+    #[test]
+    fn blanks_separate_columns_if_nothing_else_does() {
+        let sheet =
+            Sheet::parse("# a rig\n\n time  [ms] force (kN)  displacement\n  1,5   2  -3e-1 \n1 2 x\n").unwrap();
+        assert_eq!(sheet.column(&TIME).unwrap(), Some(vec![1.5e-3, 1e-3]));
+        assert_eq!(sheet.column(&FORCE).unwrap(), Some(vec![2e3, 2e3]));
+        let text = sheet.column(&DISPLACEMENT).unwrap_err().to_string();
+        assert_eq!(text, "line 5, displacement: 'x' is not a finite number");
+        let sheet = Sheet::parse("time force\nms N\n1 2\n").unwrap();
+        assert_eq!(sheet.column(&TIME).unwrap(), Some(vec![1e-3]));
+    }
+
+    #[test]
+    fn refusals_say_what_the_file_says() {
+        let mut sheet = Sheet::parse("Pos [mm];Millis [ms];x\n1;2;3\n").unwrap();
+        sheet.rename("Pos", "x");
+        assert_eq!(sheet.missing("time").to_string(), "no column 'time'; there are Pos (x), Millis, x");
+        let sheet = Sheet::parse("time_ms,Force N\n1,2\n").unwrap();
+        let [time, force] = ["time", "force"].map(|name| sheet.missing(name).to_string());
+        assert!(
+            time.ends_with("time_ms, Force N; units stand in brackets: 'time [ms]' instead of 'time_ms'"),
+            "{time}"
+        );
+        assert!(force.ends_with("'force [N]' instead of 'Force N'"), "{force}");
+        let rows = |text: &str| Sheet::parse(text).unwrap_err().to_string();
+        assert_eq!(
+            rows("time,force\n0,1,2\n"),
+            "no table: line 2, columns: 3, must be 2 as in the heading; if its numbers have decimal commas, columns are separated by \
+             semicolons, tabs or blanks"
+        );
+        assert_eq!(rows("time;force\n1;2\n1\n"), "no table: line 3, columns: 1, must be 2 as in the heading");
     }
 
     #[test]

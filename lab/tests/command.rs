@@ -278,18 +278,32 @@ fn refusals_of_an_identification_name_what_is_wrong() {
     ] {
         assert_eq!(refusal(&[&law[..], &arguments].concat()), format!("stribeck: {expected}"));
     }
-    let again = folder.path().join(".").join("r.csv");
-    let again = again.to_str().expect("text");
-    let twice = refusal(&["identify", record, again, "--law", "Dahl"]);
-    assert_eq!(twice, format!("stribeck: {again}: is given twice"));
-    let held_out = refusal(&[&law[..], &["Dahl", "--hold-out", again]].concat());
-    assert_eq!(held_out, format!("stribeck: {again}: is a record and held out too"));
     let rig = refusal(&["rig", "--law", "LuGrePlanar", "--out", "x"]);
     assert!(rig.starts_with("stribeck: friction law 'LuGrePlanar' does not exist"), "{rig}");
     for arguments in [["--range", "mu_k=1"], ["--delay", "late"]] {
         let usage = stribeck(&[&law[..], &["Dahl"], &arguments].concat());
         assert_eq!(usage.status.code(), Some(2), "{arguments:?}");
     }
+}
+
+/// Without a single fit.
+#[test]
+fn files_of_an_identification_are_judged_by_what_they_are() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("r.csv");
+    let record = path.to_str().expect("text");
+    std::fs::write(&path, "").expect("a file");
+    let blanks = folder.path().join("blanks.txt");
+    std::fs::write(&blanks, "Pos [mm]  Millis [ms]  Load [N]\n1 2 3\n").expect("a file");
+    let unnamed = refusal(&["identify", blanks.to_str().expect("text"), "--law", "Dahl"]);
+    let expected = "no column 'time'; there are Pos (displacement), Millis, Load; --column time=NAME names it, ";
+    assert!(unnamed.contains(expected), "{unnamed}");
+    let again = folder.path().join(".").join("r.csv");
+    let again = again.to_str().expect("text");
+    let twice = refusal(&["identify", record, again, "--law", "Dahl"]);
+    assert_eq!(twice, format!("stribeck: {again}: is given twice"));
+    let held_out = refusal(&["identify", record, "--law", "Dahl", "--hold-out", again]);
+    assert_eq!(held_out, format!("stribeck: {again}: is a record and held out too"));
 }
 
 /// Before a record is read: there is none.

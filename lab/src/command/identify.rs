@@ -12,7 +12,7 @@ use lab::identify::{
 use lab::measured::{Columns, Delay, MeasuredError, Record, Rig, average};
 use lab::report::{Identification, identification};
 use lab::run::Configuration;
-use lab::sheet::{DISPLACEMENT, FORCE, Sheet, VELOCITY, tables};
+use lab::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, VELOCITY, tables};
 use lab::system::{Fault, Setting, read};
 use ssp::parameter_set::ParameterSet;
 use stribeck::model::ModelType;
@@ -219,8 +219,8 @@ impl Arguments {
             let motion = motion.map(|path| tables(path).map_err(|error| unreadable(path, &error))).transpose()?;
             let mut motion = motion.unwrap_or_default();
             let refused = |error: MeasuredError| match (error, &self.motion) {
-                (MeasuredError::Motion(error), Some(camera)) => unreadable(camera, &error),
-                (error, _) => unreadable(path, &error),
+                (MeasuredError::Motion(error), Some(camera)) => unreadable(camera, &told(&error)),
+                (error, _) => unreadable(path, &told(&error)),
             };
             let said = columns.apply(&mut own, &mut motion, &rig).map_err(refused)?;
             let (own, others) = with_force(own);
@@ -357,6 +357,16 @@ impl Arguments {
 fn unreadable(path: &Path, error: &impl Display) -> Fault {
     let (text, name) = (error.to_string(), path.display().to_string());
     Fault::File(if text.starts_with(&name) { text } else { format!("{name}: {text}") })
+}
+
+/// An error about a record; how to name a column that was not found.
+fn told(error: &MeasuredError) -> String {
+    match error {
+        MeasuredError::Sheet(SheetError::Column { wanted, .. }) if Columns::knows(wanted) => {
+            format!("{error}; --column {wanted}=NAME names it, --scale {wanted}=FACTOR turns it into the SI unit")
+        }
+        _ => error.to_string(),
+    }
 }
 
 fn is_of_motion(table: &Sheet) -> bool {

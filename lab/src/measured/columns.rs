@@ -32,10 +32,15 @@ pub struct Columns {
 }
 
 impl Columns {
+    /// Whether a record may have a quantity of this name.
+    pub fn knows(name: &str) -> bool {
+        QUANTITIES.iter().any(|known| known.name == name)
+    }
+
     /// Refuses quantities that no record has, and factors without sense.
     pub fn check(&self) -> Result<(), SheetError> {
         let named = self.names.iter().map(|(name, _)| name).chain(self.factors.iter().map(|(name, _)| name));
-        if let Some(name) = named.into_iter().find(|name| QUANTITIES.iter().all(|known| known.name != *name)) {
+        if let Some(name) = named.into_iter().find(|name| !Columns::knows(name)) {
             let wanted = QUANTITIES.map(|quantity| quantity.name).join(", ");
             return Err(SheetError::Quantity { name: name.clone(), wanted });
         }

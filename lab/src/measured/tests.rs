@@ -189,6 +189,7 @@ fn spoilt_headings_are_refused_by_name() {
         ("time\n".into(), "0 samples; at least 20 are needed"),
         (plain("t,force,displacement"), "no column 'time'; there are t, force, displacement"),
         (plain("time,F,displacement"), "no column 'force'; there are time, F, displacement"),
+        (plain("time_ms,force_N,x"), "there are time_ms, force_N, x; units stand in brackets: 'time [ms]' instead of"),
         (plain("time,force,x"), "no column 'displacement'; there are time, force, x"),
         (plain("time,time,displacement"), "two columns 'time'"),
         (plain("time,force,Force"), "two columns 'force'"),
@@ -223,8 +224,11 @@ fn spoilt_numbers_are_refused_with_line_and_column() {
 fn spoilt_tables_are_refused_with_line_and_column() {
     let plain = |heading: &str| rows(heading, good);
     assert_refused(&[
-        (spoil(3, "0.15,1"), "no table: CSV error: record 4 (line: 5"),
-        (spoil(3, "0.15,1,5,0.1"), "no table: CSV error: record 4 (line: 5"),
+        (spoil(3, "0.15,1"), "no table: line 5, columns: 2, must be 3 as in the heading"),
+        (
+            spoil(3, "0.15,1,5,0.1"),
+            "no table: line 5, columns: 4, must be 3 as in the heading; if its numbers have decimal commas",
+        ),
         (spoil(3, "time,force,displacement"), "line 5, time: 'time' is not a finite number"),
         (spoil(0, "Zeit,Kraft,Weg"), "line 2, time: 'Zeit' is not a finite number"),
         (spoil(0, "s,N,furlong"), "line 2, time: 's' is not a finite number"),
@@ -249,12 +253,12 @@ fn spoilt_tables_are_refused_with_line_and_column() {
         ),
         (good(0) + "\n" + &good(1), "no column 'time'; there are 0, "),
         ("time,force,displacement\n0,1,0\n1,1,1\n".into(), "2 samples; at least 20 are needed"),
-        (plain("time;force;displacement"), "no table: CSV error: record 1"),
+        (plain("time;force;displacement"), "no table: line 2, columns: 1, must be 3"),
         ("\u{0}\u{1}\u{2}PK\u{3}\u{4}".into(), "no column 'time'"),
         ("<html><body>404</body></html>".into(), "no column 'time'"),
         ("{\"time\": [0, 1]}".into(), "no column 'time'"),
         (rows("time,force,displacement", |k| format!("{k},{},{k}", -4.0 - 0.1 * k as f64)), "friction gives "),
-        (plain("time,force,displacement\n\""), "no table: CSV error: record 1"),
+        (plain("time,force,displacement\n\""), "no table: line 2, columns: 1, must be 3"),
     ]);
 }
 
