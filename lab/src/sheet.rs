@@ -284,6 +284,11 @@ impl Sheet {
         }
     }
 
+    /// Unit of a column as the file says it, empty if it does not; None if there is no such column.
+    pub fn unit(&self, name: &str) -> Option<&str> {
+        self.headings.iter().find(|heading| heading.is(name)).map(|heading| heading.unit.as_str())
+    }
+
     /// Names of its columns.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.headings.iter().map(|heading| heading.name.as_str())

@@ -48,6 +48,18 @@ pub enum TyreTestError {
         /// The condition.
         wanted: &'static str,
     },
+    /// An angle is larger than a tyre can have.
+    #[error("line {line}, {name}: {value} rad: must be at most pi/2 in magnitude{hint}")]
+    Angle {
+        /// Line of the file.
+        line: u64,
+        /// Name of the column.
+        name: String,
+        /// The value.
+        value: f64,
+        /// What may be the reason, if the file says no unit.
+        hint: String,
+    },
     /// There are too few samples.
     #[error("{count} samples; at least {LEAST} are needed")]
     Short {
@@ -82,6 +94,17 @@ fn required<'a>(sheet: &Sheet, names: &[&'a str], quantity: &Quantity) -> Result
     }
 }
 
+/// Largest slip angle and camber, rad (chosen); a hair more, since 90 degrees are that.
+const LARGEST_ANGLE: f64 = std::f64::consts::FRAC_PI_2 + 1e-9;
+
+/// Refuses angles that are too large for radians.
+fn check_angle(sheet: &Sheet, name: &str, angles: &[f64]) -> Result<(), TyreTestError> {
+    let Some(row) = angles.iter().position(|angle| angle.abs() > LARGEST_ANGLE) else { return Ok(()) };
+    let has_unit = sheet.unit(name).is_some_and(|unit| !unit.is_empty());
+    let hint = if has_unit { String::new() } else { format!("; is the unit deg? Then write {name} [deg]") };
+    Err(TyreTestError::Angle { line: sheet.line(row), name: name.to_owned(), value: angles[row], hint })
+}
+
 /// Names of the columns: those of rigs and that of the library. Headings are compared without regard to case.
 const LOAD: &[&str] = &["F_z", "FZ", "normal_force"];
 const SIDE_SLIP: &[&str] = &["alpha", "SA", "side_slip"];
@@ -98,7 +121,7 @@ impl TyreTest {
     /// Reads a table with the columns F_z, alpha and F_y, and perhaps kappa, gamma, F_x and M_z.
     pub fn of(sheet: &Sheet, axes: Axes) -> Result<TyreTest, TyreTestError> {
         let (name, mut load) = required(sheet, LOAD, &FORCE)?;
-        let (_, mut side_slip) = required(sheet, SIDE_SLIP, &ANGLE)?;
+        let (side_slip_name, mut side_slip) = required(sheet, SIDE_SLIP, &ANGLE)?;
         let (_, mut force_y) = required(sheet, FORCE_Y, &FORCE)?;
         let slip = named(sheet, LONGITUDINAL_SLIP, &SLIP)?;
         let camber = named(sheet, CAMBER, &ANGLE)?;
@@ -108,6 +131,8 @@ impl TyreTest {
         if count < LEAST {
             return Err(TyreTestError::Short { count });
         }
+        check_angle(sheet, side_slip_name, &side_slip)?;
+        camber.as_ref().map_or(Ok(()), |(name, angles)| check_angle(sheet, name, angles))?;
         let sign = if axes == Axes::Sae { -1.0 } else { 1.0 };
         if let Some(row) = load.iter().position(|load| sign * load < 0.0) {
             let wanted = if axes == Axes::Sae { "<= 0" } else { ">= 0" };

@@ -185,6 +185,9 @@ fn spoilt_tests_are_refused() {
     let few: Vec<&str> = text.lines().take(20).collect();
     assert_eq!(refusal(&few.join("\n"), Axes::Iso), "19 samples; at least 40 are needed");
     assert!(refusal(&text.replacen("400,", "abc,", 1), Axes::Iso).starts_with("line 2, FZ: 'abc'"));
+    let angle = |name: &str| refusal(&text.replace(&format!("{name} [deg]"), name), Axes::Iso);
+    let expected = "rad: must be at most pi/2 in magnitude; is the unit deg? Then write SA [deg]";
+    assert!(angle("SA").starts_with("line 3, SA: ") && angle("SA").ends_with(expected), "{}", angle("SA"));
     // No side slip at all, since the camber is 0 throughout.
     let none = fit_tyre(&test_of(&reversed, Axes::Iso).unwrap(), &task(&[])).unwrap_err().to_string();
     assert!(none.starts_with("the side slip is 0 throughout"), "{none}");
