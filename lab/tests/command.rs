@@ -236,6 +236,22 @@ fn a_virtual_rig_is_identified_and_the_result_runs() {
     assert!(text(Path::new(csv)).contains("sigma_0"));
 }
 
+#[test]
+fn a_reference_of_another_law_is_said_to_be_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("rig").to_str().expect("text").to_owned();
+    assert_eq!(stribeck(&["rig", "--law", "Dahl", "--duration", "1", "--out", &out]).status.code(), Some(0));
+    let [record, reference] = ["force.csv", "truth.toml"].map(|name| format!("{out}/{name}"));
+    let known = ["--mass", "2", "--normal-force", "20", "--repetitions", "0", "--reference", &reference];
+    let said = |law: &str| {
+        let output = stribeck(&[&["identify", &record, "--law", law][..], &known].concat());
+        String::from_utf8(output.stderr).expect("text")
+    };
+    let expected = "is a set of Dahl, not of Coulomb; compared where names are the same\n";
+    assert!(said("Coulomb").ends_with(&format!("--reference {reference}: {expected}")), "{}", said("Coulomb"));
+    assert!(!said("Dahl").contains("is a set of"));
+}
+
 /// What a record can determine is told without a number, and not as JSON.
 #[test]
 fn what_can_be_determined_is_told_first() {

@@ -333,7 +333,22 @@ impl Arguments {
         if let Some(text) = self.reference.as_ref().filter(|_| found.is_none()) {
             eprintln!("stribeck: --reference {text}: has no values for {}, so nothing is compared", best.law.name);
         }
+        if let Some((text, other)) = self.reference.as_ref().zip(found.as_ref().and_then(|_| self.other_law(best.law)))
+        {
+            eprintln!(
+                "stribeck: --reference {text}: is a set of {other}, not of {}; compared where names are the same",
+                best.law.name
+            );
+        }
         found
+    }
+
+    /// The laws that the file of the reference is for, if this one is not among them.
+    fn other_law(&self, law: &ModelType) -> Option<String> {
+        let path = self.reference.as_ref().map(Path::new).filter(|path| outputs::has_ending(path, "toml"))?;
+        let known: Configuration = read(path).ok()?;
+        let is_other = !known.law.is_empty() && known.law.iter().all(|name| name != law.name);
+        is_other.then(|| known.law.join(", "))
     }
 
     fn reference(&self, law: &'static ModelType, text: &str) -> Result<Option<Reference>, Failure> {
