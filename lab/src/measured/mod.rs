@@ -26,6 +26,7 @@ mod alike;
 mod clock;
 mod columns;
 mod cycle;
+mod plausible;
 mod polynomial;
 mod quality;
 mod record;

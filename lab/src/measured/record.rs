@@ -2,6 +2,7 @@
 
 use super::alike::{self, Alike};
 use super::clock::{Clocks, Pair};
+use super::plausible::{self, short};
 use super::polynomial::Local;
 use super::quality::{Quality, median, noise, quality, rounding};
 use super::stencil::derivatives;
@@ -155,12 +156,16 @@ pub enum MeasuredError {
     },
     /// Friction would drive the slider.
     #[error(
-        "friction gives {energy:.3e} J to the slider: force and displacement are positive in opposite directions, or \
-         the mass is wrong"
+        "friction gives {energy:.3e} J to the slider, at up to {fastest:.4} m/s: force and {motion} are positive in \
+         opposite directions, or a unit or the mass is wrong"
     )]
     Drives {
         /// The energy, J.
         energy: f64,
+        /// Largest speed, m/s.
+        fastest: f64,
+        /// Quantity that the motion is taken from.
+        motion: &'static str,
     },
 }
 
@@ -239,18 +244,8 @@ impl Record {
         };
         let record = if rig.is_axis { moved.of_axis(&own, rig)? } else { moved.record(&own, rig)? };
         record.finite()?;
-        let energy = record.energy();
-        if energy < 0.0 {
-            return Err(MeasuredError::Drives { energy: -energy });
-        }
+        plausible::check(&record, rig)?;
         Ok(record)
-    }
-
-    /// Work of the friction force, J.
-    fn energy(&self) -> f64 {
-        let (f, x) = (&self.friction_force, &self.displacement);
-        // Samples may be far apart, and the inertia of an unknown mass is in the force: its mean belongs to each way.
-        (1..x.len()).map(|at| 0.5 * (f[at] + f[at - 1]) * (x[at] - x[at - 1])).sum()
     }
 
     /// Refuses what sums and quotients of extreme numbers give.

@@ -288,7 +288,7 @@ fn inertia_of_an_unknown_mass_does_not_drive_an_axis() {
     // As short as is tried: 9 samples.
     let rig = Rig { is_axis: true, window: Some(0.09), normal_force: Some(1.0), ..Rig::default() };
     assert!(record(&text(1.0), &rig).is_ok());
-    let Err(MeasuredError::Drives { energy }) = record(&text(-1.0), &rig) else { panic!("accepted") };
+    let Err(MeasuredError::Drives { energy, .. }) = record(&text(-1.0), &rig) else { panic!("accepted") };
     // Work of both in 25 cycles; the filter takes some of the motion, and the ends.
     let (viscous, dry) = (50.0 * (amplitude * rate).powi(2) / 2.0 * 25.0, 5.0 * 4.0 * amplitude * 25.0);
     assert!((0.9..1.0).contains(&(energy / (viscous + dry))), "{energy}");
@@ -313,6 +313,21 @@ fn noise_of_a_slider_at_rest_is_no_motion() {
         );
         assert!(refused.contains(&format!(" {unit}, is that of its noise (")), "{refused}");
     }
+}
+
+/// With what was understood of the motion.
+#[test]
+fn friction_that_drives_the_slider_speaks_of_units() {
+    let refused = |number: usize, name: &str| {
+        let text = file(|t| format!("{t},{},{}", -force(t), 1e3 * motion(t)[number])).replace("displacement", name);
+        record(&text, &rig()).map(|_| ()).unwrap_err().to_string()
+    };
+    let fastest = 1e3 * (0..8000).map(|k| motion(f64::from(k) * 1e-3)[1].abs()).fold(0.0, f64::max);
+    let measured = refused(1, "velocity");
+    let expected =
+        format!("at up to {fastest:.4} m/s: force and velocity are positive in opposite directions, or a unit");
+    assert!(measured.contains(&expected), "{measured}");
+    assert!(refused(0, "displacement").contains("m/s: force and displacement are positive in opposite directions"));
 }
 
 /// An axis without viscous friction, with a coarse encoder: no part of zero is reported.
@@ -344,6 +359,11 @@ fn impossible_rigs_are_refused() {
         (Rig { mass: f64::NAN, ..rig() }, "mass = NaN: must be >= 0 and finite, in kg"),
         (Rig { normal_force: Some(-2.0), ..rig() }, "normal_force = -2: must be >= 0 and finite, in N"),
         (Rig { window: Some(-1.0), ..rig() }, "window = -1: must be >= 0 and finite, in s"),
+        (Rig { window: Some(0.0005), ..rig() }, "window = 0.0005: must be at least 0.0045 s for the intervals of the"),
+        (
+            Rig { window: Some(0.0005), is_axis: true, ..rig() },
+            "window = 0.0005: must be at least 0.003 s for the intervals of the file",
+        ),
         (Rig { window: Some(5.0), ..rig() }, "window = 5: must be at most half of the record, 3.9995 s"),
         (Rig { delay: Delay::Find(4.0), ..rig() }, "longest delay = 4: must be at most half of the record, 3.9995 s"),
         (Rig { delay: Delay::Find(0.0), ..rig() }, "longest delay = 0: must be > 0, in s"),
@@ -380,7 +400,7 @@ fn what_is_skipped_chooses_no_window() {
     assert_eq!(skipped.motion_ends[0], 0.0);
 }
 
-/// A window shorter than the shortest one is that.
+/// It stands for the shortest one.
 #[test]
 fn a_window_of_no_length_has_five_samples() {
     let text = file(|t| format!("{t},{},{}", force(t), motion(t)[0]));
