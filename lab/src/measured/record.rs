@@ -144,9 +144,10 @@ pub enum MeasuredError {
     },
     /// Force and motion cannot be smoothed alike.
     #[error(
-        "nothing is left between rest, turns and the ends: the body must keep its direction for longer than {window} s, \
-         in which force and motion are smoothed, and for {doubt} s at each side, in which the delay is sought; move it \
-         farther or slower, sample faster, or give a shorter window or delay"
+        "nothing is left between rest, turns and the ends: the body must keep its direction for longer than {} s, in \
+         which force and motion are smoothed, and for {} s at each side, in which the delay is sought; move it farther \
+         or slower, sample faster, or give a shorter window or delay",
+        short(*window), short(*doubt)
     )]
     NoStroke {
         /// Length of the shortest window that was tried, s.
@@ -306,7 +307,7 @@ fn check_lengths(rig: &Rig, time: &[f64]) -> Result<(), MeasuredError> {
     let longest = if let Delay::Find(longest) = rig.delay { Some(longest) } else { None };
     for (name, value) in [("window", rig.window), ("longest delay", longest)] {
         if let Some(value) = value.filter(|value| *value > half) {
-            let wanted = format!("at most half of the record, {half} s");
+            let wanted = format!("at most half of the record, {} s", short(half));
             return Err(MeasuredError::Rig { name, value, wanted });
         }
     }
