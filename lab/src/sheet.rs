@@ -211,6 +211,8 @@ pub struct Sheet {
     headings: Vec<Heading>,
     /// Factors of columns, by their names.
     factors: Vec<(String, f64)>,
+    /// Whether its columns are in SI units where no unit is said.
+    is_si: bool,
     rows: Vec<csv::StringRecord>,
 }
 
@@ -247,13 +249,13 @@ impl Sheet {
                 }
             }
         }
-        Ok(Sheet { separator, headings, factors: Vec::new(), rows })
+        Ok(Sheet { separator, headings, factors: Vec::new(), is_si: false, rows })
     }
 
     /// A table of columns that a program has, in SI units.
     pub fn of_columns(columns: &[(String, Vec<f64>)]) -> Result<Sheet, SheetError> {
         let columns: Vec<(&str, &[f64])> = columns.iter().map(|(name, values)| (name.as_str(), &values[..])).collect();
-        Sheet::parse(&text(&columns)?)
+        Ok(Sheet { is_si: true, ..Sheet::parse(&text(&columns)?)? })
     }
 
     /// A table of channels of a binary file: name, unit, values.
@@ -264,7 +266,7 @@ impl Sheet {
         let rows = (0..count).map(|row| channels.iter().map(|(_, _, values)| cell(values, row)).collect());
         let rows = rows.collect();
         let headings = channels.into_iter().map(|(name, unit, _)| Heading::new(&name, &unit)).collect();
-        Sheet { separator: ',', headings, factors: Vec::new(), rows }
+        Sheet { separator: ',', headings, factors: Vec::new(), is_si: false, rows }
     }
 
     /// Whether it has a column.
@@ -287,6 +289,11 @@ impl Sheet {
     /// Unit of a column as the file says it, empty if it does not; None if there is no such column.
     pub fn unit(&self, name: &str) -> Option<&str> {
         self.headings.iter().find(|heading| heading.is(name)).map(|heading| heading.unit.as_str())
+    }
+
+    /// Whether it has a column whose unit is not known, so that it is taken as that of SI.
+    pub fn assumes_unit(&self, name: &str) -> bool {
+        !self.is_si && self.unit(name).is_some_and(str::is_empty)
     }
 
     /// Names of its columns.

@@ -1,7 +1,7 @@
 //! Columns of records: what they are called in files, and the factors of signals that are not in the unit of their
 //! quantity.
 
-use super::{MeasuredError, Rig};
+use super::{MeasuredError, Rig, units};
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
 /// Quantities of a record.
@@ -76,12 +76,36 @@ impl Columns {
         if rig.normal_force.is_none() && !rig.is_axis {
             said.extend(self.find(record, &NORMAL_FORCE)?);
         }
+        let said_units = self.assumed(record, motion);
         for (name, factor) in &self.factors {
             for quantity in QUANTITIES.iter().filter(|quantity| quantity.name == name) {
                 record.iter_mut().chain(&mut *motion).for_each(|table| table.scale(quantity, *factor));
             }
         }
+        said.extend(said_units);
+        for table in &*record {
+            said.extend(if motion.is_empty() { units::motion(table)? } else { None });
+        }
+        for table in &*motion {
+            said.extend(units::motion(table).map_err(MeasuredError::of_motion)?);
+        }
         Ok(said)
+    }
+
+    /// Says which quantities have no unit, neither in the file nor by a factor.
+    fn assumed(&self, record: &[Sheet], motion: &[Sheet]) -> Option<String> {
+        let of_motion = if motion.is_empty() { record } else { motion };
+        let is_said = |quantity: &Quantity| {
+            self.factors.iter().any(|(name, factor)| name == quantity.name && factor.abs() != 1.0)
+        };
+        let columns = QUANTITIES.iter().filter(|quantity| !is_said(quantity)).flat_map(|quantity| {
+            let has_time = quantity.name == TIME.name;
+            let is_of_motion = has_time || [DISPLACEMENT.name, VELOCITY.name].contains(&quantity.name);
+            let record = record.iter().filter(move |_| !is_of_motion || has_time);
+            let motion = of_motion.iter().filter(move |_| is_of_motion);
+            record.chain(motion).map(move |table| (table, *quantity))
+        });
+        units::assumed(&columns.collect::<Vec<_>>())
     }
 
     /// Looks for the columns of the motion, unless one is called so.
@@ -141,12 +165,15 @@ mod tests {
         let (said, tables) = applied("t [ms];qm;vir [V];qg\n1;2;3;4\n", &[("force", 35.15)]);
         let expected =
             ["'t' was taken as time", "'vir' was taken as force, times 35.15", "'qm' was taken as displacement"];
-        assert_eq!(said.unwrap(), expected.map(|text| format!("column {text}")));
+        let said = said.unwrap();
+        assert_eq!(said[..3], expected.map(|text| format!("column {text}")));
+        assert_eq!(said[3..], ["displacement: no unit in the file, taken as m"]);
         let values = [&TIME, &FORCE, &DISPLACEMENT].map(|quantity| tables[0].column(quantity).unwrap().unwrap()[0]);
         assert_eq!(values, [1e-3, 3.0 * 35.15, 2.0]);
         // A name that says it all leaves the others alone.
         let (said, tables) = applied("time,force,displacement,v,N\n1,2,3,4,5\n", &[("displacement", -1.0)]);
-        assert_eq!(said.unwrap(), ["column 'N' was taken as normal_force"]);
+        let units = "time, force, displacement, normal_force: no unit in the file, taken as s, N, m, N";
+        assert_eq!(said.unwrap(), ["column 'N' was taken as normal_force", units]);
         assert_eq!(tables[0].column(&DISPLACEMENT).unwrap(), Some(vec![-3.0]));
         assert!(tables[0].column(&VELOCITY).unwrap().is_none());
     }
@@ -161,7 +188,8 @@ mod tests {
         };
         let [mut record, mut motion] = tables().map(|table| [table]);
         let said = named("force", "Kraft").apply(&mut record, &mut motion, &Rig::default()).unwrap();
-        assert_eq!(said, ["column 't' was taken as time"]);
+        let units = "time, force, displacement: no unit in the file, taken as s, N, m";
+        assert_eq!(said, ["column 't' was taken as time", units]);
         assert_eq!(record[0].column(&FORCE).unwrap(), Some(vec![2.0]));
         assert_eq!(motion[0].column(&DISPLACEMENT).unwrap(), Some(vec![5.0]));
         assert!(motion[0].column(&FORCE).unwrap().is_none());
@@ -226,7 +254,7 @@ mod tests {
         for heading in ["t,torque [Nm],q [rad]", "t,current [%],pos (deg)"] {
             let factors = [("force", 12.0), ("displacement", 0.5)];
             let (said, tables) = applied(&format!("{heading}\n1,2,3\n"), &factors);
-            assert_eq!(said.unwrap().len(), 3);
+            assert_eq!(said.unwrap()[3..], ["time: no unit in the file, taken as s"]);
             let values = [&FORCE, &DISPLACEMENT].map(|quantity| tables[0].column(quantity).unwrap().unwrap()[0]);
             assert_eq!(values, [24.0, 1.5], "{heading}");
         }

@@ -33,6 +33,7 @@ mod record;
 mod stencil;
 #[cfg(test)]
 mod tests;
+mod units;
 mod window;
 
 pub use alike::{Alike, SLOW};

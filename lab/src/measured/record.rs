@@ -130,6 +130,15 @@ pub enum MeasuredError {
         /// First and last time of the motion.
         motion: [f64; 2],
     },
+    /// Displacement and velocity do not belong to one motion.
+    #[error(
+        "displacement and velocity contradict each other: the displacement changes by {factor} times the integral of the \
+         velocity, must be by 0.8 to 1.2 times it: is the unit or the sign of one of them wrong?"
+    )]
+    Contradiction {
+        /// Slope of the displacement over the integral.
+        factor: f64,
+    },
     /// Numbers are too large or too small, or times too close.
     #[error(
         "{name} at {time} s is {value}: values or intervals of the file are too large or too small to compute with"
@@ -575,7 +584,7 @@ pub(super) fn around(middle: f64, half: f64) -> [f64; 2] {
     [middle - half, middle + half]
 }
 
-fn integral(time: &[f64], velocity: &[f64]) -> Vec<f64> {
+pub(super) fn integral(time: &[f64], velocity: &[f64]) -> Vec<f64> {
     let mut displacement = vec![0.0];
     for at in 1..time.len() {
         let step = 0.5 * (velocity[at] + velocity[at - 1]) * (time[at] - time[at - 1]);
