@@ -85,7 +85,8 @@ pub struct Arguments {
     /// Cross-validation: fit all parts of the records but one, in turn, and hold the law against that part
     #[arg(long, value_name = "PARTS", default_value_t = 0)]
     folds: usize,
-    /// Evaluations of the law in a search
+    /// Evaluations of the law in a search over the whole range, before least squares; at least those of its first
+    /// generations are made, 48 or 16 for each unknown (62 by the genetic algorithm)
     #[arg(long, default_value_t = Task::default().budget)]
     budget: u64,
     /// Seed of the search and of the repetitions
