@@ -37,7 +37,7 @@ mod unseen;
 mod warnings;
 
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::Ordering;
 
 use stribeck::catalogue::{self, Family};
 use stribeck::instance::Instance;
@@ -321,20 +321,25 @@ fn side_by_side<T: Send>(
     work: impl Fn(usize, &'static ModelType) -> T + Sync,
 ) -> Vec<Option<T>> {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let next = AtomicUsize::new(0);
-    let begin = Mutex::new(begin);
+    // Both under one lock: an end that `begin` asks for is one after the laws it has heard of.
+    let next = Mutex::new((0, begin));
     let found = Mutex::new(laws.iter().map(|_| None).collect::<Vec<Option<T>>>());
+    let pick = || {
+        let mut next = next.lock().ok()?;
+        let (number, begin) = &mut *next;
+        let law = *laws.get(*number)?;
+        if stops && *number > 0 && watch.cancel.load(Ordering::Relaxed) {
+            return None;
+        }
+        begin(law);
+        *number += 1;
+        Some((*number - 1, law))
+    };
     let all = || {
-        while let Some((number, law)) = pick(laws, &next) {
-            if let Ok(mut begin) = begin.lock() {
-                begin(law);
-            }
+        while let Some((number, law)) = pick() {
             let one = work(number, law);
             if let Ok(mut found) = found.lock() {
                 found[number] = Some(one);
-            }
-            if stops && watch.cancel.load(Ordering::Relaxed) {
-                break;
             }
         }
     };
@@ -345,11 +350,6 @@ fn side_by_side<T: Send>(
         all();
     });
     found.into_inner().unwrap_or_default()
-}
-
-fn pick(laws: &[&'static ModelType], next: &AtomicUsize) -> Option<(usize, &'static ModelType)> {
-    let number = next.fetch_add(1, Ordering::Relaxed);
-    laws.get(number).map(|law| (number, *law))
 }
 
 /// Fits a law to experiments.
