@@ -509,6 +509,11 @@ fn impossible_wishes_are_refused() {
         ("Dahl", fixed("mass", f64::NAN), "mass = NaN: must be a finite number"),
         (
             "Dahl",
+            Wishes { fitted: vec!["mass".into()], ..fixed("mass", 3.0) },
+            "mass = 3: is held, and to be fitted too",
+        ),
+        (
+            "Dahl",
             Wishes { fitted: vec!["mas".into()], ..none() },
             "parameter 'mas' does not exist (did you mean 'mass'?)",
         ),

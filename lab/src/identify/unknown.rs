@@ -311,6 +311,9 @@ fn check_names(law: &ModelType, known: &[(usize, Variable)], wishes: &Wishes) ->
         }
     }
     for (name, value) in &wishes.fixed {
+        if wishes.fitted.contains(name) {
+            return Err(Fault::value(format_args!("{name} = {value}: is held, and to be fitted too")));
+        }
         let variable = known.iter().map(|(_, variable)| variable).find(|variable| variable.path.to_string() == *name);
         if let Some(variable) = variable.filter(|variable| !variable.admits(*value)) {
             return Err(Fault::value(format_args!("{name} = {value}: must be {}", variable.bound)));
