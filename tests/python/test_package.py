@@ -600,7 +600,9 @@ def test_identify_gives_the_numbers_of_the_command_line(rig):
     # The window of the filter and the differences of the second order; at the ends the filter has one side only.
     apart = again["friction_force"] + 2.0 * acceleration - record["explained"]
     assert numpy.abs(apart[record["fitted"]]).max() < 0.05
-    assert "mu_k = 0.2" in repr(found)
+    text = found.best.estimates["mu_k"].text
+    assert text.startswith(f"{found.best.values['mu_k']:.5f} (95 %: {low:.5f} to {high:.5f}; repeated ")
+    assert f"  mu_k: {text}\n" in repr(found)
 
 
 def test_identify_takes_arrays_and_gives_no_number_for_what_is_not_determined(rig):
