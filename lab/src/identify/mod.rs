@@ -45,6 +45,7 @@ use stribeck::model::ModelType;
 
 pub use estimate::Estimate;
 pub use experiment::{Experiment, Rest, names};
+#[cfg(feature = "workbench")]
 pub(crate) use output::known;
 pub use output::{Difference, EARLY, Reference, as_json, difference, of_law, preset, respond};
 pub use rank::{APART, Rank, rank};
