@@ -12,19 +12,28 @@ pub(super) fn check(record: &Record, rig: &Rig) -> Result<(), MeasuredError> {
         let wanted = format!("at least {} s for the intervals of the file, or 0 for that", short(shortest));
         return Err(MeasuredError::Rig { name: "window", value, wanted });
     }
-    let energy = work(record);
+    let energy = work(record, rig);
     if energy < 0.0 {
         let motion = if record.is_differentiated { "displacement" } else { "velocity" };
-        return Err(MeasuredError::Drives { energy: -energy, fastest: record.quality.fastest, motion });
+        let (fastest, mass) = (record.quality.fastest, rig.mass);
+        return Err(MeasuredError::Drives { energy: -energy, fastest, motion, mass });
     }
     Ok(())
 }
 
-/// Work of the friction force, J.
-fn work(record: &Record) -> f64 {
+/// Work of the friction force, J: from turn to turn where a mass may be missing, since there it has no kinetic energy; 0 if
+/// nothing can be said.
+fn work(record: &Record, rig: &Rig) -> f64 {
     let (f, x) = (&record.friction_force, &record.displacement);
+    let turns = || (1..x.len()).filter(|at| record.velocity[at - 1] * record.velocity[*at] <= 0.0);
+    let part = match (turns().next(), turns().next_back()) {
+        _ if rig.mass > 0.0 => 1..x.len(),
+        (Some(first), Some(last)) if first < last => first + 1..last,
+        _ if rig.is_axis => return 0.0,
+        _ => 1..x.len(),
+    };
     // Samples may be far apart, and the inertia of an unknown mass is in the force: its mean belongs to each way.
-    (1..x.len()).map(|at| 0.5 * (f[at] + f[at - 1]) * (x[at] - x[at - 1])).sum()
+    part.map(|at| 0.5 * (f[at] + f[at - 1]) * (x[at] - x[at - 1])).sum()
 }
 
 /// A number with six digits at most, for a text.
@@ -35,6 +44,28 @@ pub(super) fn short(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A body that the force brakes gives energy back; without its mass that says nothing about signs, except from turn to
+    /// turn.
+    #[test]
+    fn a_body_that_brakes_is_not_taken_for_friction_that_drives() {
+        let text = |sign: f64, turns: f64| {
+            let rows = (0..500).map(|k| f64::from(k) * 1e-3).map(|t| {
+                let (sine, cosine) = (turns * (t + 0.3)).sin_cos();
+                let force = -20.0 * 0.1 * turns * sine + 0.5 * cosine.signum();
+                format!("{t},{},{}\n", sign * force, 0.1 / turns * sine * turns)
+            });
+            "time,force,displacement\n".to_owned() + &rows.collect::<String>()
+        };
+        let is_refused = |text: &str, is_axis: bool| {
+            let rig = Rig { normal_force: Some(1.0), is_axis, ..Rig::default() };
+            let sheet = crate::sheet::Sheet::parse(text).unwrap();
+            matches!(Record::of(&sheet, None, &rig), Err(MeasuredError::Drives { .. }))
+        };
+        assert!(!is_refused(&text(1.0, 2.0), true), "one stroke that ends slower than it began");
+        assert!(!is_refused(&text(1.0, 40.0), true) && !is_refused(&text(1.0, 40.0), false), "strokes to and fro");
+        assert!(is_refused(&text(-1.0, 40.0), true) && is_refused(&text(-1.0, 40.0), false), "a wrong sign");
+    }
 
     #[test]
     fn numbers_in_texts_are_short() {

@@ -167,7 +167,7 @@ pub enum MeasuredError {
     /// Friction would drive the slider.
     #[error(
         "friction gives {energy:.3e} J to the slider, at up to {fastest:.4} m/s: force and {motion} are positive in \
-         opposite directions, or a unit or the mass is wrong"
+         opposite directions, or a unit, or the mass of {mass} kg, is wrong"
     )]
     Drives {
         /// The energy, J.
@@ -176,6 +176,8 @@ pub enum MeasuredError {
         fastest: f64,
         /// Quantity that the motion is taken from.
         motion: &'static str,
+        /// Mass between load cell and contact, kg.
+        mass: f64,
     },
 }
 
