@@ -306,6 +306,18 @@ impl Experiment {
         high - low
     }
 
+    /// Work of the force as a part of that of the largest one along the whole way; 1 if there is hardly one.
+    pub(super) fn dissipated(&self) -> f64 {
+        let (mut work, mut way, mut largest) = (0.0, 0.0_f64, f64::MIN_POSITIVE);
+        for at in 1..self.time.len() {
+            let step = self.mean_velocity(at - 1) * (self.time[at] - self.time[at - 1]);
+            work += 0.5 * (self.force[at] + self.force[at - 1]) * step;
+            way += step.abs();
+            largest = f64::max(largest, self.force[at].abs());
+        }
+        if way.is_normal() { work / (way * largest) } else { 1.0 }
+    }
+
     /// Mean velocity between a sample and the next one.
     pub(super) fn mean_velocity(&self, at: usize) -> f64 {
         0.5 * (self.velocity[at] + self.velocity[at + 1])
@@ -354,6 +366,17 @@ mod tests {
     use super::super::tests::{estimate, fitted, measured, noise, quick, standard};
     use super::super::{Task, held_out};
     use super::*;
+
+    /// Strokes shorter than the contact yields, from an unloaded contact: the force goes one way only.
+    #[test]
+    fn a_stiffness_is_found_in_pre_sliding_alone() {
+        let even = standard(1000);
+        let velocity = even.velocity.iter().map(|v| 0.003 * v).collect();
+        let data = measured("Dahl", &[("sigma_0", 3e4), ("mu_k", 0.2)], &Experiment { velocity, ..even }, 0.01, 1);
+        let fit = fitted("Dahl", &[data], &quick());
+        let one = estimate(&fit, "sigma_0");
+        assert!(one.verdict == super::super::Verdict::Determined && (one.value / 3e4 - 1.0).abs() < 0.1, "{one:?}");
+    }
 
     /// Strokes of 0.9 s and pauses of 0.6 s, in which the contact holds half of its level. The filter of the displacement
     /// sees motion before it begins.

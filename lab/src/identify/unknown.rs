@@ -117,7 +117,12 @@ pub(super) struct Magnitudes {
     travel: f64,
     interval: f64,
     duration: f64,
+    /// Work of the force as a part of that of the largest one along the whole way.
+    dissipated: f64,
 }
+
+/// The same part from which the contact slides (chosen): sliding dissipates most of it, pre-sliding gives much of it back.
+const ELASTIC: f64 = 0.3;
 
 impl Magnitudes {
     pub fn of(experiments: &[Experiment]) -> Magnitudes {
@@ -131,17 +136,20 @@ impl Magnitudes {
             travel: most(&Experiment::travel),
             interval: least(&|one| one.duration() / (one.time.len() - 1) as f64),
             duration: most(&Experiment::duration),
+            dissipated: most(&Experiment::dissipated),
         }
     }
 
     /// Range and scale of a variable, by its unit (chosen: wide enough for any contact that such data can show).
     fn range(&self, variable: &Variable, unit: &str) -> ([f64; 2], Scale) {
-        let Magnitudes { force, load, speed, travel, interval, duration } = *self;
+        let Magnitudes { force, load, speed, travel, interval, duration, dissipated } = *self;
+        // Strokes within the pre-sliding displacement may start anywhere on the way to sliding.
+        let yields = if dissipated < ELASTIC { 0.05 } else { 2.0 };
         let (range, scale) = match unit {
             "1" if variable.path.to_string().starts_with("mu") => ([0.0, 2.0 * force / load], Scale::Linear),
             "m/s" => ([1e-4 * speed, speed], Scale::Logarithmic),
             "m" => ([1e-5 * travel, 0.5 * travel], Scale::Logarithmic),
-            "N/m" => ([2.0 * force / travel, 1e5 * force / travel], Scale::Logarithmic),
+            "N/m" => ([yields * force / travel, 1e5 * force / travel], Scale::Logarithmic),
             "N.s/m" => ([0.0, 100.0 * force / speed], Scale::Mixed(0.01 * force / speed)),
             "s/m" if variable.start == 0.0 => {
                 let top = 100.0 * force / (load * speed);
