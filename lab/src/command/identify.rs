@@ -496,8 +496,13 @@ fn with_findings(mut told: serde_json::Value, records: &[(String, Record)]) -> s
 fn worth(name: &str, record: &Record) -> String {
     let quality = &record.quality;
     let mut text = format!(
-        "{name}: {} samples over {:.3} s, {} reversals, up to {:.4} m/s; noise of the force {:.3e} N\n",
-        quality.samples, quality.duration, quality.reversals, quality.fastest, quality.noise
+        "{name}: {} samples over {:.3} s, {} reversal{}, up to {:.4} m/s; noise of the force {:.3e} N\n",
+        quality.samples,
+        quality.duration,
+        quality.reversals,
+        if quality.reversals == 1 { "" } else { "s" },
+        quality.fastest,
+        quality.noise
     );
     if record.alike.is_some() {
         text += &format!(
@@ -595,12 +600,6 @@ fn save(arguments: &Arguments, best: &Fit) -> Result<(), Failure> {
     }
     if !left.is_empty() {
         eprintln!("stribeck: {}: left out, because it is not determined: {}", path.display(), left.join(", "));
-    }
-    if let Some(level) = best.least_static() {
-        eprintln!(
-            "stribeck: {}: mu_s = {level} all the same, the kinetic level: the law refuses its start value, which is lower",
-            path.display()
-        );
     }
     Ok(())
 }

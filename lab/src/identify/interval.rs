@@ -12,9 +12,13 @@ use stribeck::number::Real;
 use super::problem::Problem;
 use super::search::{Found, Watch, polish, polish_until};
 use super::trust::{Elsewhere, Residuals, Trust, Verdict, WIDTH};
+use super::unknown::Scale;
 
 /// Rise of the sum of squares, in variances, at the ends of an interval that holds in 95 % of cases.
 const RISE: f64 = WIDTH * WIDTH;
+
+/// Rise from which noise is not the reason that an effect is seen (chosen: four standard deviations).
+const SURE: f64 = 16.0;
 
 /// Trials on the way to an end (chosen).
 const TRIALS: usize = 12;
@@ -67,6 +71,24 @@ impl Ended<'_> {
         let most = if direction > 0.0 { 1.0 - best.places[number] } else { best.places[number] };
         let distance = crossing(rise, WIDTH * self.step(number), most);
         problem.unknowns[number].value(best.places[number] + direction * distance)[0]
+    }
+
+    /// Unknowns on a logarithmic scale that may as well be at an end of their range, where they have no effect, with the
+    /// value there. If noise is what tells an unknown, which it does in one of twenty records, its interval is wrong.
+    pub fn without_effect(&self) -> Vec<(usize, f64)> {
+        let Ended { problem, trust, .. } = *self;
+        let is_told = |number: &usize| {
+            problem.unknowns[*number].scale == Scale::Logarithmic && trust.verdicts[*number] == Verdict::Determined
+        };
+        let is_alike = |number: usize, place: f64| {
+            let end = held(problem, &self.start(number, place), number, place, self.gain());
+            self.rise(&end) < SURE
+        };
+        let alike = |number: usize| {
+            let place = [0.0, 1.0].into_iter().find(|place| is_alike(number, *place))?;
+            Some((number, problem.unknowns[number].value(place)[0]))
+        };
+        (0..problem.unknowns.len()).filter(is_told).filter_map(alike).collect()
     }
 
     /// Places that explain the force as well, with each unknown that the data do not determine held elsewhere: far from
@@ -392,6 +414,21 @@ mod tests {
         });
         let width = whole[1] - whole[0];
         assert!(whole.iter().zip(quick).all(|(a, b)| (a - b).abs() < 0.03 * width), "{whole:?} {quick:?}");
+    }
+
+    /// Friction that has almost fallen where the motion is slowest: a fall at a speed that does not occur explains the
+    /// force almost as well, and noise would decide between them.
+    #[test]
+    fn an_effect_that_noise_may_feign_is_not_told() {
+        let even = standard(400);
+        let fast = |v: &f64| v + 0.1_f64.copysign(*v);
+        let sliding = Experiment { velocity: even.velocity.iter().map(fast).collect(), ..even };
+        for seed in [0, 2] {
+            let data = measured("Stribeck", &[("stribeck_velocity", 0.06)], &sliding, 0.01, seed);
+            let fit = fitted("Stribeck", &[data], &Task { profiles: true, ..quick() });
+            let told = estimate(&fit, "stribeck_velocity").verdict.to_string();
+            assert!(told.ends_with("an end of its range, the force is explained almost as well"), "{told}");
+        }
     }
 
     /// A curve without transition behind a stiff spring is the best of all places around it, and far from the truth.

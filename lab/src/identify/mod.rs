@@ -231,6 +231,9 @@ pub fn laws_named(names: &[String]) -> Result<Vec<&'static ModelType>, Fault> {
         return Ok(laws().collect());
     }
     let known = || laws().map(|law| law.name);
+    if let Some(twice) = (1..names.len()).map(|at| &names[at]).zip(1..).find(|(name, at)| names[..*at].contains(name)) {
+        return Err(Fault::value(format_args!("friction law '{}' is given twice", twice.0)));
+    }
     let find = |name: &String| catalogue::by_name(name).ok_or_else(|| Fault::unknown("friction law", name, known()));
     names.iter().map(find).collect()
 }
@@ -398,6 +401,7 @@ fn fit_from(
         judged = judge(&problem, &best, task, watch, searches, &ends)?;
     }
     let mut fit = finish(&problem, task, watch, &best, &judged, shift)?;
+    fit.warnings.extend(fit.static_warning());
     if task.folds > 0 && !fit.is_cancelled && !is_far {
         fit.saw(folds(law, experiments, task.folds, task, watch)?);
     }
@@ -605,6 +609,10 @@ fn doubted(
     if let Some(reason) = searches.doubt() {
         trust.verdicts.iter_mut().for_each(|verdict| *verdict = Verdict::Undetermined(reason.to_owned()));
     } else if profiles {
+        for (number, end) in (Ended { problem, best, seen, trust: &trust }).without_effect() {
+            let reason = format!("at {}, an end of its range, the force is explained almost as well", digits(end));
+            trust.verdicts[number] = Verdict::Undetermined(reason);
+        }
         trust.elsewhere = Ended { problem, best, seen, trust: &trust }.elsewhere();
         for (number, other) in (Ended { problem, best, seen, trust: &trust }).dependent() {
             let name = &problem.unknowns[other].name;

@@ -115,11 +115,20 @@ impl Fit {
     }
 
     /// The kinetic level, if the static one is not determined and has a start value below it: the law takes no less.
-    pub fn least_static(&self) -> Option<f64> {
+    fn least_static(&self) -> Option<f64> {
         let values = self.values();
         let value = |name: &str| values.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
         let start = self.law.table.at(self.law.find("mu_s")?).start;
         value("mu_k").filter(|kinetic| value("mu_s").is_none() && start < *kinetic)
+    }
+
+    /// Says so.
+    pub(super) fn static_warning(&self) -> Option<String> {
+        let level = digits(self.least_static()?);
+        Some(format!(
+            "mu_s is not determined, and the law refuses its start value, which is below mu_k: parameter \
+             sets have mu_s = {level}, the kinetic level"
+        ))
     }
 
     /// The values, with the kinetic level for the static one where the law refuses its start value.
@@ -221,7 +230,7 @@ pub fn as_json(ranking: &Ranking) -> serde_json::Value {
             "correlations": fit.correlation,
             "evaluations": fit.evaluations,
             "warnings": fit.warnings,
-            "values": fit.values().into_iter().collect::<BTreeMap<String, f64>>(),
+            "values": fit.accepted().into_iter().collect::<BTreeMap<String, f64>>(),
             "early": fit.is_cancelled.then_some(EARLY),
             "estimates": fit.estimates.iter().map(|one| estimate(one, fit.searches)).collect::<Vec<_>>(),
         })
@@ -298,6 +307,7 @@ mod tests {
         let values = fit.values();
         assert_eq!(values.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["mu_k"], "{:?}", fit.estimates);
         assert_eq!(fit.least_static(), Some(values[0].1));
+        assert!(fit.warnings.iter().any(|one| one.contains("the kinetic level")), "{:?}", fit.warnings);
         assert!(fit.parameter_set("sliding").is_ok());
         assert!(fit.configuration().text().contains("mu_s"));
     }

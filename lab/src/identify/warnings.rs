@@ -10,7 +10,7 @@ use super::{Estimate, Experiment, SYSTEMATIC};
 
 /// Correlation of neighbours from which it is not noise that is left, although it swings so often that few samples count
 /// as one (chosen).
-const ALIKE: f64 = 0.5;
+const ALIKE: f64 = 0.3;
 
 pub(super) fn warnings(
     problem: &Problem,
@@ -42,7 +42,7 @@ pub(super) fn warnings(
     } else if seen.neighbours > ALIKE {
         list.push(format!(
             "the residuals are not noise (neighbours are correlated by {:.2}): an effect outside the law acts, such as \
-             a ripple along the way, and the intervals may not hold",
+             a ripple along the way or another delay, and the intervals may not hold",
             seen.neighbours
         ));
     }
