@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use lab::identify::{Experiment, Task, Watch, Wishes, as_json, axis, fit_all, held_out, laws_named, names};
 use lab::measured::{Columns, Delay, Record, Rig};
-use lab::sheet::{Sheet, tables};
+use lab::sheet::{DISPLACEMENT, NORMAL_FORCE, Sheet, TIME, VELOCITY, tables};
 use lab::system::Fault;
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -73,20 +73,93 @@ impl Known {
     }
 }
 
-/// A table: the path of a file, or a dictionary of arrays.
-fn sheet(table: &Bound<PyAny>) -> PyResult<Sheet> {
-    if let Ok(columns) = table.cast::<PyDict>() {
-        let columns: Vec<(String, Vec<f64>)> =
-            columns.iter().map(|(name, values)| Ok((name.extract()?, values.extract()?))).collect::<PyResult<_>>()?;
-        return Sheet::of_columns(&columns).map_err(refused);
+/// A column as it comes from Python.
+enum Values {
+    Array(Vec<f64>),
+    /// The same number for all samples.
+    Single(f64),
+    /// What is wrong with it, which matters only if the column is used.
+    Wrong(String),
+}
+
+impl Values {
+    fn of(values: &Bound<PyAny>) -> PyResult<Values> {
+        if let Ok(text) = values.extract::<String>() {
+            return Ok(Values::Wrong(text));
+        }
+        values.extract().map(Values::Array).or_else(|_| values.extract().map(Values::Single))
     }
-    let path = table.extract::<PathBuf>()?;
-    let mut all = tables(&path).map_err(refused)?;
-    if all.len() != 1 {
-        let text = format!("{}: has tables of {} clocks: give the arrays of each", path.display(), all.len());
-        return Err(refused(text));
+
+    /// Numbers that stand for it in a table of so many rows.
+    fn in_table(&self, rows: usize) -> Vec<f64> {
+        match self {
+            Values::Array(values) => values.clone(),
+            Values::Single(value) => vec![*value; rows],
+            Values::Wrong(_) => vec![0.0; rows],
+        }
     }
-    Ok(all.swap_remove(0))
+
+    /// What is wrong with it as the column of a quantity in a table of so many samples.
+    fn flaw(&self, quantity: &str, samples: usize, time: &str) -> Option<String> {
+        match self {
+            Values::Wrong(text) => Some(format!(" {text}")),
+            Values::Single(_) if !quantity.eq_ignore_ascii_case(NORMAL_FORCE.name) => {
+                Some(" is a single number: must be an array".to_owned())
+            }
+            Values::Single(value) => (!value.is_finite()).then(|| format!(" = {value}: must be a finite number")),
+            Values::Array(values) if values.len() != samples => {
+                Some(format!(" has {} values, {time} has {samples}", values.len()))
+            }
+            Values::Array(values) => {
+                let at = values.iter().position(|value| !value.is_finite())?;
+                Some(format!("[{at}] = {}: must be a finite number", values[at]))
+            }
+        }
+    }
+}
+
+/// The columns that a table was made of; none for a file.
+struct Given(Vec<(String, Values)>);
+
+impl Given {
+    /// A table from the path of a file, or from a dictionary of arrays.
+    fn read(table: &Bound<PyAny>) -> PyResult<(Sheet, Given)> {
+        if let Ok(columns) = table.cast::<PyDict>() {
+            let read = columns.iter().map(|(name, values)| Ok((name.extract()?, Values::of(&values)?)));
+            let columns: Vec<(String, Values)> = read.collect::<PyResult<_>>()?;
+            let rows = columns.iter().map(|(_, values)| if let Values::Array(all) = values { all.len() } else { 1 });
+            let rows = rows.max().unwrap_or(0);
+            let filled: Vec<_> = columns.iter().map(|(name, values)| (name.clone(), values.in_table(rows))).collect();
+            return Ok((Sheet::of_columns(&filled).map_err(refused)?, Given(columns)));
+        }
+        let path = table.extract::<PathBuf>()?;
+        let mut all = tables(&path).map_err(refused)?;
+        if all.len() != 1 {
+            let text = format!("{}: has tables of {} clocks: give the arrays of each", path.display(), all.len());
+            return Err(refused(text));
+        }
+        Ok((all.swap_remove(0), Given(Vec::new())))
+    }
+
+    /// Refuses columns that are used and are not what they must be. Only when all have been given the names of their
+    /// quantities is it known which are used; their order is still that in Python.
+    fn check(&self, sheet: &Sheet, who: &str, is_used: impl Fn(&str) -> bool) -> PyResult<()> {
+        let columns: Vec<_> = sheet.names().zip(&self.0).map(|(now, (name, values))| (now, name, values)).collect();
+        let time = columns.iter().find(|(now, _, _)| now.eq_ignore_ascii_case(TIME.name));
+        let Some((_, time, values)) = time else { return Ok(()) };
+        let samples = if let Values::Array(all) = values { all.len() } else { 1 };
+        for (now, name, values) in &columns {
+            if let Some(flaw) = values.flaw(now, samples, time).filter(|_| is_used(&now.to_lowercase())) {
+                return Err(refused(format_args!("{who}: {name}{flaw}")));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether a table of the motion has a quantity.
+fn is_of_motion(quantity: &str) -> bool {
+    [TIME, DISPLACEMENT, VELOCITY].iter().any(|known| known.name == quantity)
 }
 
 /// Reads records.
@@ -102,12 +175,19 @@ struct Reader<'py> {
 impl Reader<'_> {
     /// A record as it is fitted, and what is to be known of it.
     fn read(&self, name: &str, table: &Bound<PyAny>) -> PyResult<(Experiment, Vec<String>)> {
-        let mut own = [sheet(table)?];
-        let mut motion: Vec<Sheet> = self.motion.iter().map(sheet).collect::<PyResult<_>>()?;
-        let mut said = self.columns.apply(&mut own, &mut motion, &self.rig).map_err(refused)?;
+        let of = |error: &dyn std::fmt::Display| refused(format_args!("{name}: {error}"));
+        let (own, given) = Given::read(table)?;
+        let (mut other, motion): (Vec<Sheet>, Vec<Given>) =
+            self.motion.iter().map(Given::read).collect::<PyResult<Vec<_>>>()?.into_iter().unzip();
+        let mut own = [own];
+        let mut said = self.columns.apply(&mut own, &mut other, &self.rig).map_err(|error| of(&error))?;
         let [own] = own;
-        let record = Record::of(&own, motion.first(), &self.rig);
-        let record = record.map_err(|error| refused(format_args!("{name}: {error}")))?;
+        let is_elsewhere = |quantity: &str| !motion.is_empty() && quantity != TIME.name && is_of_motion(quantity);
+        given.check(&own, name, |quantity| Columns::knows(quantity) && !is_elsewhere(quantity))?;
+        for (given, sheet) in motion.iter().zip(&other) {
+            given.check(sheet, "motion", is_of_motion)?;
+        }
+        let record = Record::of(&own, other.first(), &self.rig).map_err(|error| of(&error))?;
         said.extend(record.quality.findings.iter().cloned());
         let all = Experiment::new(name, &record);
         let experiment = match self.rest {
@@ -115,8 +195,24 @@ impl Reader<'_> {
             None if self.rig.is_axis => axis::in_motion(all, &self.laws),
             None => Ok(all),
         };
-        Ok((experiment.map_err(refused)?, said))
+        let experiment = experiment.map_err(refused)?;
+        said.insert(0, format!("taken to begin {}", beginning(&experiment)));
+        Ok((experiment, said))
     }
+}
+
+/// How a record is taken to begin, in the words of the command line.
+fn beginning(experiment: &Experiment) -> &'static str {
+    if experiment.begins_in_motion() { "in steady sliding" } else { "at rest, with the contact unloaded" }
+}
+
+/// Names of records. Two files that differ only in their endings have the same, and keep their whole paths: results are
+/// found by these names.
+fn different_names(files: &[&Path]) -> Vec<String> {
+    let short = names(files);
+    let is_alone = |name: &String| short.iter().filter(|other| *other == name).count() == 1;
+    let of = |(name, file): (&String, &&Path)| if is_alone(name) { name.clone() } else { file.display().to_string() };
+    short.iter().zip(files).map(of).collect()
 }
 
 /// Arrays of each record, by its name.
@@ -144,7 +240,7 @@ pub fn identify<'py>(
     }
     let reader = Reader { columns, rig, motion, rest, laws };
     let files: Vec<&Path> = records.iter().chain(&unseen).map(|(name, _)| Path::new(name)).collect();
-    let mut names = names(&files).into_iter();
+    let mut names = different_names(&files).into_iter();
     let mut all = |tables: &[(String, Bound<'py, PyAny>)]| -> PyResult<(Vec<Experiment>, Vec<Vec<String>>)> {
         let read: PyResult<Vec<_>> =
             tables.iter().zip(names.by_ref()).map(|((_, table), name)| reader.read(&name, table)).collect();
