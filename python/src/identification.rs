@@ -129,7 +129,7 @@ impl Given {
             let columns: Vec<(String, Values)> = read.collect::<PyResult<_>>()?;
             let rows = columns.iter().map(|(_, values)| if let Values::Array(all) = values { all.len() } else { 1 });
             let rows = rows.max().unwrap_or(0);
-            let filled: Vec<_> = columns.iter().map(|(name, values)| (name.clone(), values.in_table(rows))).collect();
+            let filled: Vec<_> = columns.iter().map(|(name, values)| (readable(name), values.in_table(rows))).collect();
             return Ok((Sheet::of_columns(&filled).map_err(refused)?, Given(columns)));
         }
         let path = table.extract::<PathBuf>()?;
@@ -155,6 +155,11 @@ impl Given {
         }
         Ok(())
     }
+}
+
+/// The name of a column without what would divide or end the heading of a table.
+fn readable(name: &str) -> String {
+    name.replace([';', '\t', '\n', '\r', '"', '#'], "_")
 }
 
 /// Whether a table of the motion has a quantity.

@@ -69,9 +69,9 @@ def make_study(
 def missing_chunks(study: str | dict[str, Any], folder: str) -> tuple[int, int, list[tuple[int, int]]]: ...
 def merge_study(study: str | dict[str, Any], folder: str) -> Path: ...
 def identify(
-    records: list[tuple[str, str | dict[str, NDArray[np.float64]]]],
-    unseen: list[tuple[str, str | dict[str, NDArray[np.float64]]]],
-    motion: str | dict[str, NDArray[np.float64]] | None,
+    records: list[tuple[str, str | dict[str, NDArray[np.float64] | float | str]]],
+    unseen: list[tuple[str, str | dict[str, NDArray[np.float64] | float | str]]],
+    motion: str | dict[str, NDArray[np.float64] | float | str] | None,
     laws: list[str],
     known: dict[str, Any],
 ) -> tuple[str, list[dict[str, NDArray[np.float64 | np.bool_]]]]: ...

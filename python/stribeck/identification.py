@@ -90,8 +90,8 @@ class Identification:
         contact unloaded`, or `in steady sliding`), then which columns were taken, what is missing or doubtful."""
         self.records = records
         """For each record the arrays `time`, `velocity`, `normal_force`, `force`, `explained` by the best law, and
-        whether each sample was `fitted`: those at rest and at the ends are not. With `axis=True` they are averages
-        over pieces of the motion, as they are fitted. Arrays are called `record 1` and so on, files by their names."""
+        whether each sample was `fitted`: those at rest and at the ends are not. With `axis=True` they are averages, one
+        every half window of the filter. Arrays are called `record 1` and so on, files by their names."""
 
     @property
     def best(self) -> Fit:
@@ -168,9 +168,10 @@ def identify(
     >>> 0.95 < found.best.values["sigma_0"] / 2e4 < 1.05
     True
     """
-    if isinstance(delay, str) and delay != "find":
+    finds_delay = isinstance(delay, str)
+    if finds_delay and delay != "find":
         raise Refused(f"delay = {delay!r}: must be a number in s, or 'find'")
-    if loss not in ("squares", "robust"):
+    if not (isinstance(loss, str) and loss in ("squares", "robust")):
         raise Refused(f"loss = {loss!r}: must be 'squares' or 'robust'")
     if not isinstance(axis, bool | np.bool_):
         raise TypeError(f"axis = {axis!r}: must be True or False")
@@ -180,8 +181,8 @@ def identify(
         "window": _optional(_number, "window", window),
         "column": _pairs("columns", columns, _text),
         "scale": _pairs("scale", scale, _number),
-        "delay": None if delay == "find" else _optional(_number, "delay", delay),
-        "finds_delay": delay == "find",
+        "delay": None if finds_delay else _optional(_number, "delay", delay),
+        "finds_delay": finds_delay,
         "longest_delay": _optional(_number, "longest_delay", longest_delay),
         "skip": _number("skip", skip),
         "fix": _pairs("fix", fix, _number),
@@ -256,7 +257,8 @@ def _pairs(name: str, values: Any, check: Any) -> list[tuple[str, Any]]:
 
 
 def _has_columns(record: Any) -> bool:
-    return hasattr(record, "keys") and hasattr(record, "__getitem__")
+    # A single column of a data frame has the names of its rows as keys.
+    return hasattr(record, "keys") and hasattr(record, "__getitem__") and getattr(record, "ndim", 2) != 1
 
 
 def _several(name: str, records: Any) -> list[Any]:

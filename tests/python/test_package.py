@@ -662,7 +662,7 @@ def test_identify_takes_whatever_has_arrays_by_name(slid):
     expected = stribeck.identify(slid, **CHEAP)
     assert expected.findings["record 1"][0] == "taken to begin in steady sliding"
     frame = pandas.DataFrame(slid)
-    texts = {**slid, "note": ["x"] * 500, "day": numpy.zeros(3, "datetime64[s]"), "gaps": numpy.full(500, numpy.nan)}
+    texts = {**slid, "note": ["x"] * 500, "day": numpy.zeros(3, "datetime64[s]"), "a;#b": numpy.full(500, numpy.nan)}
     for record in (frame, texts, [frame], {name: list(values) for name, values in slid.items()}):
         assert stribeck.identify(record, **CHEAP).best.values == expected.best.values
     rest = {name: value for name, value in CHEAP.items() if name not in ("law", "normal_force")}
@@ -692,7 +692,9 @@ def test_identify_names_the_column_that_is_wrong(slid, wrong, text):
         stribeck.identify({**slid, **wrong}, **CHEAP)
 
 
-@pytest.mark.parametrize("records", [numpy.zeros((9, 3)), numpy.zeros(9, [("time", float)]), 3.0, None, [[1.0]], b"a"])
+@pytest.mark.parametrize(
+    "records", [numpy.zeros((9, 3)), numpy.zeros(9, [("time", float)]), pandas.Series([1.0]), 3.0, None, [[1.0]], b"a"]
+)
 def test_identify_says_what_a_record_may_be(records):
     with pytest.raises(TypeError, match="is no record: give the name of a file, or arrays by name"):
         stribeck.identify(records, **CHEAP)
@@ -718,6 +720,8 @@ def test_identify_says_what_a_record_may_be(records):
         ({"fit": 3}, "fit = 3: must be a name or a list of names"),
         ({"law": 3}, "law = 3: must be a name or a list of names"),
         ({"law": [3]}, "law = 3: must be a name"),
+        ({"loss": numpy.ones(2)}, "loss = array([1., 1.]): must be 'squares' or 'robust'"),
+        ({"delay": numpy.ones(2)}, "delay = array([1., 1.]): must be a number"),
         ({"axis": 1}, "axis = 1: must be True or False"),
     ],
 )
