@@ -201,14 +201,9 @@ impl Reader<'_> {
             None => Ok(all),
         };
         let experiment = experiment.map_err(refused)?;
-        said.insert(0, format!("taken to begin {}", beginning(&experiment)));
+        said.insert(0, experiment.beginning().to_owned());
         Ok((experiment, said))
     }
-}
-
-/// How a record is taken to begin, in the words of the command line.
-fn beginning(experiment: &Experiment) -> &'static str {
-    if experiment.begins_in_motion() { "in steady sliding" } else { "at rest, with the contact unloaded" }
 }
 
 /// Names of records. Two files that differ only in their endings have the same, and keep their whole paths: results are

@@ -416,9 +416,7 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     heed_interrupts();
     if !arguments.json {
         for ((name, record), experiment) in records.iter().zip(&experiments) {
-            let begin =
-                if experiment.begins_in_motion() { "in steady sliding" } else { "at rest, with the contact unloaded" };
-            println!("{}  taken to begin {begin}", worth(name, record));
+            println!("{}  {}", worth(name, record), experiment.beginning());
         }
     }
     if arguments.check {

@@ -291,9 +291,18 @@ impl Experiment {
     }
 
     /// Whether it begins in motion: faster than a hundredth of the highest speed, below which it is noise (chosen).
-    pub fn begins_in_motion(&self) -> bool {
+    pub(super) fn begins_in_motion(&self) -> bool {
         let fastest = self.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
         self.velocity[0].abs() > 0.01 * fastest
+    }
+
+    /// How it is taken to begin.
+    pub fn beginning(&self) -> &'static str {
+        if self.begins_in_motion() {
+            "taken to begin in steady sliding"
+        } else {
+            "taken to begin at rest, with the contact unloaded"
+        }
     }
 
     /// Range of the displacement, m.
