@@ -52,8 +52,9 @@ mod tests {
         let text = |sign: f64, turns: f64| {
             let rows = (0..500).map(|k| f64::from(k) * 1e-3).map(|t| {
                 let (sine, cosine) = (turns * (t + 0.3)).sin_cos();
-                let force = -20.0 * 0.1 * turns * sine + 0.5 * cosine.signum();
-                format!("{t},{},{}\n", sign * force, 0.1 / turns * sine * turns)
+                let [displacement, acceleration] = [0.1 * sine, -0.1 * turns * turns * sine];
+                let force = 20.0 / turns * acceleration + 0.5 * cosine.signum();
+                format!("{t},{},{displacement}\n", sign * force)
             });
             "time,force,displacement\n".to_owned() + &rows.collect::<String>()
         };
