@@ -227,8 +227,8 @@ pub enum DynoError {
     },
     /// The test has slow strokes only.
     #[error(
-        "no sample is faster than {fastest:.3e} m/s: up to {low_speed} m/s (low speed) friction is told from damping by \
-         faster strokes; add some, or give a lower low speed"
+        "no sample is faster than {fastest:.3e} m/s: up to {low_speed} m/s (low speed) friction cannot be \
+         separated from damping without faster strokes; add some, or give a lower low speed"
     )]
     OnlySlow {
         /// The highest speed, m/s.

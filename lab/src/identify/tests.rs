@@ -617,7 +617,7 @@ fn a_law_that_cannot_be_fitted_does_not_stop_the_others() {
         ranking.best().values(),
         [("sigma_0".to_owned(), 1e5), ("mu_k".to_owned(), ranking.best().estimates[0].value)]
     );
-    // What is held in one law is no parameter of the other.
+    // The other law does not have the parameter that is held.
     assert!(ranking.refused.is_empty(), "{:?}", ranking.refused);
     let none = fit_all(&laws[..1], &data, &task, &mut |_| {}, quiet()).map(|_| ()).unwrap_err();
     assert!(none.to_string().starts_with("Coulomb: parameter 'sigma_0' does not exist"), "{none}");

@@ -174,7 +174,7 @@ fn correlations(page: &mut Page, best: &Fit) {
     page.end_table();
 }
 
-/// What was asked for, with what is usual where nothing was.
+/// Settings of the fit, with the defaults where nothing was asked for.
 fn settings(page: &mut Page, facts: &Identification) {
     let Task { wishes, method, seed, budget, repetitions, mass, is_robust, folds, .. } = facts.task;
     page.heading("How it was fitted");
@@ -241,7 +241,7 @@ fn points(kind: Kind, record: &Record) -> Vec<[f64; 2]> {
         Kind::ForceOverDisplacement => &record.displacement,
         _ => &record.time,
     };
-    // An average that mixes both directions is no friction: the curve has a gap there.
+    // An average that mixes both directions is not friction: the curve has a gap there.
     let is_mixed = |at: usize| record.alike.as_ref().is_some_and(|alike| alike.least_speed[at] == 0.0);
     let force = |at: usize| if is_mixed(at) { f64::NAN } else { record.friction_force[at] };
     across.iter().enumerate().map(|(at, x)| [*x, force(at)]).collect()
