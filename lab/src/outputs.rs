@@ -19,7 +19,7 @@ pub fn file(path: &Path, endings: &[&str]) -> Result<(), Fault> {
         return refused("is a folder, must be a file".to_owned());
     }
     let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    if parent.is_dir() { Ok(()) } else { refused(format!("there is no folder {}", parent.display())) }
+    if parent.is_dir() { Ok(()) } else { refused(format!("folder {} does not exist", parent.display())) }
 }
 
 /// Endings as a text: `.a, .b or .c`.
@@ -58,7 +58,10 @@ mod tests {
         assert!(refusal(file(&at("a"), &endings)).ends_with("a: must end in .toml or .csv"));
         assert!(refusal(file(&at("folder.toml"), &endings)).ends_with("is a folder, must be a file"));
         let absent = at("absent");
-        assert!(refusal(file(&absent.join("a.csv"), &endings)).ends_with(&absent.display().to_string()));
+        assert!(
+            refusal(file(&absent.join("a.csv"), &endings))
+                .ends_with(&format!("folder {} does not exist", absent.display()))
+        );
         assert!(folder(here.path()).is_ok() && folder(&absent.join("deeper")).is_ok());
         assert!(folder(Path::new("new")).is_ok());
         for path in [at("taken"), at("taken").join("in it")] {

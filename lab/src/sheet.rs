@@ -103,7 +103,7 @@ pub enum SheetError {
         cells: u64,
         /// Number of the headings.
         headings: u64,
-        /// What may be the reason.
+        /// Possible reason.
         hint: &'static str,
     },
     /// A required column is missing.
@@ -286,7 +286,7 @@ impl Sheet {
         }
     }
 
-    /// Unit of a column as the file says it, empty if it does not; None if there is no such column.
+    /// Unit of a column as the file gives it, empty if it gives none; None if the column does not exist.
     pub fn unit(&self, name: &str) -> Option<&str> {
         self.headings.iter().find(|heading| heading.is(name)).map(|heading| heading.unit.as_str())
     }

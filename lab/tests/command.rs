@@ -252,7 +252,7 @@ fn a_reference_of_another_law_is_said_to_be_one() {
     assert!(!said("Dahl").contains("is a set of"));
 }
 
-/// What a record can determine is told without a number, and not as JSON.
+/// `--check` says what a record can determine, without numbers, and refuses `--json`.
 #[test]
 fn what_can_be_determined_is_told_first() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -334,7 +334,7 @@ fn files_that_cannot_be_written_are_refused_first() {
     let damper = ["damper", "absent.csv"];
     for (command, option, name, expected) in [
         (&identify[..], "--out", &text, "must end in .toml, .csv or .ssv".to_owned()),
-        (&identify[..], "--out", &nowhere, format!("there is no folder {}", file("absent"))),
+        (&identify[..], "--out", &nowhere, format!("folder {} does not exist", file("absent"))),
         (&identify[..], "--report", &page, "must end in .html".to_owned()),
         (&identify[..], "--curves", &taken, format!("must be a folder; {taken} is a file")),
         (&tyre[..], "--out", &text, "must end in .tir".to_owned()),

@@ -78,7 +78,7 @@ enum Values {
     Array(Vec<f64>),
     /// The same number for all samples.
     Single(f64),
-    /// What is wrong with it, which matters only if the column is used.
+    /// Description of what is wrong with it, which matters only if the column is used.
     Wrong(String),
 }
 
@@ -99,7 +99,7 @@ impl Values {
         }
     }
 
-    /// What is wrong with it as the column of a quantity in a table of so many samples.
+    /// Description of what is wrong with it as the column of a quantity, in a table with this many samples.
     fn flaw(&self, quantity: &str, samples: usize, time: &str) -> Option<String> {
         match self {
             Values::Wrong(text) => Some(format!(" {text}")),

@@ -265,7 +265,7 @@ def _several(name: str, records: Any) -> list[Any]:
     """Records, of which a single one needs no list."""
     if isinstance(records, str | os.PathLike) or _has_columns(records):
         return [records]
-    # The rows of an array are no records.
+    # The rows of an array are not records.
     if isinstance(records, bytes | np.ndarray) or not isinstance(records, Iterable):
         raise _no_record(name, records)
     return list(records)
@@ -273,7 +273,7 @@ def _several(name: str, records: Any) -> list[Any]:
 
 def _no_record(name: str, record: Any) -> TypeError:
     return TypeError(
-        f"{name}: {type(record).__name__} is no record: give the name of a file, or arrays by name, as in "
+        f"{name}: {type(record).__name__} is not a record: give the name of a file, or arrays by name, as in "
         '{"time": ..., "force": ..., "displacement": ...} or a data frame'
     )
 

@@ -154,7 +154,7 @@ impl Fit {
         }
     }
 
-    /// What is known of an axis besides its friction.
+    /// Known parameters of an axis besides those of its friction.
     fn axis(&self) -> Vec<(&'static str, f64)> {
         let Some(load) = self.axis_load else { return Vec::new() };
         let is_known = |name: &str| self.undetermined().all(|open| open != name);

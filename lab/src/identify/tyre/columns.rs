@@ -57,7 +57,7 @@ pub enum TyreTestError {
         name: String,
         /// The value.
         value: f64,
-        /// What may be the reason, if the file says no unit.
+        /// Possible reason, if the file gives no unit.
         hint: String,
     },
     /// There are too few samples.

@@ -1,0 +1,183 @@
+"""Identification in Python against the command line and closed forms; and what it refuses."""
+
+import json
+import re
+
+import numpy
+import pandas
+import pytest
+import stribeck
+from command_line import program
+
+
+@pytest.fixture(scope="module")
+def rig(tmp_path_factory):
+    """A record of a virtual rig with Dahl's law, written by the command line."""
+    folder = tmp_path_factory.mktemp("rig")
+    values = ["--set", "mu_k=0.2", "--set", "sigma_0=3e4"]
+    program("rig", "--law", "Dahl", "--duration", "1", *values, "--out", folder)
+    return folder / "force.csv"
+
+
+def test_identify_gives_the_numbers_of_the_command_line(rig):
+    found = stribeck.identify(rig, ["Coulomb", "Dahl"], mass=2.0, normal_force=20.0, repetitions=10)
+    arguments = ["--law", "Coulomb,Dahl", "--mass", "2", "--normal-force", "20", "--repetitions", "10", "--json"]
+    output = program("identify", rig, *arguments).stdout
+    for fit, other in zip(found.fits, json.loads(output)["laws"], strict=True):
+        assert (fit.law, fit.rms, fit.values) == (other["law"], other["rms"], other["values"])
+        assert [one.value for one in fit.estimates.values()] == [one["value"] for one in other["estimates"]]
+    assert found.best.law == "Dahl"
+    assert not found.fits[1].tied
+    low, high = found.best.estimates["mu_k"].interval
+    assert low < 0.2 < high
+    record = found.records["force"]
+    rest = (record["force"] - record["explained"])[record["fitted"]]
+    assert 0 < rest.size < record["force"].size
+    assert numpy.sqrt(numpy.sum(rest**2) / (rest.size - 2)) == pytest.approx(found.best.rms, rel=1e-12)
+    again = stribeck.simulate("Dahl", velocity=record["velocity"], normal_force=20.0, dt=1e-3, **found.best.values)
+    acceleration = numpy.gradient(record["velocity"], 1e-3)
+    # The window of the filter and the differences of the second order; at the ends the filter has one side only.
+    apart = again["friction_force"] + 2.0 * acceleration - record["explained"]
+    assert numpy.abs(apart[record["fitted"]]).max() < 0.05
+    text = found.best.estimates["mu_k"].text
+    assert text.startswith(f"{found.best.values['mu_k']:.5f} (95 %: {low:.5f} to {high:.5f}; repeated ")
+    assert f"  mu_k: {text}\n" in repr(found)
+
+
+def test_identify_takes_arrays_and_gives_no_number_for_what_is_not_determined(rig):
+    table = numpy.genfromtxt(rig, delimiter=",", names=True)
+    record = dict(zip(("time", "force", "displacement"), (table[name] for name in table.dtype.names), strict=True))
+    known = {"mass": 2.0, "normal_force": 20.0, "repetitions": 0}
+    found = stribeck.identify(record, "Dahl", **known)
+    assert found.best.values == stribeck.identify(rig, "Dahl", **known).best.values
+    drive = {"t": record["time"], "x": record["displacement"], "u": record["force"] / 2}
+    held = stribeck.identify(drive, "Dahl", fix={"sigma_0": 3e4}, scale={"force": 2.0}, **known)
+    assert held.findings["record 1"][:4] == [
+        "taken to begin at rest, with the contact unloaded",
+        "column 't' was taken as time",
+        "column 'u' was taken as force, times 2",
+        "column 'x' was taken as displacement",
+    ]
+    assert held.best.values["sigma_0"] == 3e4
+    assert set(held.best.estimates) == {"mu_k"}
+    radius = stribeck.identify(record, "RollingResistance", **known).best
+    assert radius.estimates["wheel_radius"].value is None
+    assert "wheel_radius" not in radius.values
+    for wrong, text in [
+        ({"time": record["time"], "force": record["force"]}, "no column 'displacement'"),
+        ({}, "no column 'time'; there are no columns"),
+        (drive, "'u' may be the force, but not in N: give the factor to N"),
+        ({"t": drive["t"], "F": drive["u"], "x": drive["x"], "q": drive["x"]}, "displacement: 'x', 'q' may be it"),
+    ]:
+        with pytest.raises(stribeck.Refused, match=re.escape(text)):
+            stribeck.identify(wrong, "Dahl", **known)
+    with pytest.raises(stribeck.Refused, match="did you mean 'Dahl'"):
+        stribeck.identify(record, "Dal", **known)
+    with pytest.raises(stribeck.Refused, match="did you mean 'sigma_0'"):
+        stribeck.identify(record, "Dahl", fix={"sigma": 1.0}, **known)
+    with pytest.raises(stribeck.Refused, match="no law was given"):
+        stribeck.identify(record, [], **known)
+    with pytest.raises(stribeck.Refused, match="built without MDF"):
+        stribeck.identify("record.mf4", "Dahl", **known)
+    with pytest.raises(stribeck.Refused, match="motion: is for a single record"):
+        stribeck.identify([record, dict(record)], "Dahl", motion=drive, **known)
+    with pytest.raises(stribeck.Refused, match="longest_delay = 0.01: needs delay="):
+        stribeck.identify(record, "Dahl", longest_delay=0.01, **known)
+
+
+@pytest.fixture(scope="module")
+def slid():
+    """A record that begins in steady sliding, as arrays."""
+    time = 1e-3 * numpy.arange(500)
+    velocity = 0.01 + 0.02 * numpy.sin(20.0 * time) ** 2
+    noise = numpy.random.default_rng(1).normal(0.0, 0.05, time.size)
+    return {"time": time, "velocity": velocity, "force": 2.0 + noise}
+
+
+CHEAP = {"law": "Coulomb", "normal_force": 20.0, "repetitions": 0, "budget": 50}
+
+
+def test_identify_takes_whatever_has_arrays_by_name(slid):
+    expected = stribeck.identify(slid, **CHEAP)
+    assert expected.findings["record 1"][0] == "taken to begin in steady sliding"
+    frame = pandas.DataFrame(slid)
+    texts = {**slid, "note": ["x"] * 500, "day": numpy.zeros(3, "datetime64[s]"), "a;#b": numpy.full(500, numpy.nan)}
+    for record in (frame, texts, [frame], {name: list(values) for name, values in slid.items()}):
+        assert stribeck.identify(record, **CHEAP).best.values == expected.best.values
+    rest = {name: value for name, value in CHEAP.items() if name not in ("law", "normal_force")}
+    law = stribeck.law("Coulomb")
+    for load in (20.0, numpy.full(500, 20.0)):
+        assert stribeck.identify({**slid, "normal_force": load}, law, **rest).best.values == expected.best.values
+    held = stribeck.identify(slid, [law], hold_out=frame, fit="offset", **{**rest, "normal_force": 20.0})
+    assert list(held.best.unseen) == ["held out 1"]
+
+
+@pytest.mark.parametrize(
+    ("wrong", "text"),
+    [
+        ({"force": numpy.zeros(499)}, "record 1: force has 499 values, time has 500"),
+        ({"force": numpy.zeros((500, 2))}, "record 1: force has the shape (500, 2): must have one dimension"),
+        ({"force": ["x"] * 500}, "record 1: force must be numbers, not <U1"),
+        ({"force": numpy.zeros(500, complex)}, "record 1: force must be numbers, not complex128"),
+        ({"time": numpy.zeros(500, "datetime64[ns]")}, "record 1: time must be numbers, not datetime64[ns]"),
+        ({"force": numpy.ma.masked_less(numpy.arange(500), 9)}, "record 1: force has numbers that are masked"),
+        ({"force": numpy.where(numpy.arange(500) == 7, numpy.nan, 1.0)}, "record 1: force[7] = NaN: must be a finite"),
+        ({"force": 2.0}, "record 1: force is a single number: must be an array"),
+        ({"normal_force": numpy.inf}, "record 1: normal_force = inf: must be a finite number"),
+    ],
+)
+def test_identify_names_the_column_that_is_wrong(slid, wrong, text):
+    with pytest.raises(stribeck.Refused, match=re.escape(text)):
+        stribeck.identify({**slid, **wrong}, **CHEAP)
+
+
+@pytest.mark.parametrize(
+    "records", [numpy.zeros((9, 3)), numpy.zeros(9, [("time", float)]), pandas.Series([1.0]), 3.0, None, [[1.0]], b"a"]
+)
+def test_identify_says_what_a_record_may_be(records):
+    with pytest.raises(TypeError, match="is not a record: give the name of a file, or arrays by name"):
+        stribeck.identify(records, **CHEAP)
+
+
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [
+        ({"fix": {"mu_k": "5"}}, "fix['mu_k'] = '5': must be a number"),
+        ({"fix": "mu_k"}, "fix = 'mu_k': must be a dict"),
+        ({"scale": {"force": None}}, "scale['force'] = None: must be a number"),
+        ({"columns": {"force": 3}}, "columns['force'] = 3: must be a name"),
+        ({"ranges": {"mu_k": (0.1,)}}, "ranges['mu_k'] = (0.1,): must be two numbers"),
+        ({"ranges": {"mu_k": 0.1}}, "ranges['mu_k'] = 0.1: must be two numbers"),
+        ({"mass": None}, "mass = None: must be a number"),
+        ({"mass": "2"}, "mass = '2': must be a number"),
+        ({"normal_force": numpy.ones(2)}, "normal_force = array([1., 1.]): must be a number"),
+        ({"budget": 1e3}, "budget = 1000.0: must be a whole number"),
+        ({"seed": 1.5}, "seed = 1.5: must be a whole number"),
+        ({"seed": -1}, "seed = -1: must be >= 0"),
+        ({"repetitions": -1}, "repetitions = -1: must be >= 0"),
+        ({"folds": -1}, "folds = -1: must be >= 0"),
+        ({"fit": 3}, "fit = 3: must be a name or a list of names"),
+        ({"law": 3}, "law = 3: must be a name or a list of names"),
+        ({"law": [3]}, "law = 3: must be a name"),
+        ({"loss": numpy.ones(2)}, "loss = array([1., 1.]): must be 'squares' or 'robust'"),
+        ({"delay": numpy.ones(2)}, "delay = array([1., 1.]): must be a number"),
+        ({"axis": 1}, "axis = 1: must be True or False"),
+    ],
+)
+def test_identify_names_the_option_that_is_wrong(slid, options, text):
+    with pytest.raises((TypeError, stribeck.Refused), match=re.escape(text)):
+        stribeck.identify(slid, **{**CHEAP, **options})
+
+
+def test_identify_keeps_records_apart(slid, tmp_path):
+    for name in ("a.csv", "a.txt"):
+        pandas.DataFrame(slid).to_csv(tmp_path / name, index=False)
+    file, other = tmp_path / "a.csv", tmp_path / "a.txt"
+    assert list(stribeck.identify([file, other], **CHEAP).records) == [str(file), str(other)]
+    for records, hold_out, text in [
+        ([slid, slid], (), "record 2 is the same as record 1: give it once"),
+        (slid, slid, "held out 1 is the same as record 1: give it once"),
+        ([slid, file], str(file), f"held out 1 ({file}) is the same as record 2: give it once"),
+    ]:
+        with pytest.raises(stribeck.Refused, match=re.escape(text)):
+            stribeck.identify(records, hold_out=hold_out, **CHEAP)
