@@ -367,7 +367,7 @@ def page() -> None:
     setup()
     setup_page()
     library = write_page()
-    packages = ["stribeck-page", "stribeck-python", "libstribeck", "lab"]
+    packages = ["stribeck-page", "stribeck-python", "libstribeck", "stribeck-cli"]
     run("cargo", "build", *[word for name in packages for word in ("--package", name)])
     package(fmus=False)
     names = {"win32": "stribeck_page.dll", "darwin": "libstribeck_page.dylib"}
@@ -393,7 +393,7 @@ def demo() -> None:
     setup()
     wheel()
     run(PYTHON, "examples/fmpy/demo.py")
-    stribeck = ["cargo", "run", "--release", "--package", "lab", "--bin", "stribeck", "--"]
+    stribeck = ["cargo", "run", "--release", "--package", "stribeck-cli", "--"]
     run(*stribeck, "rig", "--law", "LuGre", "--out", "out/rig")
     known = ["--law", "LuGre", "--mass", "2", "--normal-force", "20", "--reference", "out/rig/truth.toml"]
     run(*stribeck, "identify", "out/rig/force.csv", *known, "--report", "out/identification.html")
@@ -500,12 +500,15 @@ def identified() -> None:
     """How often the intervals of an identification hold the truth: 200 seeds of every law; how fast its search is, and
     what a camera does to it; takes hours. The intervals that were counted are kept for as long as the sources are the
     same, so that a task that was ended goes on where it was."""
-    folders = ["src", "lab/src/identify", "lab/src/measured", "lab/benches"]
-    sources = [*sorted(path for folder in folders for path in (ROOT / folder).rglob("*.rs")), ROOT / "lab/src/rig.rs"]
+    folders = ["src", "lab/fit/src/identify", "lab/fit/src/measured", "lab/fit/benches"]
+    sources = [
+        *sorted(path for folder in folders for path in (ROOT / folder).rglob("*.rs")),
+        ROOT / "lab/fit/src/rig.rs",
+    ]
     state = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]
     kept = ROOT / "target" / "identified" / f"{state}.csv"
     kept.parent.mkdir(parents=True, exist_ok=True)
-    run("cargo", "bench", "--package", "lab", "--bench", "identify", IDENTIFIED=str(kept))
+    run("cargo", "bench", "--package", "stribeck-fit", "--bench", "identify", IDENTIFIED=str(kept))
 
 
 def formats() -> None:
@@ -517,7 +520,7 @@ def formats() -> None:
     python = folder / "venv" / PYTHON.relative_to(VENV)
     run(python, "-m", "pip", "install", "--quiet", "--requirement", "tests/formats/requirements.txt")
     run(python, "tests/formats/write.py", folder / "files")
-    test = ["cargo", "test", "--package", "lab", "--features", "mdf,mat", "--test", "binary"]
+    test = ["cargo", "test", "--package", "stribeck-fit", "--features", "mdf,mat", "--test", "binary"]
     run(*test, "--", "--nocapture", FORMATS=str(folder / "files"), RUST_BACKTRACE="0")
 
 

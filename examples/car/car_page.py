@@ -7,7 +7,7 @@ from pathlib import Path
 
 from coupling import PROJECT
 
-STYLE = PROJECT / "lab" / "src" / "report" / "style.css"
+STYLE = PROJECT / "lab" / "plot" / "src" / "report" / "style.css"
 
 
 def write_page(

@@ -1,8 +1,8 @@
 //! Files of damper tests, and the dampers found in them.
 #![no_main]
 
-use lab::dyno::{Damper, Options, Test, find_damper};
 use libfuzzer_sys::fuzz_target;
+use stribeck_fit::dyno::{Damper, Options, Test, find_damper};
 
 /// Maximum number of samples; more make the search slow.
 const MOST_SAMPLES: usize = 256;

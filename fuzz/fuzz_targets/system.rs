@@ -3,9 +3,9 @@
 
 use std::path::PathBuf;
 
-use lab::solve::{Grid, Method, Options, Recorder, solve};
-use lab::system::{Description, Motion, Source, System};
 use libfuzzer_sys::fuzz_target;
+use stribeck_solve::solve::{Grid, Method, Options, Recorder, solve};
+use stribeck_solve::system::{Description, Motion, Source, System};
 
 /// Most steps of a run, rejected ones included.
 const MOST_STEPS: u64 = 200;

@@ -1,9 +1,9 @@
 //! Tyre property files.
 #![no_main]
 
-use lab::tir;
 use libfuzzer_sys::fuzz_target;
 use ssp::parameter_set::ParameterSet;
+use stribeck_fit::tir;
 
 fuzz_target!(|bytes: &[u8]| {
     // As `tir::read` does.

@@ -1,10 +1,10 @@
 //! The models and their variables, as dictionaries.
 
-use lab::system::Fault;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::catalogue::{Family, documented, models};
 use stribeck::model::{Kind, ModelType, Variable};
+use stribeck_solve::system::Fault;
 
 use crate::refused;
 

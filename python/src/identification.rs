@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use lab::identify::{Experiment, Task, Watch, Wishes, as_json, axis, fit_all, held_out, laws_named, names};
-use lab::measured::{Columns, Delay, Record, Rig};
-use lab::sheet::{DISPLACEMENT, NORMAL_FORCE, Sheet, TIME, VELOCITY, tables};
-use lab::system::Fault;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::model::ModelType;
+use stribeck_fit::identify::{Experiment, Task, Watch, Wishes, as_json, axis, fit_all, held_out, laws_named, names};
+use stribeck_fit::measured::{Columns, Delay, Record, Rig};
+use stribeck_fit::sheet::{DISPLACEMENT, NORMAL_FORCE, Sheet, TIME, VELOCITY, tables};
+use stribeck_solve::system::Fault;
 
 use crate::refused;
 use crate::work::interruptible;

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use lab::study::{Description, Shard, Study};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use stribeck_solve::study::{Description, Shard, Study};
 
 use crate::entries::described;
 use crate::refused;
@@ -16,7 +16,7 @@ fn read(study: &Bound<PyAny>) -> PyResult<Study> {
     if !study.is_instance_of::<PyDict>() {
         let path: PathBuf = study.extract()?;
         let folder = path.parent().map(PathBuf::from).unwrap_or_default();
-        let description = lab::system::read(&path).map_err(refused)?;
+        let description = stribeck_solve::system::read(&path).map_err(refused)?;
         return Study::new(description, &folder).map_err(refused);
     }
     let description: Description = described(study)?;

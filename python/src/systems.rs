@@ -1,12 +1,12 @@
 //! The workbench's systems and solvers.
 
 use clap::ValueEnum;
-use lab::run::{Configuration, Outcome, Settings, Solver, run};
-use lab::solve::End;
-use lab::system::{BUILT_IN, Description, System};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use stribeck_solve::run::{Configuration, Outcome, Settings, Solver, run};
+use stribeck_solve::solve::End;
+use stribeck_solve::system::{BUILT_IN, Description, System};
 
 use crate::entries::described;
 use crate::refused;
@@ -50,7 +50,7 @@ pub fn solve<'py>(py: Python<'py>, entries: &Bound<'py, PyDict>) -> PyResult<Vec
             let settings = Settings { cancel: Some(cancel), ..chosen.settings(system)? };
             outcomes.push(run(system, &settings, &results)?);
         }
-        Ok::<_, lab::system::Fault>(outcomes)
+        Ok::<_, stribeck_solve::system::Fault>(outcomes)
     })?;
     outcomes.map_err(refused)?.into_iter().map(|outcome| as_dict(py, outcome)).collect()
 }

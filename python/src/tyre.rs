@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use lab::tir::{self, TyreFile};
 use pyo3::prelude::*;
 use stribeck::host::{Contact, MagicFormula, Side, Wrench};
 use stribeck::model::{Columns, row_of_mut, start};
+use stribeck_fit::tir::{self, TyreFile};
 
 use crate::refused;
 

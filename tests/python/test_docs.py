@@ -101,7 +101,7 @@ def test_the_commands_of_the_page_of_the_thesis_name_what_exists():
         for path in re.findall(r"(?:examples|lab|src)/\S+", command):
             assert (PROJECT / path).exists(), command
         for system in re.findall(r"--system (\S+)", command):
-            assert (PROJECT / "lab/src/system/built_in" / f"{system}.toml").exists(), command
+            assert (PROJECT / "lab/solve/src/system/built_in" / f"{system}.toml").exists(), command
         for names in re.findall(r"(?:--laws?|--model|stribeck show) ((?:\w+ ?)+)", command):
             assert set(names.split()) <= models, command
         for option in re.findall(r"--[a-z-]+", command) if command.startswith("python") else ():

@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 
 use clap::ValueEnum;
-use lab::palette::{Colours, DARK, DASHES, LIGHT};
-use lab::run::Solver;
-use lab::system::{BUILT_IN, Description, Fault};
-use lab::thesis::{CLASSES, TABLE_6_5};
 use serde_json::{Value, json};
 use ssp::parameter_set::text_of;
 use stribeck::catalogue::{Family, documented};
 use stribeck::model::{Kind, ModelType, Variable};
+use stribeck_fit::thesis::{CLASSES, TABLE_6_5};
+use stribeck_plot::palette::{Colours, DARK, DASHES, LIGHT};
+use stribeck_solve::run::Solver;
+use stribeck_solve::system::{BUILT_IN, Description, Fault};
 
 use crate::answer::Answer;
 
@@ -19,7 +19,7 @@ pub fn catalogue() -> Result<Answer, Fault> {
     let family = |family: Family| documented(family).map(|(model, _)| described(model)).collect::<Vec<_>>();
     let systems = BUILT_IN.iter().map(|(name, text)| system(name, text)).collect::<Result<Vec<_>, _>>()?;
     let solvers: Vec<_> = Solver::value_variants().iter().filter_map(ValueEnum::to_possible_value).collect();
-    let fitted = lab::identify::laws().map(|law| law.name).collect::<Vec<_>>();
+    let fitted = stribeck_fit::identify::laws().map(|law| law.name).collect::<Vec<_>>();
     let solvers = solvers.iter().map(|solver| {
         json!({ "name": solver.get_name(), "help": solver.get_help().map_or(String::new(), ToString::to_string) })
     });

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use lab::system::{Fault, spelled};
 use serde_json::json;
 use ssp::parameter_set::ParameterSet;
 use stribeck::catalogue;
+use stribeck_solve::system::{Fault, spelled};
 
 use crate::answer::Answer;
 use crate::values::texts;

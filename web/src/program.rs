@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use lab::couple::{Exchange, Train, hold, is_host};
-use lab::run::{Configuration, Settings, Solver, run};
-use lab::system::{Fault, Place, Signal, System, WireSource};
 use serde_json::json;
+use stribeck_solve::couple::{Exchange, Train, hold, is_host};
+use stribeck_solve::run::{Configuration, Settings, Solver, run};
+use stribeck_solve::system::{Fault, Place, Signal, System, WireSource};
 
 use crate::answer::Answer;
 use crate::solution::assembled;

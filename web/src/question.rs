@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use lab::run::Configuration;
 use serde::Deserialize;
+use stribeck_solve::run::Configuration;
 
 use crate::answer::Answer;
 use crate::progress::progress;

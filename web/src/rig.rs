@@ -3,15 +3,17 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use lab::identify::{self, EARLY, Experiment, Fit, Ranking, Task, Watch, Wishes, as_json, fit_all, laws_named};
-use lab::measured::{self, Delay, Record, average};
-use lab::rig::{Faults, VirtualRig};
-use lab::sheet::Sheet;
-use lab::system::Fault;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use stribeck::catalogue;
 use stribeck::model::ModelType;
+use stribeck_fit::identify::{
+    self, EARLY, Experiment, Fit, Ranking, Task, Watch, Wishes, as_json, fit_all, laws_named,
+};
+use stribeck_fit::measured::{self, Delay, Record, average};
+use stribeck_fit::rig::{Faults, VirtualRig};
+use stribeck_fit::sheet::Sheet;
+use stribeck_solve::system::Fault;
 
 use crate::answer::Answer;
 use crate::values::numbers;

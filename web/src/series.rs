@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::AtomicBool;
 
-use lab::system::{Fault, spelled};
 use serde::Deserialize;
 use serde_json::json;
 use stribeck::catalogue;
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 use stribeck::series::{Between, Course, Input, Times, follow, set_up, settle};
+use stribeck_solve::system::{Fault, spelled};
 
 use crate::answer::Answer;
 use crate::values::texts;

@@ -1,8 +1,8 @@
 //! Runs of systems.
 
-use lab::run::{Configuration, Outcome, run};
-use lab::system::{Fault, Source, System};
 use serde_json::json;
+use stribeck_solve::run::{Configuration, Outcome, run};
+use stribeck_solve::system::{Fault, Source, System};
 
 use crate::answer::Answer;
 

@@ -1,9 +1,9 @@
 //! The parts of a system, for controls.
 
-use lab::run::Configuration;
-use lab::system::{Fault, Place, Signal, System, WireSource};
 use serde_json::{Value, json};
 use stribeck::model::{Role, Variable};
+use stribeck_solve::run::Configuration;
+use stribeck_solve::system::{Fault, Place, Signal, System, WireSource};
 
 use crate::answer::Answer;
 

@@ -1,0 +1,225 @@
+//! Measurements as a page.
+
+use std::collections::BTreeSet;
+
+use super::{Measurement, RIGHT, Reference};
+use stribeck_fit::thesis::{CLASSES, TABLE_6_5};
+use stribeck_solve::run::Solver;
+
+/// Solvers in the place of those of the thesis.
+const SOLVERS: [Solver; 4] = [Solver::Dopri5, Solver::Bdf, Solver::Rosenbrock23, Solver::Dop853];
+
+/// The solvers in the place of those of the thesis, their classes, and its time for a law.
+pub(super) fn in_thesis(law: &str) -> Vec<(Solver, &'static str, String)> {
+    let times = TABLE_6_5.iter().find(|(name, _)| *name == law).map_or([None; 4], |(_, times)| *times);
+    let solvers = SOLVERS.iter().zip(CLASSES);
+    solvers.zip(times).map(|((solver, class), time)| (*solver, class, seconds(time))).collect()
+}
+
+/// A time of the thesis.
+fn seconds(time: Option<f64>) -> String {
+    time.map_or("DNC".to_owned(), |time| format!("{time:.4}"))
+}
+
+/// The page of a benchmark: its table at the tolerance of the thesis, the runs that were not right, and what accuracy
+/// costs, with links to the files of its pictures.
+pub fn page(
+    measurements: &[Measurement],
+    references: &[(String, Result<Reference, String>)],
+    tolerance: f64,
+    printed: &str,
+    pictures: &[(String, Vec<String>)],
+) -> String {
+    let mut text = format!(
+        "# Benchmark\n\nEvery law of the catalogue on the belt of Table 6.1 (40 s, 400,001 results, relative and \
+         absolute tolerance {tolerance:e}), with\n{HEAD}\n"
+    );
+    text += &format!(
+        "A motion is *right* if its position is never off by more than {} mm; *DNC* means that the solver did not \
+         come\nto the end.\n\n",
+        RIGHT * 1e3
+    );
+    text += &table(measurements, tolerance);
+    text += &thesis();
+    text += &failures(measurements, tolerance);
+    text += printed;
+    text += &uncertain(references);
+    text += SENSITIVE;
+    if !pictures.is_empty() {
+        text += &precise(measurements, pictures);
+    }
+    text
+}
+
+/// Error of the position, in m, for which the price is listed (chosen).
+const PRECISE: f64 = 1e-6;
+
+/// Fewest evaluations with which each solver keeps the error small, and the pictures of each law.
+fn precise(measurements: &[Measurement], pictures: &[(String, Vec<String>)]) -> String {
+    let solvers = solvers(measurements);
+    let names: Vec<String> = solvers.iter().map(Solver::to_string).collect();
+    let mut text = format!(
+        "\n## Work and precision\n\nFewest evaluations of the rates in a run whose position is never off by more than \
+         {PRECISE:e} m, over nine tolerances from 1e-3 to 1e-11; events located or stepped over.\n\n| law | {} \
+         |\n|---|{}\n",
+        names.join(" | "),
+        "---|".repeat(names.len())
+    );
+    for (law, _) in pictures {
+        let fewest = |solver: &Solver| {
+            let is_precise = |one: &&Measurement| {
+                one.law == *law && one.trial.solver == *solver && one.error.is_some_and(|error| error <= PRECISE)
+            };
+            let counts = measurements.iter().filter(is_precise).map(|one| one.counts[2]);
+            counts.min().map_or_else(|| "-".to_owned(), |count| count.to_string())
+        };
+        let counts: Vec<String> = solvers.iter().map(fewest).collect();
+        text += &format!("| {law} | {} |\n", counts.join(" | "));
+    }
+    for (law, files) in pictures.iter().filter(|(_, files)| !files.is_empty()) {
+        text += &format!("\n<details><summary>{law}</summary>\n\n");
+        files.iter().for_each(|file| text += &format!("![{law}]({file})\n"));
+        text += "\n</details>\n";
+    }
+    text
+}
+
+const HEAD: &str = "the solver classes of F. Novais (2024), Tables 6.3, 6.5 and 7.2, and with ours. `stribeck bench \
+thesis` writes this page
+and `benchmark.csv`; with `--work-precision` the table there has nine tolerances, events located and not.
+
+Times are medians on the machine that made the page: compare them with each other, not with those of the thesis. They
+include the 400,001 results. Laws that advance their memory themselves run by their own steps, which are halved until two
+halves agree; their error is the difference from a run at ten times the tolerance.
+";
+
+/// Laws whose motion on the belt amplifies small errors, and why.
+const SENSITIVE: &str = "
+Some of these motions amplify every error, so that no solver is as good as its tolerance:
+
+- `LinearStiction` and `Hollars` let the block creep until their force has its peak. It arrives there with an acceleration
+  of (v_0 / f_s) k v_b, 1.4e-4 m/s2 for the defaults: a velocity that is off by 1e-8 m/s is a breakaway that is off by
+  7e-5 s, and a position by 1e-5 m.
+- `Karnopp` holds the block at the velocity with which it entered the band. Each micrometre per second there moves the next
+  breakaway by 2 (f_s - f_C) / (k v_b^2), 49 us.
+- `Bristle` gives a bond that breaks a new place at random. The numbers are drawn in the order in which bonds break, so that
+  runs whose steps differ agree up to the first slip, and not in the motion after it: there is no motion to converge to.
+- `Wojewoda`, `MaxwellSlip`, `Armstrong` and `FrictionalLag` break away where their force falls with speed, and what
+  differs before grows exponentially then. Runs at 1e-6 and 1e-7 differ by 1e-10, 5e-8, 2e-9 and 9e-13 m shortly before the
+  first slip (at 7, 7, 6 and 7 s), and by 2e-4, 3e-4, 4e-5 and 8e-7 m at 8 s. Each of the four further slips adds to it,
+  and a tolerance ten times finer makes it two to four times smaller.
+";
+
+fn solvers(measurements: &[Measurement]) -> Vec<Solver> {
+    let mut found: Vec<Solver> = Vec::new();
+    for one in measurements {
+        if !found.contains(&one.trial.solver) {
+            found.push(one.trial.solver);
+        }
+    }
+    found
+}
+
+fn laws(measurements: &[Measurement]) -> Vec<&str> {
+    let mut seen = BTreeSet::new();
+    measurements.iter().map(|one| one.law.as_str()).filter(|law| seen.insert(*law)).collect()
+}
+
+fn find<'a>(all: &'a [Measurement], law: &str, solver: Solver, tolerance: f64) -> Option<&'a Measurement> {
+    let fits = |one: &&Measurement| one.law == law && one.trial.solver == solver && one.trial.tolerance == tolerance;
+    let located = all.iter().filter(fits).find(|one| one.trial.events && one.end.is_ok());
+    located.or_else(|| all.iter().find(|one| fits(one) && !one.trial.events))
+}
+
+/// Evaluations, milliseconds and verdict of each law and solver.
+fn table(measurements: &[Measurement], tolerance: f64) -> String {
+    let solvers = solvers(measurements);
+    let mut text = String::from(
+        "## All laws, all solvers\n\nEvaluations of the rates / ms / largest error in m. Events are located where the \
+         solver can do so. For laws made of straight lines rodas5p is exact, as is what it is compared with (0e0): what \
+         both are worth is in the last column of the references.\n\n| law |",
+    );
+    for solver in &solvers {
+        let class = SOLVERS.iter().position(|one| one == solver).map(|at| CLASSES[at]);
+        text += &class.map_or_else(|| format!(" {solver} |"), |class| format!(" {solver} ({class}) |"));
+    }
+    text += &format!("\n|---|{}\n", "---|".repeat(solvers.len()));
+    for law in laws(measurements) {
+        text += &format!("| {law} |");
+        for solver in &solvers {
+            text += &find(measurements, law, *solver, tolerance).map_or_else(|| " |".to_owned(), cell);
+        }
+        text += "\n";
+    }
+    text + "\n"
+}
+
+fn cell(one: &Measurement) -> String {
+    let ms = one.time.as_secs_f64() * 1e3;
+    match one.error {
+        Some(error) if one.verdict() == "right" => format!(" {} / {ms:.1} / {error:.0e} |", one.counts[2]),
+        Some(error) => format!(" {} / {ms:.1} / **{error:.0e}** |", one.counts[2]),
+        None => format!(" {} |", one.verdict()),
+    }
+}
+
+fn thesis() -> String {
+    let mut text = String::from(
+        "## Table 6.5 of the thesis\n\nAverage times in s in MATLAB, on a machine that the thesis does not name. The \
+         times of its Tables 6.3 and 7.2 were not available.\n\n| law | ode45 | ode15s | ode23s | ode78 \
+         |\n|---|---|---|---|---|\n",
+    );
+    for (law, times) in TABLE_6_5 {
+        let times = times.map(seconds);
+        text += &format!("| {law} | {} |\n", times.join(" | "));
+    }
+    text + "\n"
+}
+
+/// The runs that were wrong or did not come to their end, with the reason.
+fn failures(measurements: &[Measurement], tolerance: f64) -> String {
+    let mut text = String::from(
+        "## Runs that were not right\n\n| law | solver | events | verdict | how it ended |\n|---|---|---|---|---|\n",
+    );
+    // One row for all solvers that ended in the same way.
+    let mut rows: Vec<(&Measurement, Vec<String>)> = Vec::new();
+    for one in measurements.iter().filter(|one| one.trial.tolerance == tolerance && one.verdict() != "right") {
+        let is_same = |(other, _): &&mut (&Measurement, Vec<String>)| {
+            (&one.law, one.trial.events, &one.end) == (&other.law, other.trial.events, &other.end)
+        };
+        match rows.iter_mut().find(is_same) {
+            Some((_, solvers)) => solvers.push(one.trial.solver.to_string()),
+            None => rows.push((one, vec![one.trial.solver.to_string()])),
+        }
+    }
+    for (one, solvers) in rows {
+        let events = if one.trial.events { "located" } else { "stepped over" };
+        let (solvers, verdict) = (solvers.join(", "), one.verdict());
+        text += &format!("| {} | {solvers} | {events} | {verdict} | {} |\n", one.law, one.reason());
+    }
+    text + "\n"
+}
+
+/// Laws whose reference is uncertain.
+fn uncertain(references: &[(String, Result<Reference, String>)]) -> String {
+    let mut text = String::from(
+        "## References\n\nEach motion is compared with a run at the tolerance named here; the uncertainty is its \
+         largest difference from a\nrun at ten times that tolerance. ",
+    );
+    let (other, tolerance) = Reference::OTHER;
+    text += &format!(
+        "The last column is its largest difference from a run of another code, {other} at {tolerance:e}.\n\n| law | \
+         tolerance | uncertainty in m | difference in m |\n|---|---|---|---|\n"
+    );
+    for (law, reference) in references {
+        text += &match reference {
+            Ok(Reference { tolerance, uncertainty, other, .. }) => {
+                let other =
+                    other.as_ref().map_or_else(|reason| format!("none: {reason}"), |other| format!("{other:.0e}"));
+                format!("| {law} | {tolerance:e} | {uncertainty:.0e} | {other} |\n")
+            }
+            Err(reason) => format!("| {law} | - | not measured, since it has no reference: {reason} | - |\n"),
+        };
+    }
+    text
+}

@@ -1,0 +1,120 @@
+//! Work-precision diagrams: what accuracy costs with each solver.
+
+use super::Measurement;
+use stribeck_plot::palette::{MOST_LAWS, Theme};
+use stribeck_plot::picture::axis::{Axis, Quantity};
+use stribeck_plot::picture::drawing::{Drawing, Line};
+use stribeck_solve::run::Solver;
+
+/// Error that a diagram shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// Of the motion.
+    Motion,
+    /// Of the times of switching.
+    Switching,
+}
+
+/// Least error that is shown, in SI units (chosen): below it the rounding of the reference decides.
+const LEAST: f64 = 1e-15;
+
+/// Error over evaluations for the trials of a law with events located, or stepped over; a line for each solver. None if
+/// no solver came to its end at two tolerances.
+pub fn work_precision(
+    measurements: &[Measurement],
+    law: &str,
+    events: bool,
+    precision: Precision,
+    theme: Theme,
+) -> Option<String> {
+    let of_law: Vec<&Measurement> =
+        measurements.iter().filter(|one| one.law == law && one.trial.events == events).collect();
+    // A solver looks alike in all diagrams, whichever of them a law can be run with.
+    let mut solvers: Vec<Solver> = Vec::new();
+    for Measurement { trial, .. } in measurements.iter().filter(|one| one.trial.solver != Solver::Steps) {
+        if !solvers.contains(&trial.solver) {
+            solvers.push(trial.solver);
+        }
+    }
+    let lines =
+        solvers.iter().take(MOST_LAWS).enumerate().map(|(look, solver)| line(&of_law, *solver, precision, look));
+    let lines: Vec<Line> = lines.filter(|line| line.points.len() > 1).collect();
+    let points = || lines.iter().flat_map(|line| &line.points);
+    let range = |axis: usize| {
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = points().fold(ends, |(low, high), point| (low.min(point[axis]), high.max(point[axis])));
+        [low, high]
+    };
+    points().next()?;
+    let (quantity, unit, what) = match precision {
+        Precision::Motion => (Quantity::Error, "m", "Error of the motion"),
+        Precision::Switching => (Quantity::SwitchingError, "s", "Error of the switching"),
+    };
+    let axes = [Axis::powers(Quantity::Evaluations, "1", range(0)), Axis::powers(quantity, unit, range(1))];
+    let title = format!("{law}: {what}, events {}", if events { "located" } else { "stepped over" });
+    Some(Drawing { title: &title, axes: &axes, lines: &lines, theme }.svg())
+}
+
+/// The trials of a solver, from the loosest tolerance on.
+fn line(measurements: &[&Measurement], solver: Solver, precision: Precision, look: usize) -> Line {
+    let mut trials: Vec<&&Measurement> = measurements.iter().filter(|one| one.trial.solver == solver).collect();
+    trials.sort_by(|a, b| b.trial.tolerance.total_cmp(&a.trial.tolerance));
+    let point = |one: &&Measurement| {
+        let error = match precision {
+            Precision::Motion => one.error,
+            Precision::Switching => one.switching,
+        };
+        Some([one.counts[2] as f64, error?.max(LEAST)])
+    };
+    let points = trials.into_iter().filter_map(point).collect();
+    Line { name: solver.to_string(), points, is_cut: false, look: Some(look) }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+    use crate::benchmark::Trial;
+    use stribeck_solve::solve::End;
+
+    fn trial(solver: Solver, tolerance: f64, evaluations: u64, error: f64) -> Measurement {
+        Measurement {
+            law: "LuGre".to_owned(),
+            trial: Trial { solver, tolerance, events: true },
+            counts: [0, 0, evaluations, 0, 0],
+            time: Duration::ZERO,
+            error: Some(error),
+            switching: None,
+            end: Ok(End::Reached),
+        }
+    }
+
+    #[test]
+    fn each_solver_with_two_runs_has_a_line() {
+        let trials = [
+            trial(Solver::Bdf, 1e-6, 300, 1e-5),
+            trial(Solver::Rodas5P, 1e-4, 100, 1e-3),
+            trial(Solver::Rodas5P, 1e-6, 200, 1e-6),
+            trial(Solver::Bdf, 1e-4, 90, 2e-3),
+            trial(Solver::Dopri5, 1e-4, 800, 1e-4),
+        ];
+        let of_law = trials.each_ref();
+        assert_eq!(line(&of_law, Solver::Bdf, Precision::Motion, 0).points, [[90.0, 2e-3], [300.0, 1e-5]]);
+        let draw = |law, events, precision| work_precision(&trials, law, events, precision, Theme::Light);
+        let svg = draw("LuGre", true, Precision::Motion).expect("a picture");
+        assert!(svg.contains("bdf") && svg.contains("rodas5p") && !svg.contains("dopri5"), "{svg}");
+        // The first solver of all has the first look, here and where the second one has no line.
+        assert!(svg.contains("law-1") && svg.contains("law-2") && !svg.contains("law-3"), "{svg}");
+        let others = trials[1..].iter().filter(|one| one.trial.solver != Solver::Bdf);
+        let others = others.map(|one| Measurement { law: "Dahl".to_owned(), ..one.clone() });
+        let both: Vec<Measurement> = trials.iter().cloned().chain(others).collect();
+        let svg = work_precision(&both, "Dahl", true, Precision::Motion, Theme::Light).expect("a picture");
+        assert!(svg.contains("law-2") && !svg.contains("law-1"), "{svg}");
+        let svg = draw("LuGre", true, Precision::Motion).expect("a picture");
+        assert!(svg.contains("10⁻⁶") && svg.contains("10³"), "{svg}");
+        let absent = [("Dahl", true, Precision::Motion), ("LuGre", false, Precision::Motion)];
+        assert!(absent.into_iter().all(|(law, events, precision)| draw(law, events, precision).is_none()));
+        assert!(draw("LuGre", true, Precision::Switching).is_none());
+    }
+}

@@ -1,0 +1,142 @@
+//! `stribeck bench`: the benchmark of the thesis.
+
+use std::path::{Path, PathBuf};
+
+use crate::benchmark::{
+    EVERY, Measurement, Precision, Reference, Trial, belt, csv, karnopp_as_printed, measure, page, work_precision,
+};
+use clap::{Args, ValueEnum};
+use stribeck::catalogue::{Family, documented};
+use stribeck_plot::picture::Theme;
+use stribeck_solve::run::{Settings, Solver};
+use stribeck_solve::system::{Fault, System};
+
+use super::watch::{Bar, CANCELLED, heed_interrupts};
+use super::{Failure, Verdict, write};
+
+/// Laws, solvers and tolerances to measure, and the folder for the results.
+#[derive(Args, Clone, Debug)]
+pub struct Arguments {
+    /// The benchmark
+    #[arg(value_enum)]
+    benchmark: Benchmark,
+    /// Friction laws; all if none is named
+    #[arg(long, num_args = 1.., value_delimiter = ',')]
+    law: Vec<String>,
+    /// Tolerance of the thesis' table
+    #[arg(long, default_value_t = 1e-8)]
+    tol: f64,
+    /// Runs of each law and solver, of which the median time counts
+    #[arg(long, default_value_t = 3)]
+    repeats: usize,
+    /// Also nine tolerances from 1e-3 to 1e-11, with events located and not, and their diagrams
+    #[arg(long)]
+    work_precision: bool,
+    /// Folder for benchmark.md and benchmark.csv
+    #[arg(long, short, default_value = "out")]
+    out: PathBuf,
+}
+
+/// Folder of the work-precision diagrams.
+const PICTURES: &str = "work-precision";
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Benchmark {
+    /// Tables 6.3, 6.5 and 7.2
+    Thesis,
+}
+
+/// Measures all laws with all solvers.
+pub fn bench(arguments: &Arguments) -> Result<Verdict, Failure> {
+    let Benchmark::Thesis = arguments.benchmark;
+    let laws: Vec<String> = if arguments.law.is_empty() {
+        documented(Family::Friction).map(|(law, _)| law.name.to_owned()).collect()
+    } else {
+        arguments.law.clone()
+    };
+    let systems = laws.iter().map(|law| belt(law)).collect::<Result<Vec<System>, Fault>>()?;
+    heed_interrupts();
+    let bar = Bar::new(laws.len(), systems.first().map_or(1.0, |system| system.description.until));
+    let (mut measurements, mut references) = (Vec::new(), Vec::new());
+    let mut verdict = Verdict::Done;
+    for (number, (law, system)) in laws.iter().zip(&systems).enumerate() {
+        bar.begin(number, law);
+        let settings = Settings { every: EVERY, cancel: Some(&CANCELLED), progress: None, ..Settings::of(system) };
+        let reference = Reference::of(system, &settings);
+        if let Ok(reference) = &reference {
+            measurements.extend(one_law(arguments, system, reference, &settings));
+        }
+        references.push((law.clone(), reference));
+        if CANCELLED.load(std::sync::atomic::Ordering::Relaxed) {
+            verdict = Verdict::Cancelled;
+            break;
+        }
+    }
+    bar.finish();
+    std::fs::create_dir_all(&arguments.out).map_err(|source| Failure::File { path: arguments.out.clone(), source })?;
+    write(&arguments.out.join("benchmark.csv"), csv(&measurements))?;
+    let pictures = if arguments.work_precision { draw(&measurements, &laws, &arguments.out)? } else { Vec::new() };
+    let printed = match systems.first() {
+        Some(system) if verdict == Verdict::Done => {
+            let settings = Settings { cancel: Some(&CANCELLED), ..Settings::of(system) };
+            karnopp_as_printed(arguments.tol, &references, &settings)?
+        }
+        _ => String::new(),
+    };
+    write(&arguments.out.join("benchmark.md"), page(&measurements, &references, arguments.tol, &printed, &pictures))?;
+    println!("{}", arguments.out.join("benchmark.md").display());
+    println!("{}", arguments.out.join("benchmark.csv").display());
+    Ok(verdict)
+}
+
+/// Draws the work-precision diagrams of each law; returns the names of their files in the folder.
+fn draw(measurements: &[Measurement], laws: &[String], folder: &Path) -> Result<Vec<(String, Vec<String>)>, Failure> {
+    let place = folder.join(PICTURES);
+    std::fs::create_dir_all(&place).map_err(|source| Failure::File { path: place.clone(), source })?;
+    let mut all = Vec::new();
+    for law in laws {
+        let mut files = Vec::new();
+        for (name, precision) in [("motion", Precision::Motion), ("switching", Precision::Switching)] {
+            for (way, events) in [("located", true), ("stepped-over", false)] {
+                let Some(svg) = work_precision(measurements, law, events, precision, Theme::Auto) else { continue };
+                let file = format!("{PICTURES}/{law}-{name}-{way}.svg");
+                write(&folder.join(&file), svg)?;
+                files.push(file);
+            }
+        }
+        all.push((law.clone(), files));
+    }
+    Ok(all)
+}
+
+/// A law with each solver that can run it.
+fn one_law(arguments: &Arguments, system: &System, reference: &Reference, settings: &Settings) -> Vec<Measurement> {
+    let mut measurements = Vec::new();
+    let has_rates = Solver::Auto.for_system(system) != Solver::Steps;
+    for solver in Solver::value_variants() {
+        let is_for_it = match solver {
+            Solver::Auto | Solver::CoSimulation => false,
+            Solver::Steps => !has_rates,
+            _ => has_rates,
+        };
+        if !is_for_it {
+            continue;
+        }
+        for trial in trials(arguments, *solver) {
+            let repeats = if trial.tolerance == arguments.tol { arguments.repeats.max(1) } else { 1 };
+            measurements.push(measure(system, reference, trial, settings, repeats));
+        }
+    }
+    measurements
+}
+
+fn trials(arguments: &Arguments, solver: Solver) -> Vec<Trial> {
+    let mut tolerances = vec![arguments.tol];
+    if arguments.work_precision && solver != Solver::Steps {
+        tolerances.extend((3..=11).map(|power| 10f64.powi(-power)).filter(|other| *other != arguments.tol));
+    }
+    // These two locate none.
+    let events: &[bool] = if matches!(solver, Solver::Steps | Solver::Dop853) { &[false] } else { &[true, false] };
+    let both = |tolerance: f64| events.iter().map(move |events| Trial { solver, tolerance, events: *events });
+    tolerances.into_iter().flat_map(both).collect()
+}

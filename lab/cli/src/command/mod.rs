@@ -1,0 +1,67 @@
+//! The commands that run systems and fit laws.
+
+mod bench;
+mod choice;
+mod compare;
+mod identify;
+mod one;
+mod page;
+mod rig;
+mod study;
+mod watch;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use stribeck_solve::system::Fault;
+
+pub use bench::{Arguments as BenchArguments, bench};
+pub use choice::Arguments;
+pub use compare::compare;
+pub use identify::{Arguments as IdentifyArguments, identify};
+pub use one::run;
+pub use page::{Arguments as PageArguments, page};
+pub use rig::{Arguments as RigArguments, rig};
+pub use study::{Arguments as StudyArguments, study};
+
+/// Why a command did not do its work.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// Something was refused.
+    #[error("{0}")]
+    Refused(#[from] Fault),
+    /// A file could not be read or written.
+    #[error("{}: {source}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+}
+
+/// How a command ended, as an exit code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// All runs came to their end.
+    Done,
+    /// A run did not converge.
+    Diverged,
+    /// The user ended it.
+    Cancelled,
+}
+
+impl From<Verdict> for ExitCode {
+    fn from(verdict: Verdict) -> ExitCode {
+        match verdict {
+            Verdict::Done => ExitCode::SUCCESS,
+            Verdict::Diverged => ExitCode::from(3),
+            // As of a program that was interrupted (128 + SIGINT).
+            Verdict::Cancelled => ExitCode::from(130),
+        }
+    }
+}
+
+fn write(path: &std::path::Path, text: impl AsRef<[u8]>) -> Result<(), Failure> {
+    std::fs::write(path, text).map_err(|source| Failure::File { path: path.into(), source })
+}

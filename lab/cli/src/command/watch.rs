@@ -1,0 +1,122 @@
+//! Progress of long work, and its end by the user.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use indicatif::{ProgressBar, ProgressStyle};
+use stribeck_solve::solve::Progress;
+
+/// Set by Ctrl-C: what is under way ends early, and what is done is kept.
+pub static CANCELLED: AtomicBool = AtomicBool::new(false);
+
+/// Lets Ctrl-C end the work early; pressed again, it ends the program.
+pub fn heed_interrupts() {
+    // Without the handler Ctrl-C ends the program at once, as usual.
+    let _ = ctrlc::set_handler(|| {
+        if CANCELLED.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+}
+
+/// A bar on a terminal, nothing elsewhere.
+#[derive(Debug)]
+pub struct Bar {
+    bar: ProgressBar,
+    /// Parts of a run.
+    until: f64,
+    done: std::sync::atomic::AtomicU64,
+}
+
+const PARTS: f64 = 1000.0;
+
+impl Bar {
+    /// A bar for runs to a time.
+    pub fn new(runs: usize, until: f64) -> Bar {
+        let bar = ProgressBar::new((runs as f64 * PARTS) as u64);
+        if let Ok(style) = ProgressStyle::with_template("{msg} [{bar:40}] {percent} % {eta}") {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        Bar { bar, until, done: 0.into() }
+    }
+
+    /// The run that is under way.
+    pub fn begin(&self, number: usize, name: &str) {
+        self.done.store(number as u64, Ordering::Relaxed);
+        self.bar.set_message(name.to_owned());
+    }
+
+    /// The work has ended.
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+/// A bar for rows.
+#[derive(Debug)]
+pub struct Rows(ProgressBar);
+
+impl Rows {
+    /// A bar for so many.
+    pub fn new(rows: usize) -> Rows {
+        let bar = ProgressBar::new(rows as u64);
+        if let Ok(style) = ProgressStyle::with_template("[{bar:40}] {pos} of {len} rows, {per_sec}, {eta}") {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        Rows(bar)
+    }
+
+    /// So many are done.
+    pub fn reached(&self, rows: usize) {
+        self.0.set_position(rows as u64);
+    }
+
+    /// The work has ended.
+    pub fn finish(&self) {
+        self.0.finish_and_clear();
+    }
+}
+
+/// The best cost so far, on a terminal.
+#[derive(Debug)]
+pub struct Best {
+    bar: ProgressBar,
+    best: std::sync::Mutex<f64>,
+}
+
+impl Best {
+    /// Of no search yet.
+    pub fn new() -> Best {
+        let bar = ProgressBar::new_spinner();
+        if let Ok(style) = ProgressStyle::with_template("{prefix}: {pos} generations, {msg}, {elapsed}") {
+            bar.set_style(style);
+        }
+        Best { bar, best: f64::INFINITY.into() }
+    }
+
+    /// The search for the values of a law begins.
+    pub fn begin(&self, law: &str) {
+        *self.best.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = f64::INFINITY;
+        self.bar.set_prefix(law.to_owned());
+        self.bar.set_position(0);
+    }
+
+    /// A generation is done; so much is not explained at its best place.
+    pub fn reached(&self, rms: f64) {
+        let mut best = self.best.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        *best = best.min(rms);
+        self.bar.set_message(format!("{:.4e} N not explained", *best));
+        self.bar.inc(1);
+    }
+
+    /// The work has ended.
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Progress for Bar {
+    fn reached(&self, time: f64) {
+        let done = self.done.load(Ordering::Relaxed) as f64;
+        self.bar.set_position(((done + time / self.until) * PARTS) as u64);
+    }
+}

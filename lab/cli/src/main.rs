@@ -1,0 +1,209 @@
+//! `stribeck`: the program of the workbench. Lists and shows models, runs systems of them, fits laws to measurements, and
+//! reads files of dampers and tyres.
+
+#[macro_use]
+mod standard_output;
+
+mod benchmark;
+mod command;
+mod damper;
+mod outputs;
+mod tyre;
+
+use std::process::ExitCode;
+
+use clap::{Arg, Command, CommandFactory, FromArgMatches, Parser, Subcommand};
+use ssp::parameter_set::text_of;
+use stribeck::catalogue;
+use stribeck::model::{Kind, ModelType, Variable};
+use stribeck_solve::system::{BUILT_IN, Description, Fault};
+
+/// Lists and shows friction force models, runs systems of them, fits them to measurements, and reads files of dampers and
+/// tyres.
+#[derive(Parser)]
+#[command(name = "stribeck", version)]
+struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Lists the models.
+    Models,
+    /// Shows the variables of a model (column, role, start value, unit, bound, meaning) and its presets.
+    Show {
+        /// Name of the model, as `stribeck models` lists it.
+        model: String,
+    },
+    /// Lists the built-in systems, or prints the file of one.
+    Systems {
+        /// Name of the system whose file is printed.
+        name: Option<String>,
+    },
+    /// Runs a system, once or for each value of a variable.
+    Run(command::Arguments),
+    /// Runs a system with several friction laws, or with all of them.
+    Compare(command::Arguments),
+    /// Runs a system many times, with values from ranges, distributions or a table, and writes one table.
+    Study(command::StudyArguments),
+    /// Finds the parameters of a friction law in measured friction, and how far to trust them; ranks several laws.
+    Identify(command::IdentifyArguments),
+    /// Writes the records of a virtual rig whose friction law is known.
+    Rig(command::RigArguments),
+    /// Measures all laws with all solvers, as the thesis does, and writes a page and a table.
+    Bench(command::BenchArguments),
+    /// Writes the page for a browser, one file, with the same laws, systems and solvers.
+    Page(command::PageArguments),
+    /// Makes a parameter set of the ShockAbsorber from a damper test: damper table, friction.
+    Damper(damper::Arguments),
+    /// Makes a parameter set of the tyres of DoubleTrackCar from a tyre property file (.tir).
+    Tyre(tyre::Arguments),
+}
+
+/// The command line. A negative number after an option is its value, so that it is judged by what the number is for.
+fn command_line() -> Command {
+    let takes_negative = |argument: Arg| {
+        let has_value = argument.get_action().takes_values() && !argument.is_positional();
+        argument.allow_negative_numbers(has_value)
+    };
+    Arguments::command().mut_subcommands(|task| task.mut_args(takes_negative))
+}
+
+fn main() -> ExitCode {
+    let arguments = Arguments::from_arg_matches(&command_line().get_matches()).unwrap_or_else(|error| error.exit());
+    match arguments.task {
+        Task::Models => {
+            for model in catalogue::models() {
+                println!("{:<16} {}", model.name, model.summary);
+            }
+        }
+        Task::Show { model } => match catalogue::by_name(&model) {
+            Some(model) => show(model),
+            None => {
+                let names: Vec<&str> = catalogue::models().map(|model| model.name).collect();
+                eprintln!("stribeck: no model '{model}'; there are {}", names.join(", "));
+                return ExitCode::FAILURE;
+            }
+        },
+        Task::Systems { name } => return systems(name.as_deref()),
+        Task::Run(arguments) => return ended(command::run(&arguments)),
+        Task::Compare(arguments) => return ended(command::compare(&arguments)),
+        Task::Study(arguments) => return ended(command::study(&arguments)),
+        Task::Identify(arguments) => return ended(command::identify(&arguments)),
+        Task::Rig(arguments) => return ended(command::rig(&arguments)),
+        Task::Bench(arguments) => return ended(command::bench(&arguments)),
+        Task::Page(arguments) => return ended(command::page(&arguments)),
+        Task::Damper(arguments) => {
+            if let Err(error) = damper::run(&arguments) {
+                eprintln!("stribeck: {}: {error}", arguments.file.display());
+                return ExitCode::FAILURE;
+            }
+        }
+        Task::Tyre(arguments) => {
+            if let Err(error) = tyre::run(&arguments) {
+                eprintln!("stribeck: {error}");
+                return ExitCode::FAILURE;
+            }
+        }
+    }
+    ExitCode::SUCCESS
+}
+
+fn ended(result: Result<command::Verdict, command::Failure>) -> ExitCode {
+    match result {
+        Ok(verdict) => verdict.into(),
+        Err(error) => {
+            eprintln!("stribeck: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn systems(name: Option<&str>) -> ExitCode {
+    let Some(name) = name else {
+        for (name, text) in BUILT_IN {
+            if let Ok(system) = Description::parse(text) {
+                println!("{name:<16} {}", system.title);
+            }
+        }
+        return ExitCode::SUCCESS;
+    };
+    match BUILT_IN.iter().find(|(known, _)| *known == name) {
+        Some((_, text)) => {
+            print!("{text}");
+            ExitCode::SUCCESS
+        }
+        None => {
+            let known = BUILT_IN.iter().map(|(known, _)| *known);
+            eprintln!("stribeck: {}", Fault::unknown("system", name, known));
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn show(model: &ModelType) {
+    println!("{}: {}", model.name, model.summary);
+    println!("guid {}\n", model.guid());
+    let rows = model.table.iter().map(|variable| {
+        [variable.path.to_string(), format!("{:?}", variable.role), value(&variable), variable.help.to_string()]
+    });
+    let rows: Vec<[String; 4]> = rows.collect();
+    let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
+    let [names, roles, values] = [width(0), width(1), width(2)];
+    for (column, [name, role, value, help]) in rows.iter().enumerate() {
+        println!("{column:>3} {name:<names$} {role:<roles$} {value:<values$} {help}");
+    }
+    print!("{}", presets(model));
+}
+
+/// The presets, one value per line.
+fn presets(model: &ModelType) -> String {
+    let mut text = String::new();
+    for preset in model.presets {
+        text += &format!("\npreset {}: {}\n", preset.name, preset.source);
+        for (name, number) in preset.values {
+            let shown = model.find(name).map_or(number.to_string(), |column| in_unit(&model.table.at(column), *number));
+            text += &format!("    {name} = {shown}\n");
+        }
+    }
+    text
+}
+
+/// A value with its unit, or its name if it is a choice.
+fn in_unit(variable: &Variable, value: f64) -> String {
+    match variable.kind {
+        Kind::Real(unit) if unit.name != "1" => format!("{value} {}", unit.name),
+        _ => text_of(variable, value),
+    }
+}
+
+/// Start value with unit, and the bound if there is one.
+fn value(variable: &Variable) -> String {
+    let start = in_unit(variable, variable.start);
+    match variable.kind {
+        Kind::Real(_) | Kind::Integer => format!("{start} ({})", variable.bound),
+        Kind::Boolean | Kind::Enumeration(_) => start,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn presets_are_listed_with_values_and_units() {
+        let text = presets(catalogue::by_name("LuGre").unwrap());
+        assert!(text.starts_with("\npreset thesis: Novais (2024)"), "{text}");
+        assert!(text.contains("\npreset canudas_1995: Canudas de Wit et al. (1995)"), "{text}");
+        assert!(text.contains("\n    viscous_coefficient = 0.4 N.s/m\n"), "{text}");
+        assert!(text.contains("\n    mu_s = 1.5\n"), "{text}");
+    }
+
+    #[test]
+    fn choices_are_named() {
+        let model = catalogue::by_name("CoulombStiction").unwrap();
+        let exchange = &model.table.at(model.find("exchange").unwrap());
+        assert_eq!([in_unit(exchange, 1.0), in_unit(exchange, 2.0)], ["Sequential", "Parallel"]);
+    }
+}

@@ -1,0 +1,323 @@
+//! Results of a fit: parameter sets, differences from a reference, a table for a terminal.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use serde_json::json;
+use ssp::parameter_set::ParameterSet;
+use stribeck::instance::Instance;
+use stribeck::model::ModelType;
+
+use super::response::{Ports, forces};
+use super::trust::{digits, digits_within};
+use super::unknown::OF_RIG;
+use super::{Estimate, Experiment, Fit, Rank, Ranking, Searches, Verdict};
+use crate::measured::Record;
+use stribeck_solve::run::Configuration;
+use stribeck_solve::system::Fault;
+
+/// Difference from a reference in both usual definitions, in percent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Difference {
+    /// |a - b| / |b|, with the reference b.
+    pub to_reference: f64,
+    /// |a - b| / ((a + b) / 2).
+    pub to_mean: f64,
+}
+
+/// Difference of a value from a reference.
+pub fn difference(value: f64, reference: f64) -> Difference {
+    let apart = 100.0 * (value - reference).abs();
+    Difference { to_reference: apart / reference.abs(), to_mean: apart / (0.5 * (value + reference)).abs() }
+}
+
+/// Values of parameters to compare with, by name.
+pub type Reference = BTreeMap<String, f64>;
+
+/// The values of a preset of a law; those it does not name are the start values.
+pub fn preset(law: &ModelType, name: &str) -> Result<Reference, Fault> {
+    let presets = law.presets;
+    let found = presets.iter().find(|preset| preset.name == name);
+    let preset = found.ok_or_else(|| {
+        Fault::unknown(format!("{}: preset", law.name), name, presets.iter().map(|preset| preset.name))
+    })?;
+    let starts = law.variables().map(|(_, variable)| (variable.path.to_string(), variable.start));
+    Ok(starts.chain(preset.values.iter().map(|(name, value)| ((*name).to_owned(), *value))).collect())
+}
+
+/// Friction force of a law with these values over the motion and the load of a record, with each interval between samples
+/// divided into `parts`. Values of inputs and results are ignored, since the record has them.
+pub fn respond(law: &'static ModelType, values: &Reference, record: &Record, parts: usize) -> Result<Vec<f64>, Fault> {
+    let all: Vec<(String, usize)> =
+        law.variables().map(|(column, variable)| (variable.path.to_string(), column)).collect();
+    let mut columns = Vec::new();
+    for (name, value) in values {
+        let column = all.iter().find(|(known, _)| known == name).map(|(_, column)| *column);
+        let column = column.ok_or_else(|| {
+            Fault::unknown(format!("{}: variable", law.name), name, all.iter().map(|(name, _)| name.as_str()))
+        })?;
+        if law.table.at(column).role.is_parameter() {
+            columns.push((column, *value));
+        }
+    }
+    let refused = |reason: &dyn std::fmt::Display| Fault::value(format_args!("{}: {reason}", law.name));
+    let ports = Ports::of(law).ok_or_else(|| refused(&"only laws of one sliding direction can be fitted"))?;
+    let experiment = Experiment::new("record", record);
+    forces(&mut Instance::new(law), ports, &columns, &experiment, parts).map_err(|reason| refused(&reason))
+}
+
+/// Values of a reference that a law has as parameters; None if it has none of them.
+pub fn of_law(law: &ModelType, reference: &Reference) -> Option<Reference> {
+    let is_known = |name: &str| law.find(name).is_some_and(|column| law.table.at(column).role.is_parameter());
+    let known = reference.iter().filter(|(name, _)| is_known(name));
+    let known: Reference = known.map(|(name, value)| (name.clone(), *value)).collect();
+    (!known.is_empty()).then_some(known)
+}
+
+impl Fit {
+    /// A record that was fitted as the fit sees it: with the motion at the delay, and the friction force without the
+    /// inertia and the offset, that were found.
+    pub fn seen(&self, record: &Record) -> Record {
+        let as_is = Experiment::new("record", record);
+        let by = self.delay.filter(|_| as_is.delay_range.is_some()).map_or(0.0, |delay| delay - as_is.delay);
+        let moved = as_is.with_delay(self.delay).into_owned();
+        let friction_force = self.without_inertia(&record.force, &moved.acceleration);
+        let displacement = record.displacement.iter().zip(&record.velocity).map(|(x, v)| x + by * v).collect();
+        let (velocity, acceleration) = (moved.velocity, moved.acceleration);
+        Record { displacement, velocity, acceleration, friction_force, ..record.clone() }
+    }
+
+    /// The same with the friction force that the law explains in it; its number is that of the experiments that were
+    /// fitted.
+    pub fn explained_in(&self, seen: &Record, number: usize) -> Record {
+        let friction_force = self.without_inertia(&self.explained[number], &seen.acceleration);
+        Record { friction_force, ..seen.clone() }
+    }
+
+    /// Friction in forces of the load cell.
+    fn without_inertia(&self, forces: &[f64], acceleration: &[f64]) -> Vec<f64> {
+        forces.iter().zip(acceleration).map(|(force, a)| force - (self.mass * a + self.offset)).collect()
+    }
+
+    /// Name of a column of the law.
+    pub fn name_of(&self, column: usize) -> String {
+        self.law.table.at(column).path.to_string()
+    }
+
+    /// The parameters of the law that the data determine, and those that were held; what is not determined is left out.
+    pub fn values(&self) -> Vec<(String, f64)> {
+        // Some laws have a parameter mass as well, which is not that of the rig.
+        let is_of_law = |name: &str| !OF_RIG.contains(&name) && self.law.find(name).is_some();
+        let is_told = |one: &&Estimate| one.verdict == Verdict::Determined && is_of_law(&one.name);
+        let held = self.held.iter().map(|(column, value)| (self.name_of(*column), *value));
+        let told = self.estimates.iter().filter(is_told).map(|one| (one.name.clone(), one.value));
+        held.chain(told).collect()
+    }
+
+    /// The kinetic level, if the static one is not determined and has a start value below it: the law takes no less.
+    fn least_static(&self) -> Option<f64> {
+        let values = self.values();
+        let value = |name: &str| values.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
+        let start = self.law.table.at(self.law.find("mu_s")?).start;
+        value("mu_k").filter(|kinetic| value("mu_s").is_none() && start < *kinetic)
+    }
+
+    /// Says so.
+    pub(super) fn static_warning(&self) -> Option<String> {
+        let level = digits(self.least_static()?);
+        Some(format!(
+            "mu_s is not determined, and the law refuses its start value, which is below mu_k: parameter \
+             sets have mu_s = {level}, the kinetic level"
+        ))
+    }
+
+    /// The values, with the kinetic level for the static one where the law refuses its start value.
+    fn accepted(&self) -> Vec<(String, f64)> {
+        let least = self.least_static().map(|level| ("mu_s".to_owned(), level));
+        self.values().into_iter().chain(least).collect()
+    }
+
+    /// The same as a parameter set, for the FMU and the C library.
+    pub fn parameter_set(&self, name: &str) -> Result<ParameterSet, Fault> {
+        ParameterSet::new(self.law, name, self.accepted()).map_err(Fault::value)
+    }
+
+    /// The same for `stribeck run --config`; of an axis for the system `axis`, with its mass and offset.
+    pub fn configuration(&self) -> Configuration {
+        let of_rig = self.axis().into_iter().map(|(name, value)| (format!("axis.{name}"), value));
+        let set = self.accepted().into_iter().chain(of_rig);
+        Configuration {
+            system: self.axis_load.map(|_| "axis".to_owned()),
+            law: vec![self.law.name.to_owned()],
+            set: set.map(|(name, value)| (name, toml::Value::Float(value))).collect(),
+            ..Configuration::default()
+        }
+    }
+
+    /// Known parameters of an axis besides those of its friction.
+    fn axis(&self) -> Vec<(&'static str, f64)> {
+        let Some(load) = self.axis_load else { return Vec::new() };
+        let is_known = |name: &str| self.undetermined().all(|open| open != name);
+        let all = [("mass", self.mass), ("offset", self.offset), ("guide_force", load)];
+        all.into_iter().filter(|(name, _)| is_known(name)).collect()
+    }
+
+    /// Tells what a coefficient of friction is if the normal force is only a unit.
+    pub fn note(&self) -> Option<String> {
+        let load = self.axis_load.filter(|load| *load == super::axis::NORMAL_FORCE)?;
+        Some(format!("at a normal force of {load} N a coefficient of friction, mu_k, is the friction force in N"))
+    }
+
+    /// Names of the unknowns that have no number.
+    pub fn undetermined(&self) -> impl Iterator<Item = &str> {
+        let is_open = |one: &&Estimate| one.verdict != Verdict::Determined;
+        self.estimates.iter().filter(is_open).map(|one| one.name.as_str())
+    }
+
+    /// The fit as a table for a terminal, with the differences from a reference if one is given.
+    pub fn table(&self, reference: Option<&Reference>) -> String {
+        let seen = &self.residuals;
+        let mut text = format!(
+            "{}: {} N of {} N is not explained (root mean square; {} samples, correlation time {:.1} samples)\n",
+            self.law.name,
+            digits(seen.rms),
+            digits(self.level),
+            self.samples,
+            seen.correlation
+        );
+        if seen.loss < seen.rms {
+            let _ = writeln!(text, "robust loss: the noise without outliers is {} N", digits(seen.noise));
+        }
+        for one in &self.unseen {
+            let _ = writeln!(text, "{}, not fitted: {} N is not explained", one.name, digits(one.rms));
+        }
+        let how = if self.is_exact { "exact" } else { "by differences" };
+        let _ =
+            writeln!(text, "{} evaluations, sensitivities {how}, condition {:.1e}", self.evaluations, self.condition);
+        let width = self.estimates.iter().map(|one| one.name.len()).max().unwrap_or(0);
+        for one in &self.estimates {
+            let _ = writeln!(text, "  {:<width$}  {}{}", one.name, told(one, self.searches), compared(one, reference));
+        }
+        for note in self.note().iter().map(String::as_str).chain(self.is_cancelled.then_some(EARLY)) {
+            let _ = writeln!(text, "{note}");
+        }
+        for warning in &self.warnings {
+            let _ = writeln!(text, "warning: {warning}");
+        }
+        text
+    }
+}
+
+/// Description of a fit that was cancelled.
+pub const EARLY: &str = "ended early: the best values so far, without profiles and repetitions";
+
+/// Fits with their ranking, for programs. What is not determined has no value.
+pub fn as_json(ranking: &Ranking) -> serde_json::Value {
+    let law = |place: &Rank| {
+        let fit = &ranking.fits[place.fit];
+        json!({
+            "law": fit.law.name,
+            "behind": place.behind,
+            "tied": place.is_tied,
+            "rms": fit.residuals.rms,
+            "noise": fit.residuals.noise,
+            "unseen": fit.unseen.iter().map(|one| (one.name.clone(), one.rms)).collect::<BTreeMap<String, f64>>(),
+            "samples": fit.samples,
+            "correlation": fit.residuals.correlation,
+            "repeatable": fit.searches == Searches::Agree,
+            "exact": fit.is_exact,
+            "condition": fit.condition,
+            "correlations": fit.correlation,
+            "evaluations": fit.evaluations,
+            "warnings": fit.warnings,
+            "values": fit.accepted().into_iter().collect::<BTreeMap<String, f64>>(),
+            "early": fit.is_cancelled.then_some(EARLY),
+            "estimates": fit.estimates.iter().map(|one| estimate(one, fit.searches)).collect::<Vec<_>>(),
+        })
+    };
+    let refused = ranking.refused.iter().map(|(law, reason)| json!({ "law": law, "reason": reason }));
+    json!({
+        "laws": ranking.ranks.iter().map(law).collect::<Vec<_>>(),
+        "refused": refused.collect::<Vec<_>>(),
+    })
+}
+
+fn estimate(one: &Estimate, searches: Searches) -> serde_json::Value {
+    let is_told = one.verdict == Verdict::Determined;
+    json!({
+        "name": one.name,
+        "unit": one.unit,
+        "verdict": one.verdict.to_string(),
+        "value": is_told.then_some(one.value),
+        "interval": (is_told && searches != Searches::Ended).then(|| one.interval()),
+        "repeated": one.repeated.filter(|_| is_told),
+        "text": told(one, searches),
+    })
+}
+
+/// Value and intervals of an unknown, or why it has none.
+fn told(one: &Estimate, searches: Searches) -> String {
+    let unit = if one.unit == "1" { "" } else { one.unit };
+    if one.verdict != Verdict::Determined {
+        return one.verdict.to_string();
+    }
+    if searches == Searches::Ended {
+        return format!("{} {unit} (the best so far)", digits(one.value)).replace("  ", " ");
+    }
+    let precise = |value: f64| digits_within(value, one.width());
+    let [low, high] = one.interval().map(precise);
+    let repeated = one.repeated.map(|ends| ends.map(precise));
+    let repeated = repeated.map_or(String::new(), |[low, high]| format!("; repeated {low} to {high}"));
+    format!("{} {unit} (95 %: {low} to {high}{repeated})", precise(one.value)).replace("  ", " ")
+}
+
+fn compared(one: &Estimate, reference: Option<&Reference>) -> String {
+    let Some(known) = reference.and_then(|reference| known(reference, &one.name)) else { return String::new() };
+    if one.verdict != Verdict::Determined {
+        return format!("; reference {}", digits(known));
+    }
+    if known == 0.0 {
+        return "; reference 0".to_owned();
+    }
+    let Difference { to_reference, to_mean } = difference(one.value, known);
+    format!("; reference {}, difference {to_reference:.1} % of it, {to_mean:.1} % of the mean", digits(known))
+}
+
+/// Reference value of a fitted parameter; that of the excess `mu_s - mu_k` is the difference of two.
+pub fn known(reference: &Reference, name: &str) -> Option<f64> {
+    match name {
+        "mu_s - mu_k" => Some(reference.get("mu_s")? - reference.get("mu_k")?),
+        _ => reference.get(name).copied(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{fitted, measured, quick, standard};
+    use super::*;
+
+    /// Fast sliding at 0.3 tells the kinetic level only, and the start value of the static one is 0.15.
+    #[test]
+    fn a_parameter_set_without_the_static_level_is_one_that_the_law_takes() {
+        let even = standard(400);
+        let velocity = (0..400).map(|at| if at % 100 < 50 { 0.5 } else { -0.5 }).collect();
+        let sliding = Experiment { velocity, ..even };
+        let data = measured("Stribeck", &[("mu_k", 0.3), ("mu_s", 0.4)], &sliding, 0.01, 1);
+        let fit = fitted("Stribeck", &[data], &quick());
+        let values = fit.values();
+        assert_eq!(values.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["mu_k"], "{:?}", fit.estimates);
+        assert_eq!(fit.least_static(), Some(values[0].1));
+        assert!(fit.warnings.iter().any(|one| one.contains("the kinetic level")), "{:?}", fit.warnings);
+        assert!(fit.parameter_set("sliding").is_ok());
+        assert!(fit.configuration().text().contains("mu_s"));
+    }
+
+    #[test]
+    fn a_reference_is_compared_by_the_parameters_that_the_law_has() {
+        let law = stribeck::catalogue::by_name("Dahl").unwrap();
+        let reference = [("mu_k", 0.2), ("stribeck_velocity", 1e-3), ("velocity", 1.0)];
+        let reference: Reference = reference.map(|(name, value)| (name.to_owned(), value)).into();
+        assert_eq!(of_law(law, &reference), Some([("mu_k".to_owned(), 0.2)].into()));
+        assert_eq!(of_law(law, &[("stribeck_velocity".to_owned(), 1e-3)].into()), None);
+    }
+}

@@ -1,0 +1,414 @@
+//! Coefficients of the Magic Formula 5.2 from a tyre test, as a tyre property file.
+//!
+//! The coefficients are found group by group, by bounded least squares with exact sensitivities: side force in pure side
+//! slip (from several starts, which must agree), longitudinal force in pure longitudinal slip, aligning moment in pure
+//! side slip, then what combined slip changes; and at last all of them together, each channel with the weight of its
+//! noise. A coefficient that the test does not determine is held at the value that the format prescribes for a missing
+//! one, 0, the others are fitted again, and it stays out of the file. Equations and axes are those of
+//! [`stribeck::host::MagicFormula`].
+
+mod coefficient;
+mod columns;
+mod file;
+mod problem;
+#[cfg(test)]
+mod tests;
+
+use stribeck::host::{MagicFormula, Side};
+use stribeck::model::{Columns, row_of, row_of_mut, start};
+
+pub use columns::{Axes, TyreTest, TyreTestError};
+pub use file::{property_file, table};
+
+use super::loss::Loss;
+use super::trust::{DETERMINED, WIDTH, residuals, spread};
+use coefficient::{ALIGNING, ARM, COMBINED_X, COMBINED_Y, Coefficient, LATERAL, LONGITUDINAL};
+use problem::{Channel, Rows, TyreProblem, column};
+use stribeck_solve::system::Fault;
+
+/// Known properties of a tyre besides the test.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TyreTask {
+    /// Radius without load, m.
+    pub radius: f64,
+    /// Nominal load of the set, N; the mean load of the test if it is not given.
+    pub nominal_load: Option<f64>,
+    /// Side of the car on which the tyre was tested.
+    pub side: Side,
+    /// Coefficients that are held, by their keys.
+    pub fixed: Vec<(String, f64)>,
+}
+
+/// Verdict on a coefficient.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Told {
+    /// The test determines it: the half width of its interval of 95 %.
+    Within(f64),
+    /// It was held.
+    Held,
+    /// It is at an end of its range.
+    AtEnd,
+    /// The test does not determine it, for this reason.
+    Not(String),
+}
+
+/// A coefficient after a fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TyreEstimate {
+    /// Its key in a tyre property file.
+    pub key: String,
+    /// Its value; 0 if the test does not determine it.
+    pub value: f64,
+    /// Whether the test determines it.
+    pub told: Told,
+}
+
+/// A tyre fitted to a test.
+#[derive(Clone, Debug)]
+pub struct TyreFit {
+    /// The coefficients, in the order of the formula.
+    pub estimates: Vec<TyreEstimate>,
+    /// For each measured channel its name, unit, root mean square of what is not explained, and largest value.
+    pub left: Vec<(&'static str, &'static str, f64, f64)>,
+    /// The formula.
+    pub formula: MagicFormula,
+}
+
+/// Coefficients without which nothing is left of their group.
+const ESSENTIAL: [&[&str]; 6] = [
+    &["pcy1", "pdy1", "pky1", "pky2"],
+    &["pcx1", "pdx1", "pkx1"],
+    &["rbx1", "rcx1"],
+    &["rby1", "rcy1"],
+    &["qbz1", "qcz1", "qdz1"],
+    &[],
+];
+
+/// Slips up to which the other slip counts as pure (chosen).
+const PURE: f64 = 0.01;
+
+/// Distance from an end of a range, as a part of it, that counts as the end (chosen).
+const AT_END: f64 = 1e-4;
+
+/// Shapes and curvatures of the side force from which it is fitted.
+const STARTS: [[f64; 2]; 4] = [[1.2, -1.0], [1.4, 0.3], [1.7, -0.5], [1.6, -4.0]];
+
+/// All coefficients.
+const GROUPS: [&[Coefficient]; 6] = [LATERAL, LONGITUDINAL, COMBINED_X, COMBINED_Y, ALIGNING, ARM];
+
+/// Fits a tyre to a test.
+pub fn fit_tyre(test: &TyreTest, task: &TyreTask) -> Result<TyreFit, Fault> {
+    let nominal = check(test, task)?;
+    let formula = neutral(task, nominal);
+    let mut fitter = Fitter { test, task, formula, dropped: Vec::new(), kept: Vec::new() };
+    let pure = |slip: &[f64]| -> Vec<usize> { (0..slip.len()).filter(|at| slip[*at].abs() <= PURE).collect() };
+    let [side, straight] = [pure(&test.longitudinal_slip), pure(&test.side_slip)];
+    let all: Vec<usize> = (0..test.load.len()).collect();
+    fitter.lateral(&side)?;
+    let is_combined = side.len() < all.len();
+    if test.force_x.is_some() && is_combined {
+        fitter.group(LONGITUDINAL, Channel::ForceX, &straight)?;
+        fitter.group(COMBINED_X, Channel::ForceX, &all)?;
+    }
+    if is_combined {
+        fitter.group(COMBINED_Y, Channel::ForceY, &all)?;
+    }
+    if test.moment_z.is_some() {
+        fitter.group(ALIGNING, Channel::MomentZ, &side)?;
+        if test.force_x.is_some() && is_combined {
+            fitter.group(ARM, Channel::MomentZ, &all)?;
+        }
+    }
+    fitter.together(&all)
+}
+
+/// Refuses what no tyre has; the nominal load.
+fn check(test: &TyreTest, task: &TyreTask) -> Result<f64, Fault> {
+    if !(task.radius > 0.0 && task.radius.is_finite()) {
+        return Err(Fault::value(format_args!("radius = {}: must be > 0 and finite, in m", task.radius)));
+    }
+    let mean = test.load.iter().sum::<f64>() / test.load.len() as f64;
+    let nominal = task.nominal_load.unwrap_or(mean);
+    if !(nominal > 0.0 && nominal.is_finite()) {
+        return Err(Fault::value(format_args!("nominal load = {nominal}: must be > 0 and finite, in N")));
+    }
+    let most = test.side_slip.iter().fold(0.0, |most: f64, slip| most.max(slip.abs()));
+    for (key, value) in &task.fixed {
+        let keys: Vec<String> =
+            GROUPS.iter().flat_map(|group| group.iter()).map(|one| one.name.to_uppercase()).collect();
+        if !keys.iter().any(|known| known.eq_ignore_ascii_case(key)) {
+            return Err(Fault::unknown("coefficient", key, keys.iter().map(String::as_str)));
+        }
+        if !value.is_finite() {
+            return Err(Fault::value(format_args!("{key} = {value}: must be a finite number")));
+        }
+    }
+    if most == 0.0 {
+        return Err(Fault::value(
+            "the side slip is 0 throughout: no side force can be seen, and no file can do without",
+        ));
+    }
+    Ok(nominal)
+}
+
+/// The formula as the format prescribes it for missing keys: coefficients 0, scale factors 1.
+fn neutral(task: &TyreTask, nominal: f64) -> MagicFormula {
+    let mut formula: MagicFormula = start();
+    let row = row_of_mut(&mut formula);
+    for (column, variable) in MagicFormula::TABLE.iter().enumerate() {
+        let name = variable.path.to_string();
+        if !["fnomin", "unloaded_radius", "longvl", "side"].contains(&name.as_str()) {
+            row[column] = f64::from(u8::from(name.starts_with('l')));
+        }
+    }
+    formula.fnomin = nominal;
+    formula.unloaded_radius = task.radius;
+    formula.side = task.side.number();
+    hold(&mut formula, task);
+    formula
+}
+
+/// Gives the coefficients that are held their values.
+fn hold(formula: &mut MagicFormula, task: &TyreTask) {
+    let row = row_of_mut(formula);
+    task.fixed.iter().for_each(|(key, value)| row[column(&key.to_lowercase())] = *value);
+}
+
+/// Why a coefficient is not determined, and what would help.
+fn why(one: &Coefficient, alone: f64) -> String {
+    let why =
+        if alone > DETERMINED { "it hardly changes what was measured" } else { "only in combination with others" };
+    format!("{why}; {}", one.needs.remedy())
+}
+
+/// Gives the coefficients that were dropped the value of a missing key.
+fn unseen(formula: &mut MagicFormula, dropped: &[(&'static Coefficient, String)]) {
+    let row = row_of_mut(formula);
+    dropped.iter().for_each(|(one, _)| row[column(one.name)] = 0.0);
+}
+
+/// Change of what was measured, as a part of that by the most visible coefficient, below which there is none (chosen).
+const INVISIBLE: f64 = 1e-9;
+
+/// A fit under way.
+struct Fitter<'a> {
+    test: &'a TyreTest,
+    task: &'a TyreTask,
+    formula: MagicFormula,
+    kept: Vec<&'static Coefficient>,
+    dropped: Vec<(&'static Coefficient, String)>,
+}
+
+/// Knowledge of the unknowns of a problem.
+struct Known {
+    /// Standard deviations as parts of a large change.
+    parts: Vec<f64>,
+    /// The same if the others were known.
+    alone: Vec<f64>,
+    /// Standard deviations.
+    deviations: Vec<f64>,
+}
+
+impl Known {
+    /// The unknown of which least is known, if that is not enough; one that its group can do without, if there is one.
+    fn worst(&self, unknowns: &[&'static Coefficient]) -> Option<usize> {
+        let open = |number: &usize| self.parts[*number] > DETERMINED;
+        let is_essential = |number: usize| ESSENTIAL.iter().any(|group| group.contains(&unknowns[number].name));
+        (0..unknowns.len())
+            .filter(open)
+            .max_by(|a, b| is_essential(*b).cmp(&is_essential(*a)).then(self.parts[*a].total_cmp(&self.parts[*b])))
+    }
+}
+
+impl Fitter<'_> {
+    /// The formula with a group where its search begins.
+    fn begin_with(&self, group: &[Coefficient]) -> MagicFormula {
+        let mut formula = self.formula;
+        let row = row_of_mut(&mut formula);
+        group.iter().for_each(|one| row[column(one.name)] = one.start);
+        hold(&mut formula, self.task);
+        formula
+    }
+
+    /// The coefficients of a group that are not held and that change anything; the others are dropped, since least
+    /// squares cannot do with them.
+    fn visible(&mut self, group: &'static [Coefficient], rows: &Rows) -> Vec<&'static Coefficient> {
+        let is_held = |one: &&Coefficient| self.task.fixed.iter().any(|(key, _)| key.eq_ignore_ascii_case(one.name));
+        let free: Vec<&'static Coefficient> = group.iter().filter(|one| !is_held(one)).collect();
+        let problem = TyreProblem::new(self.test, self.begin_with(group), free.clone(), rows.clone());
+        let size = |number: usize| {
+            let column = problem.sensitivity(&problem.formula, number);
+            free[number].large * column.iter().map(|one| one * one).sum::<f64>().sqrt()
+        };
+        let sizes: Vec<f64> = (0..free.len()).map(size).collect();
+        let least = INVISIBLE * sizes.iter().copied().fold(0.0, f64::max);
+        let (seen, blind): (Vec<_>, Vec<_>) = free.into_iter().zip(sizes).partition(|(_, size)| *size > least);
+        blind.into_iter().for_each(|(one, _)| self.drop(one, 1.0));
+        seen.into_iter().map(|(one, _)| one).collect()
+    }
+
+    /// Side force in pure side slip, from several starts.
+    fn lateral(&mut self, samples: &[usize]) -> Result<(), Fault> {
+        if samples.len() < columns::LEAST {
+            let text = format_args!(
+                "{} samples without longitudinal slip; at least {} are needed",
+                samples.len(),
+                columns::LEAST
+            );
+            return Err(Fault::value(text));
+        }
+        let rows = Rows { samples: samples.to_vec(), channels: vec![(Channel::ForceY, 1.0)] };
+        let unknowns = self.visible(LATERAL, &rows);
+        let begin = |[shape, curvature]: [f64; 2]| {
+            let mut formula = self.begin_with(LATERAL);
+            unseen(&mut formula, &self.dropped);
+            formula.pcy1 = shape;
+            formula.pey1 = curvature;
+            let mut problem = TyreProblem::new(self.test, formula, unknowns.clone(), rows.clone());
+            (problem.solve(), problem.formula)
+        };
+        let mut ends = STARTS.map(begin).to_vec();
+        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let variance = 2.0 * ends[0].0 / samples.len() as f64;
+        let level = self.test.force_y.iter().map(|force| force * force).sum::<f64>();
+        if 2.0 * (ends[1].0 - ends[0].0) > variance.max(1e-9 * level) {
+            return Err(Fault::value(
+                "fits of the side force from different starts end at different values: sweep the side slip to both \
+                 sides, beyond the peak of the force",
+            ));
+        }
+        self.formula = ends[0].1;
+        self.prune(unknowns, rows)
+    }
+
+    /// A group of coefficients on a channel.
+    fn group(&mut self, group: &'static [Coefficient], channel: Channel, samples: &[usize]) -> Result<(), Fault> {
+        let rows = Rows { samples: samples.to_vec(), channels: vec![(channel, 1.0)] };
+        let unknowns = self.visible(group, &rows);
+        self.formula = self.begin_with(group);
+        unseen(&mut self.formula, &self.dropped);
+        self.prune(unknowns, rows)
+    }
+
+    /// Fits a group, drops the coefficient of which least is known, and begins again until all are determined.
+    fn prune(&mut self, mut unknowns: Vec<&'static Coefficient>, mut rows: Rows) -> Result<(), Fault> {
+        loop {
+            let mut problem = TyreProblem::new(self.test, self.formula, unknowns.clone(), rows.clone());
+            problem.solve();
+            self.formula = problem.formula;
+            rows = weighed(&problem);
+            problem.rows = rows.clone();
+            let known = known(&problem);
+            let Some(worst) = known.worst(&unknowns) else { break };
+            let gone = self.without(unknowns[worst], known.alone[worst])?;
+            unknowns.retain(|one| !gone.contains(&one.name));
+        }
+        self.kept.extend(unknowns);
+        Ok(())
+    }
+
+    /// Drops a coefficient, and all of its group if nothing is left of that without it; their names. No file can do
+    /// without the side force.
+    fn without(&mut self, one: &'static Coefficient, alone: f64) -> Result<Vec<&'static str>, Fault> {
+        let Some(group) = ESSENTIAL.iter().position(|group| group.contains(&one.name)) else {
+            self.drop(one, alone);
+            return Ok(vec![one.name]);
+        };
+        let key = one.name.to_uppercase();
+        if group == 0 {
+            let text = format_args!("{key}, without which there is no side force: {}, or hold it", why(one, alone));
+            return Err(Fault::value(text));
+        }
+        let reason = format!("nothing is left without {key}: {}", why(one, alone));
+        for other in GROUPS[group] {
+            row_of_mut(&mut self.formula)[column(other.name)] = 0.0;
+            if self.dropped.iter().all(|(known, _)| known.name != other.name) {
+                self.dropped.push((other, reason.clone()));
+            }
+        }
+        Ok(GROUPS[group].iter().map(|other| other.name).collect())
+    }
+
+    fn drop(&mut self, one: &'static Coefficient, alone: f64) {
+        row_of_mut(&mut self.formula)[column(one.name)] = 0.0;
+        self.dropped.push((one, why(one, alone)));
+    }
+
+    /// All coefficients that are left, on all channels.
+    fn together(mut self, all: &[usize]) -> Result<TyreFit, Fault> {
+        let channels = Channel::ALL.into_iter().filter(|channel| channel.measured(self.test).is_some());
+        let rows = Rows { samples: all.to_vec(), channels: channels.map(|channel| (channel, 1.0)).collect() };
+        loop {
+            let mut problem = TyreProblem::new(self.test, self.formula, self.kept.clone(), rows.clone());
+            problem.rows = weighed(&problem);
+            problem.solve();
+            problem.rows = weighed(&problem);
+            self.formula = problem.formula;
+            let known = known(&problem);
+            let Some(worst) = known.worst(&self.kept) else { return Ok(self.finish(&problem, &known)) };
+            let gone = self.without(self.kept[worst], known.alone[worst])?;
+            self.kept.retain(|one| !gone.contains(&one.name));
+        }
+    }
+
+    fn finish(&self, problem: &TyreProblem, known: &Known) -> TyreFit {
+        let row = row_of(&self.formula);
+        let mut estimates: Vec<TyreEstimate> = Vec::new();
+        for (number, one) in self.kept.iter().enumerate() {
+            let value = row[column(one.name)];
+            let place = (value - one.range[0]) / (one.range[1] - one.range[0]);
+            let is_inside = (AT_END..=1.0 - AT_END).contains(&place);
+            let told = if is_inside { Told::Within(WIDTH * known.deviations[number]) } else { Told::AtEnd };
+            estimates.push(TyreEstimate { key: one.name.to_uppercase(), value, told });
+        }
+        for (key, value) in &self.task.fixed {
+            estimates.push(TyreEstimate { key: key.to_uppercase(), value: *value, told: Told::Held });
+        }
+        for (one, reason) in &self.dropped {
+            estimates.push(TyreEstimate { key: one.name.to_uppercase(), value: 0.0, told: Told::Not(reason.clone()) });
+        }
+        estimates.sort_by_key(|one| column(&one.key.to_lowercase()));
+        let groups = problem.left(&self.formula);
+        let left = problem.rows.channels.iter().zip(groups).map(|((channel, _), left)| {
+            let measured = channel.measured(self.test).unwrap_or_default();
+            let most = measured.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            let rms = (left.iter().map(|one| one * one).sum::<f64>() / left.len().max(1) as f64).sqrt();
+            (channel.name(), channel.unit(), rms, most)
+        });
+        TyreFit { estimates, left: left.collect(), formula: self.formula }
+    }
+}
+
+/// The rows with the weights of their noise; correlated residuals count as fewer samples.
+fn weighed(problem: &TyreProblem) -> Rows {
+    let groups = problem.left(&problem.formula);
+    let weigh = |((channel, _), left): (&(Channel, f64), Vec<f64>)| {
+        let seen = residuals(&left, &[left.len()], problem.unknowns.len(), Loss::SQUARES);
+        let measured = channel.measured(problem.test).unwrap_or_default();
+        let most = measured.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        // What is computed leaves rounding; a channel that is 0 throughout says nothing.
+        let deviation = seen.variance().sqrt().max(1e-9 * most);
+        (*channel, if most > 0.0 { 1.0 / deviation } else { 0.0 })
+    };
+    let channels = problem.rows.channels.iter().zip(groups).map(weigh).collect();
+    Rows { samples: problem.rows.samples.clone(), channels }
+}
+
+fn known(problem: &TyreProblem) -> Known {
+    let count = problem.unknowns.len();
+    let row = row_of(&problem.formula);
+    // As for laws: a large change is about the value itself where that is larger.
+    let large: Vec<f64> = problem.unknowns.iter().map(|one| one.large.max(row[column(one.name)].abs())).collect();
+    let columns: Vec<Vec<f64>> = (0..count).map(|number| problem.sensitivity(&problem.formula, number)).collect();
+    let information = nalgebra::DMatrix::from_fn(count, count, |a, b| {
+        let sum: f64 = columns[a].iter().zip(&columns[b]).map(|(a, b)| a * b).sum();
+        sum * large[a] * large[b]
+    });
+    let spread = spread(&information, &|_| false);
+    let parts: Vec<f64> = (0..count).map(|number| spread[(number, number)].sqrt()).collect();
+    Known {
+        deviations: parts.iter().zip(&large).map(|(part, large)| part * large).collect(),
+        parts,
+        alone: (0..count).map(|number| 1.0 / (1.0 + information[(number, number)]).sqrt()).collect(),
+    }
+}

@@ -1,0 +1,367 @@
+//! Unknowns of a fit: what they are in the law, and the scale on which they are searched.
+
+use stribeck::model::{Kind, ModelType, Role, Variable};
+use stribeck::number::Real;
+
+use super::Experiment;
+use stribeck_solve::system::Fault;
+
+/// Quantity that an unknown stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Target {
+    /// A parameter of the law, by its column.
+    Column(usize),
+    /// d in mu_s = mu_k + d, which keeps the static level above the kinetic one: the columns of both.
+    Excess {
+        /// Column of mu_s.
+        of: usize,
+        /// Column of mu_k.
+        over: usize,
+    },
+    /// Mass between load cell and contact.
+    Mass,
+    /// Constant part of the force of the load cell.
+    Offset,
+    /// Delay of the motion behind the force.
+    Delay,
+}
+
+/// Scale on which an unknown is searched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By its logarithm.
+    Logarithmic,
+    /// By asinh(p / s): evenly below s, by the logarithm above, so that 0 is included.
+    Mixed(f64),
+}
+
+impl Scale {
+    fn forth(self, value: f64) -> f64 {
+        match self {
+            Scale::Linear => value,
+            Scale::Logarithmic => Real::ln(value),
+            Scale::Mixed(small) => {
+                let ratio = value / small;
+                Real::ln(ratio + (ratio * ratio + 1.0).sqrt())
+            }
+        }
+    }
+
+    /// Value and its derivative.
+    fn back(self, place: f64) -> [f64; 2] {
+        match self {
+            Scale::Linear => [place, 1.0],
+            Scale::Logarithmic => [Real::exp(place); 2],
+            Scale::Mixed(small) => {
+                let [up, down] = [Real::exp(place), Real::exp(-place)];
+                [0.5 * small * (up - down), 0.5 * small * (up + down)]
+            }
+        }
+    }
+}
+
+/// An unknown of a fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unknown {
+    /// Name: that of the variable, or `mu_s - mu_k`, `mass`, `offset`.
+    pub name: String,
+    /// Unit.
+    pub unit: &'static str,
+    /// Quantity that it stands for.
+    pub target: Target,
+    /// Range in which it is searched.
+    pub range: [f64; 2],
+    /// Scale on which it is searched.
+    pub scale: Scale,
+}
+
+impl Unknown {
+    /// Value at a place from 0 to 1 in the range, and its derivative.
+    pub(super) fn value(&self, place: f64) -> [f64; 2] {
+        let [low, high] = self.range.map(|end| self.scale.forth(end));
+        let [value, slope] = self.scale.back(low + (high - low) * place);
+        // Rounding must not lead out of the range.
+        [value.clamp(self.range[0], self.range[1]), slope * (high - low)]
+    }
+
+    /// Place of a value, from 0 to 1 in the range.
+    pub(super) fn place(&self, value: f64) -> f64 {
+        let [low, high] = self.range.map(|end| self.scale.forth(end));
+        ((self.scale.forth(value.clamp(self.range[0], self.range[1])) - low) / (high - low)).clamp(0.0, 1.0)
+    }
+
+    /// Whether its least value is 0, which no interval then has to exclude.
+    pub(super) fn can_be_zero(&self) -> bool {
+        self.scale != Scale::Logarithmic && self.range[0] == 0.0
+    }
+
+    /// Change of the value that is large: half the range on a linear scale, the value itself on a logarithmic one.
+    pub(super) fn large(&self, value: f64) -> f64 {
+        match self.scale {
+            Scale::Linear => 0.5 * (self.range[1] - self.range[0]),
+            Scale::Logarithmic => value,
+            // A viscous coefficient that makes a tenth of the force at the highest speed.
+            Scale::Mixed(small) => value.abs() + 10.0 * small,
+        }
+    }
+}
+
+/// Magnitudes of the experiments, from which ranges follow.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Magnitudes {
+    force: f64,
+    load: f64,
+    speed: f64,
+    travel: f64,
+    interval: f64,
+    duration: f64,
+    /// Work of the force as a part of that of the largest one along the whole way.
+    dissipated: f64,
+}
+
+/// The same part from which the contact slides (chosen): sliding dissipates most of it, pre-sliding gives much of it back.
+const ELASTIC: f64 = 0.3;
+
+impl Magnitudes {
+    pub fn of(experiments: &[Experiment]) -> Magnitudes {
+        let most = |f: &dyn Fn(&Experiment) -> f64| experiments.iter().map(f).fold(f64::MIN_POSITIVE, f64::max);
+        let least = |f: &dyn Fn(&Experiment) -> f64| experiments.iter().map(f).fold(f64::INFINITY, f64::min);
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        Magnitudes {
+            force: most(&|one| one.force.iter().fold(0.0, |most: f64, force| most.max(force.abs()))),
+            load: least(&|one| mean(&one.normal_force)).max(f64::MIN_POSITIVE),
+            speed: most(&|one| one.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()))),
+            travel: most(&Experiment::travel),
+            interval: least(&|one| one.duration() / (one.time.len() - 1) as f64),
+            duration: most(&Experiment::duration),
+            dissipated: most(&Experiment::dissipated),
+        }
+    }
+
+    /// Range and scale of a variable, by its unit (chosen: wide enough for any contact that such data can show).
+    fn range(&self, variable: &Variable, unit: &str) -> ([f64; 2], Scale) {
+        let Magnitudes { force, load, speed, travel, interval, duration, dissipated } = *self;
+        // Strokes within the pre-sliding displacement may start anywhere on the way to sliding.
+        let yields = if dissipated < ELASTIC { 0.05 } else { 2.0 };
+        let (range, scale) = match unit {
+            "1" if variable.path.to_string().starts_with("mu") => ([0.0, 2.0 * force / load], Scale::Linear),
+            "m/s" => ([1e-4 * speed, speed], Scale::Logarithmic),
+            "m" => ([1e-5 * travel, 0.5 * travel], Scale::Logarithmic),
+            "N/m" => ([yields * force / travel, 1e5 * force / travel], Scale::Logarithmic),
+            "N.s/m" => ([0.0, 100.0 * force / speed], Scale::Mixed(0.01 * force / speed)),
+            "s/m" if variable.start == 0.0 => {
+                let top = 100.0 * force / (load * speed);
+                ([0.0, top], Scale::Mixed(1e-4 * top))
+            }
+            "s/m" => ([0.3 / speed, 1e4 / speed], Scale::Logarithmic),
+            "s" => ([0.5 * interval, duration], Scale::Logarithmic),
+            "N" => ([0.01 * load, 10.0 * load], Scale::Logarithmic),
+            _ if variable.start > 0.0 => ([1e-2 * variable.start, 1e2 * variable.start], Scale::Logarithmic),
+            _ => ([0.0, 100.0], Scale::Mixed(0.01)),
+        };
+        let bound = variable.bound;
+        let low = if bound.is_positive() && range[0] == 0.0 { 1e-6 * range[1] } else { range[0] };
+        ([low.max(bound.min()), range[1].min(bound.max())], scale)
+    }
+}
+
+/// Whether a variable is fitted unless it is named: a real parameter of the contact, no exponent, no share of an
+/// element, no option that is off at its start value.
+fn is_usual(variable: &Variable) -> bool {
+    let name = variable.path.to_string();
+    let is_off = variable.start == 0.0 && matches!(variable.kind, Kind::Real(unit) if unit.name == "m/s");
+    let is_shape = name == "alpha" || name.ends_with("exponent") || name.contains('[') || name == "eta";
+    is_parameter(variable) && !is_off && !is_shape
+}
+
+fn is_parameter(variable: &Variable) -> bool {
+    let is_of_contact = !["mass", "external_force"].contains(&variable.path.to_string().as_str());
+    variable.role.is_parameter() && matches!(variable.kind, Kind::Real(_)) && !variable.is_hidden && is_of_contact
+}
+
+/// Choice of the unknowns by the user.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Wishes {
+    /// Parameters that are held, with their values; `mass` and `offset` too.
+    pub fixed: Vec<(String, f64)>,
+    /// Parameters that are fitted although they usually are not: exponents, `mass`, `offset` ...
+    pub fitted: Vec<String>,
+    /// Ranges instead of those that follow from the data.
+    pub ranges: Vec<(String, [f64; 2])>,
+}
+
+impl Wishes {
+    /// Those for one of several laws: without names that others of them have and it does not.
+    pub(super) fn of(&self, law: &ModelType, laws: &[&ModelType]) -> Wishes {
+        let has =
+            |law: &ModelType, name: &str| law.find(name.split_once(" - ").map_or(name, |(name, _)| name)).is_some();
+        let is_meant =
+            |name: &str| OF_RIG.contains(&name) || has(law, name) || !laws.iter().any(|other| has(other, name));
+        let mut found = self.clone();
+        found.fixed.retain(|(name, _)| is_meant(name));
+        found.fitted.retain(|name| is_meant(name));
+        found.ranges.retain(|(name, _)| is_meant(name));
+        found
+    }
+}
+
+/// Names of the unknowns that are of the rig and not of the law.
+pub(super) const OF_RIG: [&str; 3] = ["mass", "offset", "delay"];
+
+/// The parameters of a law that can be fitted.
+fn known(law: &ModelType) -> Vec<(usize, Variable)> {
+    let mut all: Vec<(usize, Variable)> = Vec::new();
+    for (column, variable) in law.variables() {
+        if is_parameter(&variable) && matches!(variable.role, Role::Fixed | Role::Tunable) {
+            all.push((column, variable));
+        }
+    }
+    all
+}
+
+/// The unknowns of a fit, in the order of the table, then those of the rig.
+pub(super) fn unknowns(law: &ModelType, experiments: &[Experiment], wishes: &Wishes) -> Result<Vec<Unknown>, Fault> {
+    let known = known(law);
+    check_names(law, &known, wishes)?;
+    let is_fixed = |name: &str| wishes.fixed.iter().any(|(fixed, _)| fixed == name);
+    let is_fitted = |name: &str| wishes.fitted.iter().any(|fitted| fitted == name);
+    let magnitudes = Magnitudes::of(experiments);
+    let of = |name: &str| law.find(name);
+    let mut list = Vec::new();
+    for (column, variable) in &known {
+        let name = variable.path.to_string();
+        if is_fixed(&name) || !(is_usual(variable) || is_fitted(&name)) {
+            continue;
+        }
+        let Kind::Real(unit) = variable.kind else { continue };
+        let (range, scale) = magnitudes.range(variable, unit.name);
+        let excess = (name == "mu_s").then(|| of("mu_k")).flatten();
+        let (name, target) = match excess {
+            Some(over) => ("mu_s - mu_k".to_owned(), Target::Excess { of: *column, over }),
+            None => (name, Target::Column(*column)),
+        };
+        list.push(Unknown { name, unit: unit.name, target, range, scale });
+    }
+    list.extend(of_rig(experiments, wishes, &magnitudes)?);
+    narrow(&mut list, law, wishes)?;
+    if let Some(Unknown { name, range: [low, high], .. }) =
+        list.iter().find(|one| !(one.range[0] < one.range[1] && one.range[1].is_finite()))
+    {
+        let text = format_args!("{}: the data give no range for {name} ({low:e} to {high:e}); give one", law.name);
+        return Err(Fault::value(text));
+    }
+    if list.is_empty() { Err(Fault::value(format_args!("{}: nothing is left to fit", law.name))) } else { Ok(list) }
+}
+
+/// The range in which a delay is looked for; None if none is. Each record with clocks of its own has another one; the
+/// controller of an axis has one.
+fn doubted(experiments: &[Experiment]) -> Result<Option<[f64; 2]>, Fault> {
+    let mut ranges = experiments.iter().filter(|one| one.delay_range.is_some());
+    let Some(first) = ranges.next() else { return Ok(None) };
+    for other in ranges {
+        if first.alike.is_none() || other.alike.is_none() {
+            return Err(Fault::value(format_args!(
+                "{}: its delay is another one than that of {}: look for delays in one record at a time, and give them",
+                other.name, first.name
+            )));
+        }
+        if other.delay_range != first.delay_range {
+            return Err(Fault::value(format_args!(
+                "{}: is sampled at other intervals than {}, so that the controller delays it by another time: fit them \
+                 one at a time",
+                other.name, first.name
+            )));
+        }
+    }
+    Ok(first.delay_range)
+}
+
+/// The unknowns of the rig.
+fn of_rig(experiments: &[Experiment], wishes: &Wishes, magnitudes: &Magnitudes) -> Result<Vec<Unknown>, Fault> {
+    let is_fixed = |name: &str| wishes.fixed.iter().any(|(fixed, _)| fixed == name);
+    let is_fitted = |name: &str| wishes.fitted.iter().any(|fitted| fitted == name);
+    let mut list = Vec::new();
+    if is_fitted("mass") {
+        list.push(Unknown {
+            name: "mass".into(),
+            unit: "kg",
+            target: Target::Mass,
+            range: [0.0, 1e4],
+            scale: Scale::Mixed(1.0),
+        });
+    }
+    if is_fitted("offset") {
+        let range = [-magnitudes.force, magnitudes.force];
+        list.push(Unknown { name: "offset".into(), unit: "N", target: Target::Offset, range, scale: Scale::Linear });
+    }
+    let doubted = doubted(experiments)?;
+    if doubted.is_none() && is_fixed("delay") {
+        return Err(Fault::value("delay: is held only where it is looked for; otherwise give it with the record"));
+    }
+    if let Some(range) = doubted.filter(|_| !is_fixed("delay")) {
+        list.push(Unknown { name: "delay".into(), unit: "s", target: Target::Delay, range, scale: Scale::Linear });
+    } else if is_fitted("delay") {
+        return Err(Fault::value("delay: can be fitted only if it is looked for in the motion of a single record"));
+    }
+    Ok(list)
+}
+
+fn check_names(law: &ModelType, known: &[(usize, Variable)], wishes: &Wishes) -> Result<(), Fault> {
+    let names: Vec<String> = known.iter().map(|(_, variable)| variable.path.to_string()).collect();
+    let named = wishes.fixed.iter().map(|(name, _)| name).chain(&wishes.fitted);
+    let named = named.chain(wishes.ranges.iter().map(|(name, _)| name).filter(|name| *name != "mu_s - mu_k"));
+    for name in named {
+        if !names.contains(name) && !OF_RIG.contains(&name.as_str()) {
+            let all = names.iter().map(String::as_str).chain(OF_RIG);
+            return Err(Fault::unknown(format!("{}: parameter", law.name), name, all));
+        }
+    }
+    for (name, value) in &wishes.fixed {
+        if wishes.fitted.contains(name) {
+            return Err(Fault::value(format_args!("{name} = {value}: is held, and to be fitted too")));
+        }
+        let variable = known.iter().map(|(_, variable)| variable).find(|variable| variable.path.to_string() == *name);
+        if let Some(variable) = variable.filter(|variable| !variable.admits(*value)) {
+            return Err(Fault::value(format_args!("{name} = {value}: must be {}", variable.bound)));
+        }
+        if !value.is_finite() {
+            return Err(Fault::value(format_args!("{name} = {value}: must be a finite number")));
+        }
+    }
+    Ok(())
+}
+
+/// Ranges of the user.
+fn narrow(list: &mut [Unknown], law: &ModelType, wishes: &Wishes) -> Result<(), Fault> {
+    for (name, [low, high]) in &wishes.ranges {
+        let Some(unknown) = list.iter_mut().find(|unknown| unknown.name == *name) else {
+            let how = if name == "mu_s" { "; it is fitted as 'mu_s - mu_k'" } else { "" };
+            return Err(Fault::value(format_args!("{}: {name} has a range and is not fitted{how}", law.name)));
+        };
+        let is_ordered = low < high && low.is_finite() && high.is_finite();
+        let is_admitted = match unknown.target {
+            Target::Column(column) => [low, high].into_iter().all(|end| law.table.at(column).admits(*end)),
+            Target::Excess { .. } | Target::Mass => *low >= 0.0,
+            Target::Offset | Target::Delay => true,
+        };
+        if !is_ordered {
+            return Err(Fault::value(format_args!(
+                "{name} = {low}:{high}: must be LOW:HIGH with LOW < HIGH, both finite"
+            )));
+        }
+        if !is_admitted {
+            let bound = match unknown.target {
+                Target::Column(column) => law.table.at(column).bound.to_string(),
+                _ => ">= 0".to_owned(),
+            };
+            return Err(Fault::value(format_args!("{name} = {low}:{high}: both must be {bound}")));
+        }
+        unknown.range = [*low, *high];
+        if *low <= 0.0 && unknown.scale == Scale::Logarithmic {
+            unknown.scale = Scale::Mixed(1e-3 * high);
+        }
+    }
+    Ok(())
+}

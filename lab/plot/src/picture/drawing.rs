@@ -1,0 +1,257 @@
+//! A diagram as SVG: axes with units, a grid, curves, a legend.
+//!
+//! It is written here rather than by a crate for plots: those at hand place points on whole pixels, draw a dashed curve
+//! as many short ones, and know no colours that follow the reader's choice of light or dark.
+
+use std::fmt::Write;
+
+use super::axis::{Axis, Quantity};
+use super::curve::{self, Point};
+use super::text::{FAMILY, escape, fitted, width};
+use crate::palette::{DASHES, Theme};
+
+/// Width of the drawing in its own units, and millimetres per unit: 150 mm is a column of a thesis.
+const WIDTH: f64 = 600.0;
+const MILLIMETRES: f64 = 0.25;
+/// Height of the frame, space above it, space right of it, smallest space left of it.
+const FRAME: f64 = 290.0;
+const ABOVE: f64 = 34.0;
+const RIGHT: f64 = 16.0;
+const LEFT: f64 = 66.0;
+/// Baselines below the frame: numbers of ticks, name of the axis, first row of the legend; distance of its rows; margin.
+const TICKS: f64 = 17.0;
+const NAME: f64 = 38.0;
+const LEGEND: f64 = 64.0;
+const ROW: f64 = 19.0;
+const MARGIN: f64 = 10.0;
+/// Sizes of letters: 9 to 10 points in print.
+const TITLE_SIZE: f64 = 14.0;
+const NAME_SIZE: f64 = 13.0;
+const TICK_SIZE: f64 = 12.0;
+/// Legend: length of a sample, space behind it, between entries.
+const SAMPLE: f64 = 34.0;
+const BEHIND: f64 = 7.0;
+const BETWEEN: f64 = 20.0;
+
+/// A curve with its name.
+pub struct Line {
+    /// Name in the legend.
+    pub name: String,
+    /// Points in the units of the axes.
+    pub points: Vec<Point>,
+    /// Whether its run ended early: the curve ends with a cross.
+    pub is_cut: bool,
+    /// Number of its colour and dashes; that of the curve in the picture if there is none.
+    pub look: Option<usize>,
+}
+
+/// A diagram.
+pub struct Drawing<'a> {
+    /// Title above the diagram.
+    pub title: &'a str,
+    /// Axis to the right, axis upwards.
+    pub axes: &'a [Axis; 2],
+    /// Lines, in the order of the legend.
+    pub lines: &'a [Line],
+    /// Colours.
+    pub theme: Theme,
+}
+
+/// The frame of the curves.
+struct Frame {
+    left: f64,
+    right: f64,
+    bottom: f64,
+}
+
+/// Writing to a `String` cannot fail.
+fn push(svg: &mut String, text: std::fmt::Arguments) {
+    let _ = svg.write_fmt(text);
+}
+
+impl Drawing<'_> {
+    /// The picture.
+    pub fn svg(&self) -> String {
+        let frame = self.frame();
+        let legend = Legend::of(self.lines, &frame);
+        let height = frame.bottom + LEGEND + ROW * (legend.rows as f64 - 1.0) + MARGIN;
+        let colours = self.theme.colours();
+        let title = escape(self.title);
+        let mut svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"picture\" viewBox=\"0 0 {WIDTH} {height}\" \
+             width=\"{}mm\" height=\"{}mm\" role=\"img\" aria-label=\"{title}\" font-family=\"{FAMILY}\">\n{}\
+             <rect class=\"paper\" width=\"{WIDTH}\" height=\"{}\" fill=\"{}\"/>\n",
+            WIDTH * MILLIMETRES,
+            height * MILLIMETRES,
+            self.theme.rules(),
+            // A little more, so that it covers the last row of pixels of a PNG.
+            height + ROW,
+            colours.paper
+        );
+        self.grid(&mut svg, &frame);
+        push(&mut svg, format_args!("<g class=\"ink\" fill=\"{}\">\n", colours.ink));
+        self.texts(&mut svg, &frame);
+        svg += "</g>\n";
+        self.curves(&mut svg, &frame);
+        self.legend(&mut svg, &frame, &legend);
+        svg + "</svg>\n"
+    }
+
+    fn frame(&self) -> Frame {
+        let widest = self.axes[1].ticks().map(|(_, text)| width(&text, TICK_SIZE)).fold(0.0, f64::max);
+        let last = self.axes[0].ticks().last();
+        let beyond = last.map_or(0.0, |(place, text)| 0.5 * width(&text, TICK_SIZE) - (1.0 - place) * WIDTH);
+        let left = LEFT.max(widest + 38.0);
+        Frame { left, right: WIDTH - RIGHT.max(beyond + 6.0), bottom: ABOVE + FRAME }
+    }
+
+    fn grid(&self, svg: &mut String, frame: &Frame) {
+        let Frame { left, right, bottom } = *frame;
+        let colours = self.theme.colours();
+        push(
+            svg,
+            format_args!("<path class=\"grid\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.7\" d=\"", colours.grid),
+        );
+        for (place, _) in self.axes[0].ticks() {
+            push(svg, format_args!("M{:.2} {ABOVE}V{bottom}", frame.across(place)));
+        }
+        for (place, _) in self.axes[1].ticks() {
+            push(svg, format_args!("M{left:.2} {:.2}H{right:.2}", frame.up(place)));
+        }
+        push(svg, format_args!("\"/>\n<path class=\"axis\" fill=\"none\" stroke=\"{}\" d=\"", colours.axis));
+        push(svg, format_args!("M{left:.2} {ABOVE}V{bottom}H{right:.2}"));
+        // The line of zero where it is not the end of an axis.
+        let zero = self.axes[1].place(0.0);
+        if zero > 0.02 && zero < 0.98 && self.axes[1].from.is_empty() {
+            push(svg, format_args!("M{left:.2} {:.2}H{right:.2}", frame.up(zero)));
+        }
+        *svg += "\" stroke-width=\"0.9\"/>\n";
+    }
+
+    fn texts(&self, svg: &mut String, frame: &Frame) {
+        let Frame { left, right, bottom } = *frame;
+        let title = escape(&fitted(self.title, TITLE_SIZE, WIDTH - left - MARGIN));
+        push(
+            svg,
+            format_args!("<text class=\"title\" x=\"{left:.2}\" y=\"20\" font-size=\"{TITLE_SIZE}\">{title}</text>\n"),
+        );
+        push(svg, format_args!("<g class=\"x\" font-size=\"{TICK_SIZE}\" text-anchor=\"middle\">\n"));
+        for (place, text) in self.axes[0].ticks() {
+            let (x, y) = (frame.across(place), bottom + TICKS);
+            push(svg, format_args!("<text x=\"{x:.2}\" y=\"{y}\">{text}</text>\n"));
+        }
+        push(svg, format_args!("</g>\n<g class=\"y\" font-size=\"{TICK_SIZE}\" text-anchor=\"end\">\n"));
+        for (place, text) in self.axes[1].ticks() {
+            let (x, y) = (left - 7.0, frame.up(place) + 4.2);
+            push(svg, format_args!("<text x=\"{x:.2}\" y=\"{y:.2}\">{text}</text>\n"));
+        }
+        push(svg, format_args!("</g>\n<g class=\"names\" font-size=\"{NAME_SIZE}\" text-anchor=\"middle\">\n"));
+        let [across, up] = self.axes.each_ref().map(name);
+        let (x, y) = (0.5 * (left + right), bottom + NAME);
+        push(svg, format_args!("<text x=\"{x:.2}\" y=\"{y}\">{across}</text>\n"));
+        let middle = bottom - 0.5 * FRAME;
+        push(svg, format_args!("<text transform=\"translate(18 {middle}) rotate(-90)\">{up}</text>\n</g>\n"));
+    }
+
+    fn curves(&self, svg: &mut String, frame: &Frame) {
+        *svg += "<g class=\"curves\" fill=\"none\" stroke-width=\"1.8\" stroke-linejoin=\"round\">\n";
+        let place = |[x, y]: &Point| [frame.across(self.axes[0].place(*x)), frame.up(self.axes[1].place(*y))];
+        let is_over_time = self.axes[0].quantity == Quantity::Time;
+        for (number, line) in self.lines.iter().enumerate() {
+            let points = line.points.iter().map(place);
+            let data = if is_over_time { curve::over_time(points) } else { curve::going_round(points) };
+            let look = line.look.unwrap_or(number);
+            push(svg, format_args!("<path class=\"law law-{}\" {} d=\"{data}\"/>\n", look + 1, self.stroke(look)));
+        }
+        for (number, line) in self.lines.iter().enumerate().filter(|(_, line)| line.is_cut) {
+            let is_finite = |point: &&Point| point.iter().all(|value| value.is_finite());
+            if let Some([x, y]) = line.points.iter().rev().find(is_finite).map(place) {
+                let look = line.look.unwrap_or(number);
+                let colour = self.theme.colours().laws[look];
+                let start = format!("M{:.2} {:.2}", x - 4.5, y - 4.5);
+                push(svg, format_args!("<path class=\"stop law-{}\" stroke=\"{colour}\" d=\"{start}", look + 1));
+                *svg += "l9 9m0 -9l-9 9\"/>\n";
+            }
+        }
+        *svg += "</g>\n";
+    }
+
+    /// Colour and dashes of a law.
+    fn stroke(&self, look: usize) -> String {
+        let colour = self.theme.colours().laws[look];
+        match DASHES[look] {
+            "" => format!("stroke=\"{colour}\""),
+            dashes => format!("stroke=\"{colour}\" stroke-dasharray=\"{dashes}\""),
+        }
+    }
+
+    fn legend(&self, svg: &mut String, frame: &Frame, legend: &Legend) {
+        push(svg, format_args!("<g class=\"legend\" fill=\"none\" stroke-width=\"1.8\" font-size=\"{TICK_SIZE}\">\n"));
+        for (number, line) in self.lines.iter().enumerate() {
+            let x = frame.left + legend.column * (number % legend.columns) as f64;
+            let y = frame.bottom + LEGEND + ROW * (number / legend.columns) as f64;
+            let (end, middle, text) = (x + SAMPLE, y - 4.2, x + SAMPLE + BEHIND);
+            let look = line.look.unwrap_or(number);
+            let stroke = self.stroke(look);
+            push(svg, format_args!("<g class=\"entry\"><path class=\"law-{}\" {stroke} ", look + 1));
+            push(svg, format_args!("d=\"M{x:.2} {middle:.2}H{end:.2}\"/>"));
+            let name = escape(&fitted(&line.name, TICK_SIZE, legend.column - SAMPLE - BEHIND));
+            let ink = self.theme.colours().ink;
+            push(
+                svg,
+                format_args!("<text class=\"ink\" fill=\"{ink}\" x=\"{text:.2}\" y=\"{y:.2}\">{name}</text></g>\n"),
+            );
+        }
+        *svg += "</g>\n";
+    }
+}
+
+impl Frame {
+    fn across(&self, place: f64) -> f64 {
+        self.left + place * (self.right - self.left)
+    }
+
+    fn up(&self, place: f64) -> f64 {
+        self.bottom - place * FRAME
+    }
+}
+
+/// Places of the entries of a legend below the frame.
+struct Legend {
+    columns: usize,
+    rows: usize,
+    /// Width of a column.
+    column: f64,
+}
+
+impl Legend {
+    fn of(lines: &[Line], frame: &Frame) -> Legend {
+        let room = frame.right - frame.left;
+        let widest = lines.iter().map(|line| width(&line.name, TICK_SIZE)).fold(0.0, f64::max);
+        let column = (SAMPLE + BEHIND + widest + 0.5).min(room);
+        let columns = (((room + BETWEEN) / (column + BETWEEN)) as usize).clamp(1, lines.len().max(1));
+        let rows = lines.len().div_ceil(columns).max(1);
+        let columns = lines.len().div_ceil(rows).max(1);
+        // Entries stand where those of a full width would.
+        let spread =
+            if columns > 1 { ((room - column) / (columns - 1) as f64).min(column + 2.0 * BETWEEN) } else { room };
+        Legend { columns, rows, column: spread.max(column) }
+    }
+}
+
+/// Name of an axis: quantity, letter in italics with its index, unit.
+fn name(axis: &Axis) -> String {
+    let (name, letter, index) = axis.quantity.names();
+    let mut text = format!("{name} <tspan font-style=\"italic\">{letter}</tspan>");
+    if !index.is_empty() {
+        push(&mut text, format_args!("<tspan dy=\"3\" font-size=\"{}\">{index}</tspan>", 0.75 * NAME_SIZE));
+    }
+    let from = if axis.from.is_empty() { String::new() } else { format!(" \u{2212} {}", axis.from) };
+    let unit = if axis.unit.is_empty() { String::new() } else { format!(" in {}", axis.unit) };
+    let rest = escape(&format!("{from}{unit}"));
+    match index {
+        "" => text + &rest,
+        // A space that begins an element is not drawn by all programs.
+        _ => text + " <tspan dy=\"-3\">" + rest.trim_start() + "</tspan>",
+    }
+}

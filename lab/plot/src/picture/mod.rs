@@ -1,0 +1,277 @@
+//! Pictures of runs: the usual seven diagrams, with all laws in one, as SVG and PNG.
+
+pub mod axis;
+mod curve;
+pub mod drawing;
+mod text;
+mod zoom;
+
+use std::fmt;
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::Tree;
+
+pub use crate::palette::{MOST_LAWS, Theme};
+pub(crate) use text::{escape, typeset_unit};
+
+use axis::{Axis, Quantity};
+use drawing::{Drawing, Line};
+use stribeck_solve::run::Outcome;
+use stribeck_solve::solve::End;
+use stribeck_solve::system::{Fault, System};
+use zoom::Range;
+
+/// Which diagram.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Position over time.
+    Position,
+    /// Relative velocity over time.
+    Velocity,
+    /// Acceleration over time.
+    Acceleration,
+    /// Friction force over time.
+    Force,
+    /// Friction force over a short time.
+    Zoom,
+    /// Friction force over relative velocity.
+    ForceOverVelocity,
+    /// Friction force over displacement.
+    ForceOverDisplacement,
+}
+
+impl Kind {
+    /// All of them.
+    pub const ALL: [Kind; 7] = [
+        Kind::Position,
+        Kind::Velocity,
+        Kind::Acceleration,
+        Kind::Force,
+        Kind::Zoom,
+        Kind::ForceOverVelocity,
+        Kind::ForceOverDisplacement,
+    ];
+
+    /// What the axes show: to the right, upwards.
+    fn quantities(self) -> [Quantity; 2] {
+        match self {
+            Kind::Position => [Quantity::Time, Quantity::Position],
+            Kind::Velocity => [Quantity::Time, Quantity::Velocity],
+            Kind::Acceleration => [Quantity::Time, Quantity::Acceleration],
+            Kind::Force | Kind::Zoom => [Quantity::Time, Quantity::Force],
+            Kind::ForceOverVelocity => [Quantity::Velocity, Quantity::Force],
+            Kind::ForceOverDisplacement => [Quantity::Displacement, Quantity::Force],
+        }
+    }
+
+    /// The diagram in words.
+    pub fn title(self) -> String {
+        let [across, up] = self.quantities().map(|quantity| quantity.names().0);
+        format!("{up} over {}", across.to_lowercase())
+    }
+}
+
+/// The name of a kind as part of the name of a file.
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
+            Kind::Position => "position",
+            Kind::Velocity => "velocity",
+            Kind::Acceleration => "acceleration",
+            Kind::Force => "force",
+            Kind::Zoom => "zoom",
+            Kind::ForceOverVelocity => "force-over-velocity",
+            Kind::ForceOverDisplacement => "force-over-displacement",
+        })
+    }
+}
+
+/// How pictures are made.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Options {
+    /// Light or dark.
+    pub theme: Theme,
+    /// Time range of the zoom, in s; found automatically if none is given.
+    pub zoom: Option<[f64; 2]>,
+}
+
+/// A picture.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// Which diagram it is.
+    pub kind: Kind,
+    /// Its number among those of this kind, from 1.
+    pub part: usize,
+    /// Number of pictures of this kind: more than one if there are more than [`MOST_LAWS`] laws.
+    pub parts: usize,
+    /// Its title.
+    pub title: String,
+    /// The picture.
+    pub svg: String,
+}
+
+/// Widest PNG, in pixels (chosen).
+const WIDEST: u32 = 10_000;
+
+impl Picture {
+    /// The picture as PNG of this width in pixels. A picture for light or dark surroundings is light.
+    pub fn png(&self, width: u32) -> Result<Vec<u8>, Fault> {
+        let wrong = |text: String| Fault::value(format_args!("PNG, width = {width}: {text}"));
+        if width == 0 || width > WIDEST {
+            return Err(wrong(format!("must be between 1 and {WIDEST} pixels")));
+        }
+        let tree = Tree::from_str(&self.svg, &text::READER).map_err(|error| wrong(error.to_string()))?;
+        let scale = width as f32 / tree.size().width();
+        let height = ((tree.size().height() * scale).round() as u32).max(1);
+        let mut pixels = Pixmap::new(width, height).ok_or_else(|| wrong("no memory".to_owned()))?;
+        resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
+        pixels.encode_png().map_err(|error| wrong(error.to_string()))
+    }
+
+    /// The picture's name as part of the name of a file.
+    pub fn name(&self) -> String {
+        if self.parts > 1 { format!("{}-{}", self.kind, self.part) } else { self.kind.to_string() }
+    }
+}
+
+/// A curve with its name.
+pub type Named = (String, Vec<[f64; 2]>);
+
+/// A picture of friction forces from elsewhere, in SI units, as a diagram of this kind. None without a finite point.
+pub fn curves(kind: Kind, title: &str, curves: Vec<Named>, theme: Theme) -> Option<Picture> {
+    let lines =
+        curves.into_iter().take(MOST_LAWS).map(|(name, points)| Line { name, points, is_cut: false, look: None });
+    let lines: Vec<Line> = lines.collect();
+    let is_finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
+    lines.iter().flat_map(|line| &line.points).find(|point| is_finite(point))?;
+    let quantities = kind.quantities();
+    let units = quantities.map(Quantity::unit);
+    let axes = axes(quantities, units, &lines, &None);
+    let svg = Drawing { title, axes: &axes, lines: &lines, theme }.svg();
+    Some(Picture { kind, part: 1, parts: 1, title: title.to_owned(), svg })
+}
+
+/// The name of the variable that a system shows as this quantity.
+fn shown(system: &System, quantity: Quantity) -> Option<&str> {
+    let show = &system.description.show;
+    let named = |key: &str| show.get(key).map(String::as_str);
+    match quantity {
+        Quantity::Time => None,
+        Quantity::Position => named("position"),
+        Quantity::Displacement => named("displacement").or_else(|| named("position")),
+        Quantity::Velocity => named("velocity"),
+        Quantity::Acceleration => named("acceleration"),
+        Quantity::Force => named("force"),
+        // Of runs, not in them.
+        Quantity::Evaluations | Quantity::Error | Quantity::SwitchingError => None,
+    }
+}
+
+/// The results of a run that its pictures need.
+pub fn needed(system: &System) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for quantity in Kind::ALL.iter().flat_map(|kind| kind.quantities()) {
+        if let Some(name) = shown(system, quantity)
+            && names.iter().all(|known| known != name)
+        {
+            names.push(name.to_owned());
+        }
+    }
+    names
+}
+
+/// Values and unit of a quantity.
+fn values<'a>(system: &System, outcome: &'a Outcome, quantity: Quantity) -> Option<(&'a [f64], &'a str)> {
+    if quantity == Quantity::Time {
+        return Some((&outcome.time, "s"));
+    }
+    let name = shown(system, quantity)?;
+    let column = outcome.columns.iter().find(|column| column.name == name)?;
+    Some((&column.values, &column.unit))
+}
+
+/// The pictures of the outcomes, each with the name of its law. Kinds for which the system shows no variable, or no
+/// outcome has it, are left out; more than [`MOST_LAWS`] laws are split evenly among pictures with the same axes.
+pub fn all(system: &System, outcomes: &[(String, Outcome)], options: &Options) -> Vec<Picture> {
+    Kind::ALL.iter().flat_map(|kind| pictures(*kind, system, outcomes, options)).collect()
+}
+
+fn pictures(kind: Kind, system: &System, outcomes: &[(String, Outcome)], options: &Options) -> Vec<Picture> {
+    let quantities = kind.quantities();
+    let zoom = if kind == Kind::Zoom { range(system, outcomes, options) } else { None };
+    let units = outcomes.iter().find_map(|(_, outcome)| {
+        let [across, up] = quantities.map(|quantity| values(system, outcome, quantity));
+        Some([across?.1, up?.1])
+    });
+    let Some(units) = units.filter(|_| kind != Kind::Zoom || zoom.is_some()) else { return Vec::new() };
+    let line = |(name, outcome): &(String, Outcome)| line(system, quantities, name, outcome, &zoom);
+    let lines: Vec<Line> = outcomes.iter().map(line).collect();
+    let axes = axes(quantities, units, &lines, &zoom);
+    let parts = lines.len().div_ceil(MOST_LAWS);
+    let size = lines.len().div_ceil(parts);
+    let picture = |(number, lines): (usize, &[Line])| {
+        let mut title = zoom.as_ref().map_or_else(|| kind.title(), |range| format!("Friction force {}", range.words()));
+        if parts > 1 {
+            let first = number * size;
+            title += &format!(" (laws {} to {} of {})", first + 1, first + lines.len(), outcomes.len());
+        }
+        let svg = Drawing { title: &title, axes: &axes, lines, theme: options.theme }.svg();
+        Picture { kind, part: number + 1, parts, title, svg }
+    };
+    lines.chunks(size).enumerate().map(picture).collect()
+}
+
+/// The time range of the zoom: the one that was asked for, or the one about the first breakaway.
+fn range(system: &System, outcomes: &[(String, Outcome)], options: &Options) -> Option<Range> {
+    if let Some([from, to]) = options.zoom.filter(|[from, to]| from < to && (to - from).is_finite()) {
+        return Some(Range::given([from, to]));
+    }
+    Range::find(outcomes, shown(system, Quantity::Force)?, shown(system, Quantity::Velocity))
+}
+
+/// The curve of a law.
+fn line(system: &System, quantities: [Quantity; 2], name: &str, outcome: &Outcome, zoom: &Option<Range>) -> Line {
+    let [across, up] =
+        quantities.map(|quantity| values(system, outcome, quantity).map_or(&[][..], |(values, _)| values));
+    let points = across.iter().zip(up).map(|(x, y)| [*x, *y]);
+    let (name, end) = match outcome.end {
+        End::Reached => (name.to_owned(), None),
+        End::Failed { time, .. } | End::Cancelled { time } => {
+            (format!("{name} (stopped at {} s)", text::digits(time, 4)), Some(time))
+        }
+    };
+    match zoom {
+        None => Line { name, points: points.collect(), is_cut: end.is_some(), look: None },
+        Some(Range { from, to, .. }) => {
+            let is_cut = end.is_some_and(|end| (*from..*to).contains(&end));
+            Line { name, points: within(points.collect(), *from, *to), is_cut, look: None }
+        }
+    }
+}
+
+/// The part of a curve over time in a range, with its ends.
+fn within(points: Vec<[f64; 2]>, from: f64, to: f64) -> Vec<[f64; 2]> {
+    let first = points.partition_point(|point| point[0] < from);
+    let past = points.partition_point(|point| point[0] <= to);
+    let between = |right: usize, time: f64| {
+        let [[x_0, y_0], [x_1, y_1]] = [points.get(right.checked_sub(1)?)?, points.get(right)?];
+        Some([time, y_0 + (y_1 - y_0) * (time - x_0) / (x_1 - x_0)])
+    };
+    let inside = points.get(first..past).unwrap_or(&[]).iter().copied();
+    between(first, from).into_iter().chain(inside).chain(between(past, to)).collect()
+}
+
+fn axes(quantities: [Quantity; 2], units: [&str; 2], lines: &[Line], zoom: &Option<Range>) -> [Axis; 2] {
+    let range = |axis: usize| {
+        let values =
+            lines.iter().flat_map(|line| &line.points).map(|point| point[axis]).filter(|value| value.is_finite());
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+        if low <= high { [low, high] } else { [0.0, 0.0] }
+    };
+    let across = zoom.as_ref().map_or_else(|| range(0), |zoom| [zoom.from, zoom.to]);
+    let is_time = quantities[0] == Quantity::Time;
+    [Axis::new(quantities[0], units[0], across, 8.0, is_time), Axis::new(quantities[1], units[1], range(1), 6.0, false)]
+}
+
+#[cfg(test)]
+mod tests;

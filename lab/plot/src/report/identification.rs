@@ -1,0 +1,248 @@
+//! Report of an identification.
+
+use super::html::Page;
+use super::{STYLE, versions_of};
+use crate::picture::{Kind, Named, Picture, Theme, curves};
+use stribeck_fit::identify::{
+    Difference, EARLY, Estimate, Fit, Method, Ranking, Reference, Searches, Task, Verdict, difference, digits,
+    digits_within, known, respond,
+};
+use stribeck_fit::measured::{Record, average};
+use stribeck_solve::system::Fault;
+
+/// An identification and the records it was made from.
+#[derive(Clone, Copy, Debug)]
+pub struct Identification<'a> {
+    /// The records with their names.
+    pub records: &'a [(String, Record)],
+    /// How they were fitted.
+    pub task: &'a Task,
+    /// The command line that repeats it; left out if empty.
+    pub command: &'a str,
+    /// The fits.
+    pub ranking: &'a Ranking,
+    /// Values to compare the best fit with.
+    pub reference: Option<&'a Reference>,
+}
+
+/// The report, as one HTML file.
+pub fn html(facts: &Identification) -> Result<String, Fault> {
+    let best = facts.ranking.best();
+    let mut page = Page::new(&format!("Identification of {}", best.law.name), STYLE);
+    for warning in best.is_cancelled.then_some(EARLY).into_iter().chain(best.warnings.iter().map(String::as_str)) {
+        page.paragraph("warning", warning);
+    }
+    estimates(&mut page, best, facts.reference);
+    residuals(&mut page, best);
+    page.heading("Pictures");
+    for number in 0..facts.records.len() {
+        for picture in drawn(facts, number, Theme::Auto)? {
+            page.raw(&format!("<figure>\n{}</figure>\n", picture.svg));
+        }
+    }
+    ranking(&mut page, facts);
+    records(&mut page, facts);
+    correlations(&mut page, best);
+    settings(&mut page, facts);
+    page.heading("To run a system with it");
+    page.listing("stribeck run --config fitted.toml      # with this in fitted.toml:");
+    page.listing(&best.configuration().text());
+    versions_of(&mut page, [best.law]);
+    Ok(page.end())
+}
+
+fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
+    page.heading("Parameters");
+    let head = [
+        "Parameter",
+        "Unit",
+        "#Value",
+        "95 % interval",
+        "From repetitions",
+        "#Reference",
+        "#Difference, % of it",
+        "#% of the mean",
+        "Verdict",
+    ];
+    page.begin_table(&head);
+    for one in &best.estimates {
+        let precise = |value: f64| digits_within(value, one.width());
+        let ends = |[low, high]: [f64; 2]| format!("{} to {}", precise(low), precise(high));
+        let Estimate { name, unit, value, verdict, repeated, .. } = one;
+        let is_told = *verdict == Verdict::Determined;
+        let known = reference.and_then(|reference| known(reference, name));
+        let apart = known.filter(|known| is_told && *known != 0.0).map(|known| difference(*value, known));
+        let percent = |of: fn(Difference) -> f64| apart.map_or(String::new(), |apart| format!("{:.1}", of(apart)));
+        let told = |text: String| if is_told { text } else { String::new() };
+        let cells = [
+            name.clone(),
+            (*unit).to_owned(),
+            told(precise(*value)),
+            if best.searches == Searches::Ended { String::new() } else { told(ends(one.interval())) },
+            told(repeated.map_or(String::new(), ends)),
+            known.map_or(String::new(), digits),
+            percent(|apart| apart.to_reference),
+            percent(|apart| apart.to_mean),
+            verdict.to_string(),
+        ];
+        page.row(if is_told { "" } else { "failed" }, &head, &cells);
+    }
+    page.end_table();
+    if let Some(note) = best.note() {
+        page.paragraph("note", &note);
+    }
+}
+
+/// Sizes of the residuals, also in records that were not fitted.
+fn residuals(page: &mut Page, best: &Fit) {
+    for one in &best.unseen {
+        let text = format!("{}, which was not fitted: {} N is not explained.", one.name, digits(one.rms));
+        page.paragraph("note", &text);
+    }
+    let seen = &best.residuals;
+    page.paragraph(
+        "note",
+        &format!(
+            "Not explained: {} N (root mean square) of {} N. Correlation of neighbouring residuals {:.2}, correlation time \
+             {:.1} of {} samples. Condition {:.1e}. {} evaluations; sensitivities {}.",
+            digits(seen.rms),
+            digits(best.level),
+            seen.neighbours,
+            seen.correlation,
+            best.samples,
+            best.condition,
+            best.evaluations,
+            if best.is_exact { "exact" } else { "by central differences" }
+        ),
+    );
+}
+
+fn ranking(page: &mut Page, facts: &Identification) {
+    if facts.ranking.ranks.len() < 2 {
+        return;
+    }
+    page.heading("Laws");
+    let head = ["Law", "#Unexplained in N", "#Unknowns", "#Behind", "Verdict"];
+    page.begin_table(&head);
+    for (place, rank) in facts.ranking.ranks.iter().enumerate() {
+        let fit = &facts.ranking.fits[rank.fit];
+        let is_tied = rank.is_tied && place > 0;
+        let verdict = fit.searches.note().or(is_tied.then_some("cannot be told apart from the first")).unwrap_or("");
+        let count = fit.unknowns().to_string();
+        let cells =
+            [fit.law.name.into(), digits(fit.residuals.rms), count, format!("{:.1}", rank.behind), verdict.into()];
+        page.row("", &head, &cells);
+    }
+    page.end_table();
+    for (_, reason) in &facts.ranking.refused {
+        page.paragraph("note", reason);
+    }
+}
+
+fn records(page: &mut Page, facts: &Identification) {
+    page.heading("Records");
+    let head =
+        ["Record", "#Samples", "#Length in s", "#Reversals", "#Noise in N", "#Delay of the motion in s", "Findings"];
+    page.begin_table(&head);
+    for (name, record) in facts.records {
+        let quality = &record.quality;
+        let cells = [
+            name.clone(),
+            quality.samples.to_string(),
+            format!("{:.3}", quality.duration),
+            quality.reversals.to_string(),
+            digits(quality.noise),
+            format!("{:.5}", record.clocks.delay),
+            quality.findings.join("; "),
+        ];
+        page.row("", &head, &cells);
+    }
+    page.end_table();
+}
+
+fn correlations(page: &mut Page, best: &Fit) {
+    page.heading("Correlations");
+    let names: Vec<&str> = best.estimates.iter().take(best.unknowns()).map(|one| one.name.as_str()).collect();
+    let titles: Vec<String> = names.iter().map(|name| format!("#{name}")).collect();
+    let head: Vec<&str> = std::iter::once("").chain(titles.iter().map(String::as_str)).collect();
+    page.begin_table(&head);
+    for (name, row) in names.iter().zip(&best.correlation) {
+        let cells = row.iter().map(|value| format!("{value:.2}"));
+        let cells: Vec<String> = std::iter::once((*name).to_owned()).chain(cells).collect();
+        page.row("", &head, &cells);
+    }
+    page.end_table();
+}
+
+/// Settings of the fit, with the defaults where nothing was asked for.
+fn settings(page: &mut Page, facts: &Identification) {
+    let Task { wishes, method, seed, budget, repetitions, mass, is_robust, folds, .. } = facts.task;
+    page.heading("How it was fitted");
+    let head = ["Setting", "Value"];
+    let mut rows = vec![
+        ("Search", if *method == Method::Genetic { "genetic algorithm" } else { "differential evolution" }.to_owned()),
+        ("Seed", seed.to_string()),
+        ("Evaluations in a search", budget.to_string()),
+        ("Loss", if *is_robust { "robust" } else { "squares" }.to_owned()),
+        ("Repetitions", repetitions.to_string()),
+        ("Parts for cross-validation", folds.to_string()),
+        ("Mass between load cell and contact", format!("{mass} kg, unless it was fitted or held")),
+    ];
+    rows.extend(wishes.fixed.iter().map(|(name, value)| ("Held", format!("{name} = {value}"))));
+    rows.extend(wishes.fitted.iter().map(|name| ("Fitted as well", name.clone())));
+    rows.extend(wishes.ranges.iter().map(|(name, [low, high])| ("Range", format!("{name} from {low} to {high}"))));
+    page.begin_table(&head);
+    rows.into_iter().for_each(|(setting, value)| page.row("", &head, &[setting.to_owned(), value]));
+    page.end_table();
+    page.listing(facts.command);
+}
+
+/// Friction of a record over time, velocity and displacement: measured, of the reference, and fitted (the thesis'
+/// Figures 8.7 to 8.11). Over velocity and displacement it is the mean cycle, if the cycles of the record are alike.
+pub fn pictures(facts: &Identification, number: usize) -> Result<Vec<Picture>, Fault> {
+    drawn(facts, number, Theme::Light)
+}
+
+fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Picture>, Fault> {
+    let Some((name, record)) = facts.records.get(number) else { return Ok(Vec::new()) };
+    let best = facts.ranking.best();
+    let seen = best.seen(record);
+    let mut all = vec![("measured".to_owned(), seen.clone())];
+    if let Some(reference) = facts.reference {
+        let friction_force = respond(best.law, reference, &seen, best.parts)?;
+        all.push(("reference".to_owned(), Record { friction_force, ..seen.clone() }));
+    }
+    all.push((format!("{} fitted", best.law.name), best.explained_in(&seen, number)));
+    let cycles = average(&seen).map_or(0, |cycle| cycle.count);
+    let cycled: Vec<(String, Record)> = all.iter().map(|(name, record)| (name.clone(), mean(record))).collect();
+    let kinds = [Kind::Force, Kind::ForceOverVelocity, Kind::ForceOverDisplacement];
+    let picture = |kind: Kind| {
+        let source = if kind == Kind::Force { &all } else { &cycled };
+        let of = if kind == Kind::Force || cycles == 0 { String::new() } else { format!(" (mean of {cycles} cycles)") };
+        let lines: Vec<Named> = source.iter().map(|(name, record)| (name.clone(), points(kind, record))).collect();
+        curves(kind, &format!("{name}: {}{of}", kind.title()), lines, theme)
+    };
+    Ok(kinds.into_iter().filter_map(picture).collect())
+}
+
+/// The mean cycle; the record itself if it has none, or if its cycles are different motions.
+fn mean(record: &Record) -> Record {
+    let Some(cycle) = average(record) else { return record.clone() };
+    let mut mean = record.clone();
+    mean.time = cycle.phase;
+    (mean.displacement, mean.velocity, mean.friction_force) =
+        (cycle.displacement, cycle.velocity, cycle.friction_force);
+    mean
+}
+
+fn points(kind: Kind, record: &Record) -> Vec<[f64; 2]> {
+    let across = match kind {
+        Kind::ForceOverVelocity => &record.velocity,
+        Kind::ForceOverDisplacement => &record.displacement,
+        _ => &record.time,
+    };
+    // An average that mixes both directions is not friction: the curve has a gap there.
+    let is_mixed = |at: usize| record.alike.as_ref().is_some_and(|alike| alike.least_speed[at] == 0.0);
+    let force = |at: usize| if is_mixed(at) { f64::NAN } else { record.friction_force[at] };
+    across.iter().enumerate().map(|(at, x)| [*x, force(at)]).collect()
+}

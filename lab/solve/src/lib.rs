@@ -1,0 +1,17 @@
+//! Systems of Stribeck's models, solved to a tolerance.
+//!
+//! [`system`] joins models, [`solve`] has the solvers, [`couple`] steps models together as importers do, [`run`] runs a
+//! system once, [`study`] many times.
+//!
+//! Systems and solvers use the elementary functions of the models only: a run has the same bits on every platform and
+//! in a browser.
+
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
+pub mod couple;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
+pub mod run;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
+pub mod solve;
+pub mod study;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
+pub mod system;
