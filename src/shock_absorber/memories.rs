@@ -5,19 +5,7 @@ use crate::number::Decision;
 use crate::shock_absorber::ShockAbsorber;
 use crate::shock_absorber::law::Evaluate;
 use crate::shock_absorber::law_plan::MEMORY;
-use crate::shock_absorber::setting::Setting;
-
-crate::choices! {
-    /// Initial state of the friction law.
-    pub enum FrictionStart {
-        /// State after one second at the initial velocity: steady sliding, or rest.
-        Steady,
-        /// Contacts at rest, without load.
-        Zero,
-        /// Start values of memory_1 and memory_2.
-        Value,
-    }
-}
+use crate::shock_absorber::setting::{FrictionStart, Setting};
 
 /// States of the two contacts. By reference: a memory is long, and copies of it fill the stack.
 pub(super) type Memories<'a, T> = [&'a [T; MEMORY]; 2];

@@ -11,7 +11,6 @@ use crate::shock_absorber::geometry::Geometry;
 use crate::shock_absorber::guide_contact::{FrictionLaw, Levels, Touch};
 use crate::shock_absorber::hydraulic_damper::Hydraulics;
 use crate::shock_absorber::law::Evaluate;
-use crate::shock_absorber::memories::FrictionStart;
 use crate::shock_absorber::telescopic_joint::{NormalSum, SideConvention, SideLoad, Wrench};
 
 crate::choices! {
@@ -77,6 +76,18 @@ crate::part! {
         input_mode: fixed = InputMode::Hold.start(),
         /// Mass that the strut carries or moves, whichever is smaller; for the advice step_limit only.
         mass_ref: tunable = real("kg", 16.4).positive(),
+    }
+}
+
+crate::choices! {
+    /// Initial state of the friction law.
+    pub enum FrictionStart {
+        /// State after one second at the initial velocity: steady sliding, or rest.
+        Steady,
+        /// Contacts at rest, without load.
+        Zero,
+        /// Start values of memory_1 and memory_2.
+        Value,
     }
 }
 

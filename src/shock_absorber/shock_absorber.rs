@@ -7,9 +7,9 @@ use crate::number::Mask;
 use crate::shock_absorber::guide_contact::Touch;
 use crate::shock_absorber::law::{Answer, Evaluate, MOST_EVENTS};
 use crate::shock_absorber::law_plan::{MEMORY, blank_memory};
-use crate::shock_absorber::memories::{FrictionStart, Memories};
+use crate::shock_absorber::memories::Memories;
 use crate::shock_absorber::presets;
-use crate::shock_absorber::setting::{InputMode, Motion, Setting};
+use crate::shock_absorber::setting::{FrictionStart, InputMode, Motion, Setting};
 
 /// States of the damper.
 pub(super) struct OtherStates<T> {

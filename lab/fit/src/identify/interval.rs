@@ -9,8 +9,9 @@ use std::sync::atomic::Ordering;
 
 use stribeck::number::Real;
 
+use super::problem::Found;
 use super::problem::Problem;
-use super::search::{Found, Watch, polish, polish_until};
+use super::search::{Watch, polish, polish_until};
 use super::trust::{Elsewhere, Residuals, Trust, Verdict, WIDTH};
 use super::unknown::Scale;
 

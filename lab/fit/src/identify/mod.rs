@@ -56,10 +56,11 @@ pub use unseen::{Unseen, held_out};
 
 use interval::{Ended, repetitions};
 use loss::Loss;
+use problem::Found;
 use problem::Problem;
 use refine::refine;
 use response::{Exact, Ports};
-use search::{Best, Found, best, first_look, polish};
+use search::{Best, best, first_look, polish};
 use stribeck_solve::system::Fault;
 use trust::{Trust, residuals, trust};
 use unknown::OF_RIG;

@@ -12,7 +12,6 @@ use stribeck::model::ModelType;
 use super::Experiment;
 use super::loss::Loss;
 use super::response::{Exact, Ports, forces};
-use super::search::Found;
 use super::unknown::{Target, Unknown};
 
 /// A law, the experiments it is fitted to, and the unknowns.
@@ -40,6 +39,15 @@ pub(super) struct Problem<'a> {
     pub instead: Option<Vec<f64>>,
     pub low: Vec<f64>,
     pub high: Vec<f64>,
+}
+
+/// A place and its cost, half the sum of squares.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Found {
+    pub places: Vec<f64>,
+    pub cost: f64,
+    /// Evaluations of the law over all experiments.
+    pub evaluations: u64,
 }
 
 /// Residual of a place at which the law is refused: larger than any force that is measured.

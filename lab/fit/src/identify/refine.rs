@@ -3,8 +3,9 @@
 use std::sync::atomic::Ordering;
 
 use super::Task;
+use super::problem::Found;
 use super::problem::Problem;
-use super::search::{Found, Method, Watch, polish};
+use super::search::{Method, Watch, polish};
 use super::trust::{residuals, trust};
 
 /// Most parts of an interval, and the shift of the unknowns, in standard deviations, that may be left (chosen).

@@ -6,7 +6,7 @@ use basin::{
     BoundedLevenbergMarquardt, De, DeMutation, Executor, PointState, PopulationProgress, Ssga, State, StepOutcome,
 };
 
-use super::problem::Problem;
+use super::problem::{Found, Problem};
 use super::{BUDGET, Experiment, Task};
 
 /// How the whole range is searched.
@@ -17,15 +17,6 @@ pub enum Method {
     Evolution,
     /// A genetic algorithm alone, as the thesis does: for comparison.
     Genetic,
-}
-
-/// A place and its cost, half the sum of squares.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Found {
-    pub places: Vec<f64>,
-    pub cost: f64,
-    /// Evaluations of the law over all experiments.
-    pub evaluations: u64,
 }
 
 /// Hears of a search that is under way, and may end it.

@@ -26,8 +26,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::blur;
 use super::loss::Loss;
+use super::problem::Found;
 use super::problem::{Problem, dot};
-use super::search::Found;
 use super::unknown::{Target, Unknown};
 
 /// Part of a large change up to which the data must know an unknown.

@@ -38,9 +38,8 @@ use nalgebra::{SMatrix, SVector};
 use stribeck::number::Real;
 
 use super::Record;
-use super::clock::Clocks;
+use super::clock::{Clocks, around};
 use super::quality::{GAP, noise};
-use super::record::around;
 use super::stencil::NODES;
 
 /// Data for each sample of a record whose force and motion are smoothed alike.

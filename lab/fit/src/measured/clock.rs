@@ -33,6 +33,11 @@ impl Clocks {
     }
 }
 
+/// Range around a middle.
+pub(super) fn around(middle: f64, half: f64) -> [f64; 2] {
+    [middle - half, middle + half]
+}
+
 /// Places of the delays that are tried first, to each side (chosen).
 const COARSE: i32 = 40;
 

@@ -1,7 +1,7 @@
 //! A record: force and motion on one clock, and the friction that follows from them.
 
 use super::alike::{self, Alike};
-use super::clock::{Clocks, Pair};
+use super::clock::{Clocks, Pair, around};
 use super::plausible::{self, short};
 use super::polynomial::Local;
 use super::quality::{Quality, median, noise, quality, rounding};
@@ -580,11 +580,6 @@ impl Motion {
 
 /// Samples at which a filter is compared with another one, at most (chosen).
 const LOOKED_AT: usize = 2000;
-
-/// Range around a middle.
-pub(super) fn around(middle: f64, half: f64) -> [f64; 2] {
-    [middle - half, middle + half]
-}
 
 pub(super) fn integral(time: &[f64], velocity: &[f64]) -> Vec<f64> {
     let mut displacement = vec![0.0];

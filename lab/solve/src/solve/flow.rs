@@ -7,8 +7,8 @@
 
 use stribeck::number::elementary::{exp, exp_m1};
 
-use super::method::Beginning;
 use super::recorder::{Course, Times};
+use super::step::Beginning;
 
 /// Largest norm of a matrix whose phi function is summed up (chosen): ten terms are then exact.
 const SMALL: f64 = 0.125;

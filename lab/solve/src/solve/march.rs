@@ -1,9 +1,9 @@
 //! Steps with error control from event to event.
 
 use super::event::{Bracket, Crossing, Watch};
-use super::method::{Beginning, Step};
 use super::recorder::{Piece, Recorder};
 use super::statistics::{End, Event, Statistics};
+use super::step::{Beginning, Step};
 use super::{Equations, Options};
 
 /// Safety factor and limits of the change of a step size, as usual.

@@ -15,6 +15,7 @@ mod recorder;
 mod rodas5p;
 mod rosenbrock23;
 mod statistics;
+mod step;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

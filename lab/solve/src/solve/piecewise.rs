@@ -5,9 +5,9 @@
 //! themselves. Where they turn out not to be linear, another method goes on until the next event.
 
 use super::flow::{Flow, QUARTERS};
-use super::method::{Beginning, Step};
 use super::recorder::{Course, Times};
 use super::statistics::Statistics;
+use super::step::{Beginning, Step};
 use super::{Equations, Options};
 
 /// Deviation from polynomials of degree 4, in parts of the changes of the states, up to which a step is short enough for

@@ -10,8 +10,8 @@
 
 use super::Equations;
 use super::elimination::Factors;
-use super::method::{Beginning, Step};
 use super::recorder::Polynomials;
+use super::step::{Beginning, Step};
 
 const STAGES: usize = 8;
 

@@ -14,8 +14,8 @@
 
 use super::Equations;
 use super::elimination::Factors;
-use super::method::{Beginning, Step};
 use super::recorder::Polynomials;
+use super::step::{Beginning, Step};
 
 /// A step of the method.
 pub(super) struct Rosenbrock23<const N: usize> {

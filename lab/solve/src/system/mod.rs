@@ -5,6 +5,7 @@
 
 mod error;
 mod file;
+mod influence;
 mod motion;
 mod mover;
 mod order;

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use stribeck::model::{Kind, ModelType, Role, Variable};
 
 use super::file::{Description, PartDescription, Source};
-use super::order::Influence;
+use super::influence::Influence;
 use super::signal::Course;
 use super::values::{column, spelled};
 use super::{Fault, Setting, Signal, slot};
@@ -110,7 +110,7 @@ impl System {
 
     /// Dependencies of each part's outputs.
     pub(super) fn influences(&self) -> &[Influence] {
-        self.influences.get_or_init(|| self.parts.iter().map(Influence::of).collect())
+        self.influences.get_or_init(|| self.parts.iter().map(|part| Influence::of(part.model, &part.row)).collect())
     }
 
     /// Refuses a setting that none of the systems can use.
