@@ -13,5 +13,7 @@ pub use bound::{Bound, Brief};
 pub use fault::Fault;
 pub use packed::{Packed, Parts, Pool, Table, Variables};
 pub use path::{Path, Segment};
-pub use port::{Computed, Port, Ports, Range, ports, range_count, ranges};
-pub use variable::{BaseType, Column, Enumeration, Item, Kind, Role, Variable, boolean, choice, integer, real};
+pub use port::{Port, Ports, Range, ports, range_count, ranges};
+pub use variable::{
+    BaseType, Column, Computed, Enumeration, Item, Kind, Role, Variable, boolean, choice, integer, real,
+};

@@ -1,28 +1,6 @@
 //! Facts of columns for calls on every step.
 
-use super::{Kind, Role, Variable};
-
-/// The outputs of a row that follow its other columns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Computed {
-    /// None.
-    Nothing,
-    /// All but advice.
-    Main,
-    /// All.
-    All,
-}
-
-impl Computed {
-    /// Outputs that must be computed before a column of that role can be read.
-    pub(super) const fn before(role: Role, is_advice: bool) -> Computed {
-        match role {
-            Role::Output if is_advice => Computed::All,
-            Role::Output => Computed::Main,
-            _ => Computed::Nothing,
-        }
-    }
-}
+use super::{Computed, Kind, Role, Variable};
 
 /// The facts about a column that get and set need on every step.
 #[derive(Clone, Copy, Debug)]

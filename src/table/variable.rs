@@ -1,6 +1,6 @@
 //! Columns of a model and their properties: role, kind, start value, bound.
 
-use super::{Bound, Brief, Computed, Fault, Path};
+use super::{Bound, Brief, Fault, Path};
 use crate::unit::{self, Unit};
 
 /// Who writes a column, and when.
@@ -337,6 +337,28 @@ impl Variable {
                 Fault::new(format_args!("{path} = {shown}: must be >= {}", Brief(bound.min())))
             }
             _ => Fault::new(format_args!("{path} = {shown}: must be {bound}")),
+        }
+    }
+}
+
+/// The outputs of a row that follow its other columns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Computed {
+    /// None.
+    Nothing,
+    /// All but advice.
+    Main,
+    /// All.
+    All,
+}
+
+impl Computed {
+    /// Outputs that must be computed before a column of that role can be read.
+    pub(super) const fn before(role: Role, is_advice: bool) -> Computed {
+        match role {
+            Role::Output if is_advice => Computed::All,
+            Role::Output => Computed::Main,
+            _ => Computed::Nothing,
         }
     }
 }

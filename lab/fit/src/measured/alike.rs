@@ -37,21 +37,10 @@
 use nalgebra::{SMatrix, SVector};
 use stribeck::number::Real;
 
-use super::Record;
 use super::clock::{Clocks, around};
 use super::quality::{GAP, noise};
+use super::record::{Alike, Record};
 use super::stencil::NODES;
-
-/// Data for each sample of a record whose force and motion are smoothed alike.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Alike {
-    /// Third derivative of the displacement, m/s3.
-    pub jerk: Vec<f64>,
-    /// Least speed within the reach of the filter, m/s, of a velocity that is smoothed less; 0 where it turns.
-    pub least_speed: Vec<f64>,
-    /// Noise of the force that the filter leaves, standard deviation in N.
-    pub noise: f64,
-}
 
 /// Samples of the motion by which that of a controller may be later than its force (chosen): half of one for a force
 /// that is held until the next sample, one more if it takes that long to compute it.

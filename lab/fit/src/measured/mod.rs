@@ -26,20 +26,23 @@ mod alike;
 mod clock;
 mod columns;
 mod cycle;
+mod error;
 mod plausible;
 mod polynomial;
 mod quality;
 mod record;
+mod reduce;
 mod stencil;
 #[cfg(test)]
 mod tests;
 mod units;
 mod window;
 
-pub use alike::{Alike, SLOW};
+pub use alike::SLOW;
 pub use clock::Clocks;
 pub use columns::Columns;
 pub use cycle::{Cycle, average, interpolate};
+pub use error::MeasuredError;
 pub(crate) use polynomial::correlation_of_slopes;
-pub use quality::{Gap, Quality, noise};
-pub use record::{Delay, MeasuredError, Record, Rig};
+pub use quality::noise;
+pub use record::{Alike, Delay, Gap, Quality, Record, Rig};

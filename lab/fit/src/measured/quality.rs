@@ -1,45 +1,7 @@
 //! Quality of a record: whether it can tell anything, before anybody fits it.
 
 use super::cycle::TURN;
-use super::{Record, Rig};
-
-/// A gap between samples.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gap {
-    /// Where it begins, s.
-    pub time: f64,
-    /// Its length, s.
-    pub length: f64,
-}
-
-/// Quality of a record.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Quality {
-    /// Number of samples.
-    pub samples: usize,
-    /// Length, s.
-    pub duration: f64,
-    /// Median interval, s.
-    pub interval: f64,
-    /// Gaps between samples.
-    pub gaps: Vec<Gap>,
-    /// Share of the samples at an end of the range of the force, where the load cell may be saturated.
-    pub saturated: f64,
-    /// Noise of the force, standard deviation in N.
-    pub noise: f64,
-    /// Least change of the displacement, m.
-    pub resolution: f64,
-    /// Largest speed, m/s.
-    pub fastest: f64,
-    /// Samples per reversal in which the speed is below a tenth of the largest one.
-    pub slow: f64,
-    /// Number of reversals.
-    pub reversals: usize,
-    /// Least and largest normal force, N.
-    pub loads: [f64; 2],
-    /// Sentences on what is missing or doubtful.
-    pub findings: Vec<String>,
-}
+use super::record::{Gap, Quality, Record, Rig};
 
 /// Intervals from which there is a gap between two samples (chosen).
 pub(super) const GAP: f64 = 3.0;

@@ -1,7 +1,7 @@
 //! Units that a file does not say, and quantities of it that contradict each other.
 
 use super::MeasuredError;
-use super::record::integral;
+use super::reduce::integral;
 use crate::sheet::{DISPLACEMENT, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
 /// Says which quantities have no unit in the file of a table, so that they are taken as those of SI.

@@ -1,0 +1,158 @@
+//! Errors of a record and of what is known about its rig.
+
+use crate::sheet::SheetError;
+
+/// Reason why a file is not a record.
+#[derive(Debug, thiserror::Error)]
+pub enum MeasuredError {
+    /// The table cannot be read.
+    #[error(transparent)]
+    Sheet(#[from] SheetError),
+    /// The table of the motion, where it has one of its own.
+    #[error("the motion: {0}")]
+    Motion(Box<MeasuredError>),
+    /// A value about the rig is not admitted.
+    #[error("{name} = {value}: must be {wanted}")]
+    Rig {
+        /// Its name.
+        name: &'static str,
+        /// The value.
+        value: f64,
+        /// The condition.
+        wanted: String,
+    },
+    /// Times do not ascend.
+    #[error("line {line}, time: {now} s after {before} s; times must ascend")]
+    Time {
+        /// Line of the file.
+        line: u64,
+        /// The time.
+        now: f64,
+        /// The time before it.
+        before: f64,
+    },
+    /// There are too few samples.
+    #[error("{count} samples; at least {least} are needed")]
+    Short {
+        /// Their number.
+        count: usize,
+        /// How many are needed.
+        least: usize,
+    },
+    /// A channel does not move.
+    #[error("{name}: all values are {value}; nothing can be identified from it")]
+    Constant {
+        /// The channel.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A channel of the motion is noise.
+    #[error("{name}: its range, {range:.3e} {unit}, is that of its noise ({noise:.1e} {unit}): nothing moves")]
+    Still {
+        /// The channel.
+        name: &'static str,
+        /// Difference between its largest and its least value.
+        range: f64,
+        /// Standard deviation of its noise.
+        noise: f64,
+        /// Their unit.
+        unit: &'static str,
+    },
+    /// A normal force is negative.
+    #[error("line {line}, normal_force: {value} N; must be >= 0")]
+    Load {
+        /// Line of the file.
+        line: u64,
+        /// The value.
+        value: f64,
+    },
+    /// No normal force is known.
+    #[error("no column 'normal_force', and no value was given for it")]
+    NoLoad,
+    /// The motion ends before the force, or begins after it.
+    #[error(
+        "force from {} s to {} s, motion from {} s to {} s: they do not overlap",
+        force[0], force[1], motion[0], motion[1]
+    )]
+    Apart {
+        /// First and last time of the force.
+        force: [f64; 2],
+        /// First and last time of the motion.
+        motion: [f64; 2],
+    },
+    /// Displacement and velocity do not belong to one motion.
+    #[error(
+        "displacement and velocity contradict each other: the displacement changes by {factor} times the integral of the \
+         velocity, must be by 0.8 to 1.2 times it: is the unit or the sign of one of them wrong?"
+    )]
+    Contradiction {
+        /// Slope of the displacement over the integral.
+        factor: f64,
+    },
+    /// Numbers are too large or too small, or times too close.
+    #[error(
+        "{name} at {time} s is {value}: values or intervals of the file are too large or too small to compute with"
+    )]
+    OutOfRange {
+        /// The quantity.
+        name: &'static str,
+        /// Where, s.
+        time: f64,
+        /// Outcome.
+        value: f64,
+    },
+    /// Force and motion cannot be smoothed alike.
+    #[error(
+        "nothing is left between rest, turns and the ends: the body must keep its direction for longer than {} s, in \
+         which force and motion are smoothed, and for {} s at each side, in which the delay is sought; move it farther \
+         or slower, sample faster, or give a shorter window or delay",
+        short(*window), short(*doubt)
+    )]
+    NoStroke {
+        /// Length of the shortest window that was tried, s.
+        window: f64,
+        /// Largest deviation of the delay that was allowed for, s.
+        doubt: f64,
+    },
+    /// Friction would drive the slider.
+    #[error(
+        "friction gives {energy:.3e} J to the slider, at up to {fastest:.4} m/s: force and {motion} are positive in \
+         opposite directions, or a unit, or the mass of {mass} kg, is wrong"
+    )]
+    Drives {
+        /// The energy, J.
+        energy: f64,
+        /// Largest speed, m/s.
+        fastest: f64,
+        /// Quantity that the motion is taken from.
+        motion: &'static str,
+        /// Mass between load cell and contact, kg.
+        mass: f64,
+    },
+}
+
+impl MeasuredError {
+    /// The same, of the table of the motion.
+    pub(super) fn of_motion(error: impl Into<MeasuredError>) -> MeasuredError {
+        MeasuredError::Motion(Box::new(error.into()))
+    }
+}
+
+/// A number with six digits at most, for a text.
+pub(super) fn short(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_in_texts_are_short() {
+        let numbers = [0.008_999_999_999_999_009, 3.9995].map(|value| short(value).to_string());
+        assert_eq!(numbers, ["0.009", "3.9995"]);
+        assert_eq!(short(-12_345_678.0), -12_345_700.0);
+        assert_eq!([0.0, 1e-300].map(short), [0.0, 1e-300]);
+    }
+}
