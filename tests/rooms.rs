@@ -1,6 +1,7 @@
-//! The modules of each crate import downwards only; files and functions stay short.
+//! The modules of each crate import downwards only, no files import each other in a circle; files and functions stay
+//! short.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -94,6 +95,9 @@ const LONG_FILES: &[(&str, &str)] = &[("src/host/magic_formula.rs", "table of 11
 /// Longest function, in lines from `fn` to the closing brace.
 const LONGEST_FUNCTION: usize = 45;
 
+/// Files that may use each other, with the reason.
+const CIRCLES: &[(&str, &str, &str)] = &[("src", "model", "the trait Model names the types that are made from it")];
+
 /// Use of a room of the same crate.
 #[derive(Debug, PartialEq)]
 struct Import {
@@ -113,6 +117,10 @@ struct Function {
 #[derive(Debug, Default)]
 struct Contents {
     imports: Vec<Import>,
+    /// Paths of what it uses, from the root of its crate.
+    paths: Vec<Vec<String>>,
+    /// Names that it passes on, with their paths.
+    passed_on: Vec<(String, Vec<String>)>,
     /// Modules in files of their own that only tests have.
     test_modules: Vec<String>,
 }
@@ -121,12 +129,14 @@ impl Contents {
     /// Contents of a module with this path from the root of its crate.
     fn of(text: &str, module: &[&str]) -> Contents {
         let mut contents = Contents::default();
-        contents.read(text.parse().expect("Rust"), module.len());
+        let module: Vec<String> = module.iter().map(ToString::to_string).collect();
+        contents.read(text.parse().expect("Rust"), &module);
         contents
     }
 
-    fn read(&mut self, stream: TokenStream, depth: usize) {
+    fn read(&mut self, stream: TokenStream, module: &[String]) {
         let tokens: Vec<TokenTree> = stream.into_iter().collect();
+        let depth = module.len();
         let mut at = 0;
         while at < tokens.len() {
             if is_test_attribute(&tokens[at..]) {
@@ -136,9 +146,16 @@ impl Contents {
             if let Some(path) = path_from_root(&tokens[at..], depth) {
                 self.import(&tokens[at + path]);
             }
+            if at == 0 || !is(&tokens[at - 1], ":") {
+                self.paths.extend(paths(&tokens[at..], module));
+            }
+            if is(&tokens[at], "pub") {
+                self.passed_on.extend(passed_on(&tokens[at + 1..], module));
+            }
             if let TokenTree::Group(group) = &tokens[at] {
                 let is_module = at >= 2 && is(&tokens[at - 2], "mod") && group.delimiter() == Delimiter::Brace;
-                self.read(group.stream(), depth + usize::from(is_module));
+                let inner = is_module.then(|| tokens[at - 1].to_string());
+                self.read(group.stream(), &module.iter().cloned().chain(inner).collect::<Vec<String>>());
             }
             at += 1;
         }
@@ -175,6 +192,50 @@ impl Contents {
             _ => {}
         }
     }
+}
+
+/// Paths that begin here with `crate` or `super`, from the root; several if they end in braces.
+fn paths(tokens: &[TokenTree], module: &[String]) -> Vec<Vec<String>> {
+    let is_step = |at: usize, name: &str| {
+        tokens.len() > at + 3 && is(&tokens[at], name) && is(&tokens[at + 1], ":") && is(&tokens[at + 2], ":")
+    };
+    if is_step(0, "crate") {
+        return branches(&tokens[3..], &[]);
+    }
+    let steps = (0..).take_while(|step| is_step(3 * step, "super")).count();
+    match module.len().checked_sub(steps) {
+        Some(rest) if steps > 0 => branches(&tokens[3 * steps..], &module[..rest]),
+        _ => Vec::new(),
+    }
+}
+
+/// Paths that go on here from `base`.
+fn branches(tokens: &[TokenTree], base: &[String]) -> Vec<Vec<String>> {
+    match tokens {
+        [TokenTree::Ident(name), rest @ ..] => {
+            let path: Vec<String> = base.iter().cloned().chain([name.to_string()]).collect();
+            match rest {
+                [first, second, rest @ ..] if is(first, ":") && is(second, ":") => branches(rest, &path),
+                _ => vec![path],
+            }
+        }
+        [TokenTree::Group(group), ..] => {
+            let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+            tokens.split(|token| is(token, ",")).flat_map(|one| branches(one, base)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Names that a module passes on from the modules within it, by a `use` behind `pub`.
+fn passed_on(tokens: &[TokenTree], module: &[String]) -> Vec<(String, Vec<String>)> {
+    let tokens = if matches!(tokens.first(), Some(TokenTree::Group(_))) { &tokens[1..] } else { tokens };
+    let [keyword, rest @ ..] = tokens else { return Vec::new() };
+    if !is(keyword, "use") {
+        return Vec::new();
+    }
+    let named = |path: Vec<String>| Some((path.last()?.clone(), path));
+    branches(rest, module).into_iter().filter_map(named).collect()
 }
 
 /// Functions of a file, those of tests too.
@@ -354,6 +415,70 @@ fn functions_are_short() {
     assert!(seen > 4000, "only {seen} functions were found");
 }
 
+/// Uses of files by each other: from module to module. Modules that consist of others only pass names on.
+fn uses(files: &[(String, Vec<String>, Contents)]) -> BTreeMap<&[String], BTreeSet<&[String]>> {
+    let modules: BTreeMap<&[String], &Contents> =
+        files.iter().map(|(_, module, contents)| (module.as_slice(), contents)).collect();
+    let has_rooms =
+        |module: &[String]| modules.keys().any(|other| other.len() > module.len() && other.starts_with(module));
+    let target = |path: &[String]| -> Option<&[String]> {
+        let mut path = path.to_vec();
+        loop {
+            let length = (0..=path.len()).rev().find(|length| modules.contains_key(&path[..*length]))?;
+            let (module, contents) = modules.get_key_value(&path[..length])?;
+            let name = path.get(length);
+            let passed = contents.passed_on.iter().find(|(known, to)| Some(known) == name && to.len() > length + 1);
+            match passed {
+                Some((_, to)) => path.clone_from(to),
+                None => return (!has_rooms(module)).then_some(*module),
+            }
+        }
+    };
+    let of_file = |(_, module, contents): &'_ (String, Vec<String>, Contents)| -> BTreeSet<&[String]> {
+        let targets = contents.paths.iter().filter_map(|path| target(path));
+        targets.filter(|target| target != module).collect()
+    };
+    files.iter().map(|file| (file.1.as_slice(), of_file(file))).filter(|(module, _)| !has_rooms(module)).collect()
+}
+
+/// Modules that use each other, directly or through others; each with those it is in a circle with.
+fn circles(files: &[(String, Vec<String>, Contents)]) -> BTreeSet<Vec<String>> {
+    let uses = uses(files);
+    let reached = |from: &[String]| {
+        let (mut reached, mut open) = (BTreeSet::new(), vec![from]);
+        while let Some(module) = open.pop() {
+            open.extend(uses.get(module).into_iter().flatten().filter(|next| reached.insert(next.to_vec())));
+        }
+        reached
+    };
+    let reaches: BTreeMap<&[String], BTreeSet<Vec<String>>> = uses.keys().map(|from| (*from, reached(from))).collect();
+    let circle = |from: &&[String]| -> Vec<String> {
+        let both = reaches.keys().filter(|to| reaches[from].contains(**to) && reaches[*to].contains(*from));
+        both.map(|module| module.join("::")).collect()
+    };
+    reaches.keys().map(circle).filter(|circle| !circle.is_empty()).collect()
+}
+
+#[test]
+fn no_files_use_each_other() {
+    let mut wrong = Vec::new();
+    let mut seen = 0;
+    for house in HOUSES {
+        let files = contents(house);
+        seen += uses(&files).values().map(BTreeSet::len).sum::<usize>();
+        for circle in circles(&files) {
+            let is_known = |(folder, room, _): &(&str, &str, &str)| {
+                *folder == house.folder && circle.iter().all(|file| file.starts_with(&format!("{room}::")))
+            };
+            if !CIRCLES.iter().any(is_known) {
+                wrong.push(format!("{}: {}", house.folder, circle.join(", ")));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(seen > 500, "only {seen} uses were found");
+}
+
 /// A crate for the tests of the walk.
 const SMALL: House = House { folder: "src", rooms: &["cellar", "hall", "attic"] };
 
@@ -402,4 +527,24 @@ fn a_function_is_measured_to_its_closing_brace() {
     let expected = [Function { name: "b".into(), line: 4, lines: 5 }];
     assert_eq!(functions(text.parse().unwrap()), expected);
     assert_eq!(functions(format!("#[cfg(test)]\nmod tests {{{text}}}").parse().unwrap())[0].lines, 5);
+}
+
+#[test]
+fn a_circle_of_files_is_found() {
+    let files = |texts: &[(&str, &str)]| -> Vec<(String, Vec<String>, Contents)> {
+        let file = |(module, text): &(&str, &str)| {
+            let path: Vec<&str> = module.split("::").collect();
+            (module.to_string(), path.iter().map(ToString::to_string).collect(), Contents::of(text, &path))
+        };
+        texts.iter().map(file).collect()
+    };
+    let hall = ("hall", "pub use table::{Lamp, Table};");
+    let circle = |table: &str, chair: &str| circles(&files(&[hall, ("hall::table", table), ("hall::chair", chair)]));
+    let found = BTreeSet::from([vec!["hall::chair".to_string(), "hall::table".to_string()]]);
+    for chair in ["use super::table::Lamp;", "use super::Table;", "use crate::hall::{Lamp as Light};"] {
+        assert_eq!(circle("fn f() { super::chair::f() }", chair), found, "{chair}");
+        assert_eq!(circle("use super::lamp;", chair), BTreeSet::new(), "{chair}");
+        let of_tests = format!("#[cfg(test)]\nmod tests {{ {chair} }}");
+        assert_eq!(circle("use super::chair;", &of_tests), BTreeSet::new(), "{chair}");
+    }
 }
