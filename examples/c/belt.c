@@ -28,7 +28,7 @@ static const double GRAVITY = 9.81;  /* m/s2 */
 
 /* Every function that can fail returns a status; the model keeps the error message. An example may stop at the first
  * error; a library would pass the status on. */
-static void check(stribeck_status status, const stribeck_model *model, const char *what) {
+static void check(stribeck_status status, const stribeck_instance *model, const char *what) {
     if (status == STRIBECK_OK) {
         return;
     }
@@ -37,8 +37,8 @@ static void check(stribeck_status status, const stribeck_model *model, const cha
     exit(EXIT_FAILURE);
 }
 
-static stribeck_model *create(const char *name) {
-    stribeck_model *model = NULL;
+static stribeck_instance *create(const char *name) {
+    stribeck_instance *model = NULL;
     check(stribeck_create(name, &model), NULL, name);
     return model;
 }
@@ -47,48 +47,48 @@ static stribeck_model *create(const char *name) {
 
 /* A variable is addressed by its column. Look the name up once and use the number in the loop: setting a value is then
  * a bound check and a store. */
-static uint32_t column(stribeck_model *model, const char *variable) {
+static uint32_t column(stribeck_instance *model, const char *variable) {
     uint32_t found = 0;
     check(stribeck_find(model, variable, &found), model, variable);
     return found;
 }
 
 /* Not every law has every variable. */
-static bool has(stribeck_model *model, const char *variable) {
+static bool has(stribeck_instance *model, const char *variable) {
     uint32_t found = 0;
     return stribeck_find(model, variable, &found) == STRIBECK_OK;
 }
 
 /* Laws in the plane and in space have vectors, of which the component along the belt is used. */
-static uint32_t column_along(stribeck_model *model, const char *line, const char *x) {
+static uint32_t column_along(stribeck_instance *model, const char *line, const char *x) {
     return column(model, has(model, line) ? line : x);
 }
 
-static double get(stribeck_model *model, uint32_t at) {
+static double get(stribeck_instance *model, uint32_t at) {
     double value = 0.0;
     check(stribeck_get(model, at, &value), model, "get");
     return value;
 }
 
-static void set(stribeck_model *model, uint32_t at, double value) {
+static void set(stribeck_instance *model, uint32_t at, double value) {
     check(stribeck_set(model, at, value), model, "set");
 }
 
-static double get_named(stribeck_model *model, const char *variable) {
+static double get_named(stribeck_instance *model, const char *variable) {
     double value = 0.0;
     check(stribeck_get_by_name(model, variable, &value), model, variable);
     return value;
 }
 
-static void set_named(stribeck_model *model, const char *variable, double value) {
+static void set_named(stribeck_instance *model, const char *variable, double value) {
     check(stribeck_set_by_name(model, variable, value), model, variable);
 }
 
 /* ---------------------------------------------------------------------- the coupled system */
 
 typedef struct {
-    stribeck_model *rig;
-    stribeck_model *friction;
+    stribeck_instance *rig;
+    stribeck_instance *friction;
     double step;
     bool wants_external_force; /* laws with true stiction balance the forces on the block */
     bool wants_acceleration;   /* laws with one curve for speeding up and one for slowing down */
@@ -232,7 +232,7 @@ static void list_models(void) {
 }
 
 /* A value outside its bounds is rejected and nothing changes: the model remains usable. */
-static void show_refusal(stribeck_model *friction) {
+static void show_refusal(stribeck_instance *friction) {
     double before = get_named(friction, "mu_k");
     if (stribeck_set_by_name(friction, "mu_k", -0.1) == STRIBECK_OK || get_named(friction, "mu_k") != before) {
         fprintf(stderr, "a negative coefficient was accepted\n");
@@ -248,7 +248,7 @@ typedef struct {
     void *bytes;
 } snapshot;
 
-static snapshot save(stribeck_model *model) {
+static snapshot save(stribeck_instance *model) {
     snapshot state = {.size = stribeck_state_size(model)};
     state.bytes = malloc(state.size);
     if (state.bytes == NULL) {
@@ -259,7 +259,7 @@ static snapshot save(stribeck_model *model) {
     return state;
 }
 
-static void restore(stribeck_model *model, const snapshot *state) {
+static void restore(stribeck_instance *model, const snapshot *state) {
     check(stribeck_restore(model, state->bytes, state->size), model, "restore");
 }
 

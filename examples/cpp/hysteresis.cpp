@@ -26,7 +26,7 @@
 class Model {
   public:
     explicit Model(const std::string &name) {
-        stribeck_model *created = nullptr;
+        stribeck_instance *created = nullptr;
         const stribeck_status status = stribeck_create(name.c_str(), &created);
         if (status != STRIBECK_OK) {
             throw std::invalid_argument(name + ": " + stribeck_status_text(status));
@@ -61,7 +61,7 @@ class Model {
 
   private:
     struct Deleter {
-        void operator()(stribeck_model *model) const noexcept {
+        void operator()(stribeck_instance *model) const noexcept {
             stribeck_free(model);
         }
     };
@@ -72,7 +72,7 @@ class Model {
         }
     }
 
-    std::unique_ptr<stribeck_model, Deleter> handle;
+    std::unique_ptr<stribeck_instance, Deleter> handle;
 };
 
 // Moves the contact from one end of its stroke to the other at constant speed.

@@ -71,7 +71,7 @@ impl Name {
 }
 
 struct Handle {
-    pointer: *mut stribeck_model,
+    pointer: *mut stribeck_instance,
     model: &'static ModelType,
 }
 

@@ -7,26 +7,26 @@
 #include "check.h"
 #include "stribeck.h"
 
-static stribeck_model *create(const char *name) {
-    stribeck_model *model = NULL;
+static stribeck_instance *create(const char *name) {
+    stribeck_instance *model = NULL;
     REQUIRE(stribeck_create(name, &model) == STRIBECK_OK);
     REQUIRE(model != NULL);
     return model;
 }
 
-static uint32_t reference(stribeck_model *model, const char *variable) {
+static uint32_t reference(stribeck_instance *model, const char *variable) {
     uint32_t found = UINT32_MAX;
     CHECK(stribeck_find(model, variable, &found) == STRIBECK_OK);
     return found;
 }
 
-static double get(stribeck_model *model, const char *variable) {
+static double get(stribeck_instance *model, const char *variable) {
     double value = NAN;
     CHECK(stribeck_get_by_name(model, variable, &value) == STRIBECK_OK);
     return value;
 }
 
-static void set(stribeck_model *model, const char *variable, double value) {
+static void set(stribeck_instance *model, const char *variable, double value) {
     CHECK(stribeck_set_by_name(model, variable, value) == STRIBECK_OK);
 }
 
@@ -36,7 +36,7 @@ typedef struct {
     unsigned char *bytes;
 } state;
 
-static state save(stribeck_model *model) {
+static state save(stribeck_instance *model) {
     state saved = {stribeck_state_size(model), NULL};
     REQUIRE(saved.size > 0);
     saved.bytes = malloc(saved.size);
@@ -46,7 +46,7 @@ static state save(stribeck_model *model) {
     return saved;
 }
 
-static int is_unchanged(stribeck_model *model, const state *before) {
+static int is_unchanged(stribeck_instance *model, const state *before) {
     state now = save(model);
     int same = now.size == before->size && memcmp(now.bytes, before->bytes, now.size) == 0;
     free(now.bytes);
@@ -54,7 +54,7 @@ static int is_unchanged(stribeck_model *model, const state *before) {
 }
 
 /* The last error contains all of these words. */
-static int says(const stribeck_model *model, const char *one, const char *other) {
+static int says(const stribeck_instance *model, const char *one, const char *other) {
     const char *text = stribeck_last_error(model);
     return text != NULL && strstr(text, one) != NULL && strstr(text, other) != NULL;
 }
@@ -94,8 +94,8 @@ static void every_status_has_its_own_text(void) {
 }
 
 static void unknown_models_are_refused(void) {
-    stribeck_model *model = create("LuGre");
-    stribeck_model *const live = model;
+    stribeck_instance *model = create("LuGre");
+    stribeck_instance *const live = model;
     CHECK(stribeck_create("NoSuchLaw", &model) == STRIBECK_UNKNOWN_MODEL);
     CHECK(model == NULL);
     model = live;
@@ -144,7 +144,7 @@ static void null_handles_are_answered(void) {
 }
 
 static void null_pointers_are_answered(void) {
-    stribeck_model *model = create("LuGre");
+    stribeck_instance *model = create("LuGre");
     state before = save(model);
     uint32_t found = 7;
     double value = 7.0;
@@ -173,7 +173,7 @@ static void null_pointers_are_answered(void) {
 
 /* ---------------------------------------------------------------------- tables */
 
-static void describes_itself(stribeck_model *model, uint32_t at) {
+static void describes_itself(stribeck_instance *model, uint32_t at) {
     stribeck_variable variable;
     memset(&variable, 0, sizeof variable);
     REQUIRE(stribeck_describe(model, at, &variable) == STRIBECK_OK);
@@ -192,7 +192,7 @@ static void describes_itself(stribeck_model *model, uint32_t at) {
 }
 
 /* A variable admits what its description says; a refused value leaves everything as it was. */
-static void keeps_its_bounds(stribeck_model *model, uint32_t at) {
+static void keeps_its_bounds(stribeck_instance *model, uint32_t at) {
     stribeck_variable variable;
     memset(&variable, 0, sizeof variable);
     REQUIRE(stribeck_describe(model, at, &variable) == STRIBECK_OK);
@@ -231,7 +231,7 @@ static void keeps_its_bounds(stribeck_model *model, uint32_t at) {
     free(before.bytes);
 }
 
-static void unknown_variables_are_refused(stribeck_model *model) {
+static void unknown_variables_are_refused(stribeck_instance *model) {
     uint32_t count = stribeck_variable_count(model);
     uint32_t last = 0, past = 7;
     CHECK(stribeck_reference(model, count - 1, &last) == STRIBECK_OK);
@@ -263,7 +263,7 @@ static void unknown_variables_are_refused(stribeck_model *model) {
 
 static void every_model_keeps_its_table(void) {
     for (size_t i = 0; i < stribeck_model_count(); i++) {
-        stribeck_model *model = create(stribeck_model_name(i));
+        stribeck_instance *model = create(stribeck_model_name(i));
         REQUIRE(stribeck_variable_count(model) > 0);
         for (uint32_t index = 0; index < stribeck_variable_count(model); index++) {
             uint32_t at = 0;
@@ -278,13 +278,13 @@ static void every_model_keeps_its_table(void) {
 
 /* The enums of the header and the library agree. */
 static void constants_of_the_header_are_the_references_of_the_library(void) {
-    stribeck_model *lugre = create("LuGre");
+    stribeck_instance *lugre = create("LuGre");
     CHECK(reference(lugre, "velocity") == STRIBECK_LUGRE_VELOCITY);
     CHECK(reference(lugre, "sigma_0") == STRIBECK_LUGRE_SIGMA_0);
     CHECK(reference(lugre, "friction_force") == STRIBECK_LUGRE_FRICTION_FORCE);
     CHECK(reference(lugre, "sticking") == STRIBECK_LUGRE_STICKING);
     stribeck_free(lugre);
-    stribeck_model *rig = create("BeltRig");
+    stribeck_instance *rig = create("BeltRig");
     CHECK(reference(rig, "friction_force") == STRIBECK_BELT_RIG_FRICTION_FORCE);
     CHECK(reference(rig, "external_force") == STRIBECK_BELT_RIG_EXTERNAL_FORCE);
     stribeck_free(rig);
@@ -292,7 +292,7 @@ static void constants_of_the_header_are_the_references_of_the_library(void) {
 
 /* ---------------------------------------------------------------------- steps */
 
-static void bad_steps_are_refused(stribeck_model *model) {
+static void bad_steps_are_refused(stribeck_instance *model) {
     state before = save(model);
     const double bad[] = {0.0, -0.0, -1e-3, NAN, INFINITY, -INFINITY};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
@@ -305,7 +305,7 @@ static void bad_steps_are_refused(stribeck_model *model) {
 
 static void every_model_steps_and_resets(void) {
     for (size_t i = 0; i < stribeck_model_count(); i++) {
-        stribeck_model *model = create(stribeck_model_name(i));
+        stribeck_instance *model = create(stribeck_model_name(i));
         state fresh = save(model);
         CHECK(stribeck_time(model) == 0.0);
         bad_steps_are_refused(model);
@@ -324,7 +324,7 @@ static void every_model_steps_and_resets(void) {
 
 /* Parameters that do not fit together are refused by the step, one by one they may pass through such a state. */
 static void parameters_must_fit_together(void) {
-    stribeck_model *model = create("LuGre");
+    stribeck_instance *model = create("LuGre");
     set(model, "velocity", 0.01);
     set(model, "mu_k", 0.5);
     state before = save(model);
@@ -341,7 +341,7 @@ static void parameters_must_fit_together(void) {
 
 /* A result that no double can hold is refused, and the model continues afterwards. */
 static void overflow_is_refused(void) {
-    stribeck_model *model = create("LuGre");
+    stribeck_instance *model = create("LuGre");
     set(model, "viscous_coefficient", 1e300);
     set(model, "velocity", 1e300);
     double value = 7.0;
@@ -358,7 +358,7 @@ static void overflow_is_refused(void) {
 
 /* Steady sliding at the Stribeck velocity: f_C + (f_s - f_C) / e + sigma_2 v. */
 static void steady_sliding_is_the_stribeck_curve(void) {
-    stribeck_model *model = create("LuGre");
+    stribeck_instance *model = create("LuGre");
     set(model, "velocity", -0.001);
     CHECK(stribeck_step(model, 1.0) == STRIBECK_OK);
     CHECK(fabs(get(model, "friction_force") + 0.981 + 0.4905 * exp(-1.0) + 0.1 * 0.001) < 1e-12);
@@ -368,7 +368,7 @@ static void steady_sliding_is_the_stribeck_curve(void) {
 
 /* Results follow a set at once, without a step. */
 static void outputs_follow_inputs(void) {
-    stribeck_model *model = create("CoulombStiction");
+    stribeck_instance *model = create("CoulombStiction");
     set(model, "external_force", -1.2);
     CHECK(get(model, "friction_force") == -1.2);
     CHECK(get(model, "sticking") == 1.0);
@@ -383,7 +383,7 @@ static void outputs_follow_inputs(void) {
 
 /* Against a central difference, at points left and right of the peak. */
 static void derivative_is_that_of_the_force(void) {
-    stribeck_model *model = create("BrownMcPhee");
+    stribeck_instance *model = create("BrownMcPhee");
     uint32_t force = reference(model, "friction_force");
     uint32_t velocity = reference(model, "velocity");
     const double at[] = {-3e-3, -1e-3, 0.0, 2e-4, 0.5};
@@ -416,7 +416,7 @@ static void derivative_is_that_of_the_force(void) {
 /* ---------------------------------------------------------------------- saved states */
 
 /* Moves the first input of a model, if it has one, back and forth about its start value. */
-static void excite(stribeck_model *model, int i) {
+static void excite(stribeck_instance *model, int i) {
     stribeck_variable variable;
     memset(&variable, 0, sizeof variable);
     variable.role = STRIBECK_OUTPUT;
@@ -433,8 +433,8 @@ static void excite(stribeck_model *model, int i) {
 
 static void every_model_goes_back_to_the_same_bits(void) {
     for (size_t i = 0; i < stribeck_model_count(); i++) {
-        stribeck_model *model = create(stribeck_model_name(i));
-        stribeck_model *twin = create(stribeck_model_name(i));
+        stribeck_instance *model = create(stribeck_model_name(i));
+        stribeck_instance *twin = create(stribeck_model_name(i));
         for (int step = 0; step < 100; step++) {
             excite(model, step);
         }
@@ -445,7 +445,7 @@ static void every_model_goes_back_to_the_same_bits(void) {
         state end = save(model);
         CHECK(memcmp(middle.bytes, end.bytes, end.size) != 0);
         /* The same model, and a fresh one. */
-        stribeck_model *const both[] = {model, twin};
+        stribeck_instance *const both[] = {model, twin};
         for (size_t k = 0; k < 2; k++) {
             CHECK(stribeck_restore(both[k], middle.bytes, middle.size) == STRIBECK_OK);
             CHECK(is_unchanged(both[k], &middle));
@@ -462,7 +462,7 @@ static void every_model_goes_back_to_the_same_bits(void) {
 }
 
 static void damaged_states_are_refused(void) {
-    stribeck_model *model = create("LuGre");
+    stribeck_instance *model = create("LuGre");
     excite(model, 3);
     state good = save(model);
     excite(model, 4);
@@ -502,10 +502,10 @@ static void damaged_states_are_refused(void) {
 /* The bytes of one model are refused by every other. */
 static void states_of_other_models_are_refused(void) {
     for (size_t i = 0; i < stribeck_model_count(); i++) {
-        stribeck_model *one = create(stribeck_model_name(i));
+        stribeck_instance *one = create(stribeck_model_name(i));
         state foreign = save(one);
         for (size_t j = 0; j < stribeck_model_count(); j++) {
-            stribeck_model *other = create(stribeck_model_name(j));
+            stribeck_instance *other = create(stribeck_model_name(j));
             stribeck_status status = stribeck_restore(other, foreign.bytes, foreign.size);
             CHECK(status == (i == j ? STRIBECK_OK : STRIBECK_BAD_BUFFER));
             stribeck_free(other);
@@ -516,7 +516,7 @@ static void states_of_other_models_are_refused(void) {
 }
 
 static void small_buffers_are_refused(void) {
-    stribeck_model *model = create("Dahl");
+    stribeck_instance *model = create("Dahl");
     size_t size = stribeck_state_size(model);
     unsigned char *bytes = malloc(size + 16);
     REQUIRE(bytes != NULL);
@@ -540,14 +540,14 @@ static void small_buffers_are_refused(void) {
 
 /* Two models that take turns behave as each does alone, including their error texts. */
 static void models_do_not_disturb_each_other(void) {
-    stribeck_model *alone = create("LuGre");
+    stribeck_instance *alone = create("LuGre");
     for (int step = 0; step < 50; step++) {
         excite(alone, step);
     }
     state expected = save(alone);
 
-    stribeck_model *one = create("LuGre");
-    stribeck_model *other = create("LuGre");
+    stribeck_instance *one = create("LuGre");
+    stribeck_instance *other = create("LuGre");
     set(other, "mu_s", 0.3);
     for (int step = 0; step < 50; step++) {
         excite(one, step);
@@ -571,7 +571,7 @@ static void models_do_not_disturb_each_other(void) {
 
 /* A preset sets its own values and gives all other parameters their start values. An unknown name changes nothing. */
 static void presets_set_the_parameters(void) {
-    stribeck_model *model = create("DamperTemperature");
+    stribeck_instance *model = create("DamperTemperature");
     set(model, "thermal.enabled", 0.0);
     set(model, "temperature_ambient", 300.0);
     state before = save(model);
@@ -603,7 +603,7 @@ static void motion(double *velocity, double *load, double size) {
 
 /* The forces of LuGre along a motion, call by call with held inputs. */
 static void by_single_calls(double sigma_0, const double *velocity, const double *load, double *force) {
-    stribeck_model *model = create("LuGre");
+    stribeck_instance *model = create("LuGre");
     set(model, "sigma_0", sigma_0);
     for (int i = 0; i < SAMPLES; i++) {
         set(model, "velocity", velocity[i]);
@@ -620,7 +620,7 @@ static void a_run_has_the_bits_of_single_calls(void) {
     double velocity[SAMPLES], load[SAMPLES], expected[SAMPLES], force[SAMPLES];
     motion(velocity, load, 0.01);
     by_single_calls(1e5, velocity, load, expected);
-    stribeck_model *model = create("LuGre");
+    stribeck_instance *model = create("LuGre");
     const uint32_t given[] = {STRIBECK_LUGRE_VELOCITY, STRIBECK_LUGRE_NORMAL_FORCE};
     const uint32_t wanted[] = {STRIBECK_LUGRE_FRICTION_FORCE};
     const double *values[] = {velocity, load};
@@ -636,7 +636,7 @@ static void a_run_has_the_bits_of_single_calls(void) {
 /* Dahl's law along a velocity that grows linearly: f_C (1 - exp(-sigma_0 x / f_C)), x = a t^2 / 2. With held inputs the
  * force would be off by some percent. */
 static void inputs_may_move_along_lines(void) {
-    stribeck_model *model = create("Dahl");
+    stribeck_instance *model = create("Dahl");
     set(model, "normal_force", 10.0);
     const double level = 10.0 * get(model, "mu_k"), stiffness = get(model, "sigma_0");
     const double slope = 2.0 * level / stiffness / (DT * DT * SAMPLES * SAMPLES);
@@ -660,7 +660,7 @@ static void inputs_may_move_along_lines(void) {
 static void many_runs_are_single_runs(void) {
     double velocity[RUNS * SAMPLES], load[RUNS * SAMPLES], force[RUNS * SAMPLES], expected[SAMPLES];
     const double stiffness[RUNS] = {1e4, 1e5, 3e5};
-    stribeck_model *model = create("LuGre");
+    stribeck_instance *model = create("LuGre");
     set(model, "mu_s", 0.15);
     state before = save(model);
     const uint32_t chosen[] = {STRIBECK_LUGRE_SIGMA_0};
@@ -688,7 +688,7 @@ static void many_runs_are_single_runs(void) {
 static void bad_runs_change_nothing(void) {
     double velocity[SAMPLES], load[SAMPLES], force[SAMPLES];
     motion(velocity, load, 0.01);
-    stribeck_model *model = create("LuGre");
+    stribeck_instance *model = create("LuGre");
     const uint32_t given[] = {STRIBECK_LUGRE_VELOCITY, STRIBECK_LUGRE_NORMAL_FORCE}, wrong[] = {7};
     const uint32_t wanted[] = {STRIBECK_LUGRE_FRICTION_FORCE};
     const double *values[] = {velocity, load}, *none[] = {NULL, NULL};

@@ -11,7 +11,7 @@ static const double STEP = 1e-3;  /* s */
 static const int QUARTER = 25;    /* steps from the middle of the wave to its top */
 static const double SWING = 0.01; /* top of the wave, relative to the start value if that is larger than 1 */
 
-static void check(stribeck_status status, const stribeck_model *model, const char *name) {
+static void check(stribeck_status status, const stribeck_instance *model, const char *name) {
     if (status != STRIBECK_OK) {
         fprintf(stderr, "%s: %s\n", name, stribeck_last_error(model));
         exit(EXIT_FAILURE);
@@ -34,7 +34,7 @@ static double input(const stribeck_variable *variable, int at, uint32_t column) 
     return value > variable->max ? variable->max : value;
 }
 
-static void move_inputs(stribeck_model *model, const char *name, int at) {
+static void move_inputs(stribeck_instance *model, const char *name, int at) {
     for (uint32_t index = 0; index < stribeck_variable_count(model); index++) {
         stribeck_variable variable;
         uint32_t reference = 0;
@@ -46,7 +46,7 @@ static void move_inputs(stribeck_model *model, const char *name, int at) {
     }
 }
 
-static void print_results(stribeck_model *model, const char *name) {
+static void print_results(stribeck_instance *model, const char *name) {
     for (uint32_t index = 0; index < stribeck_variable_count(model); index++) {
         stribeck_variable variable;
         uint32_t reference = 0;
@@ -63,7 +63,7 @@ static void print_results(stribeck_model *model, const char *name) {
 int main(void) {
     for (size_t i = 0; i < stribeck_model_count(); i++) {
         const char *name = stribeck_model_name(i);
-        stribeck_model *model = NULL;
+        stribeck_instance *model = NULL;
         check(stribeck_create(name, &model), model, name);
         for (int at = 0; at < STEPS; at++) {
             move_inputs(model, name, at);

@@ -28,7 +28,7 @@
 typedef struct {
     char name[64];
     const char *guid;
-    stribeck_model *described; /* owns the texts */
+    stribeck_instance *described; /* owns the texts */
     stribeck_variable *variables;
     fmi2ValueReference *reals; /* value references of all Real variables */
     size_t columns;
@@ -273,7 +273,7 @@ static void live(const trial *one) {
     fmi2FreeInstance(slave);
     free(values);
 
-    stribeck_model *handle = NULL;
+    stribeck_instance *handle = NULL;
     CHECK(stribeck_create(of->name, &handle) == STRIBECK_OK);
     CHECK(stribeck_step(handle, 1e-3) == STRIBECK_OK);
     CHECK(stribeck_step(handle, NAN) == STRIBECK_REFUSED_VALUE);

@@ -135,7 +135,7 @@ export class Strokes {
 
 #define SAMPLES ${count}
 
-static void check(stribeck_status status, const stribeck_model *law) {
+static void check(stribeck_status status, const stribeck_instance *law) {
     if (status != STRIBECK_OK) {
         fprintf(stderr, "%s\\n", stribeck_last_error(law));
         exit(1);
@@ -145,7 +145,7 @@ static void check(stribeck_status status, const stribeck_model *law) {
 int main(void) {
     static double velocity[SAMPLES], acceleration[SAMPLES], force[SAMPLES];
     const double speed = ${this.motion.speed}, dt = ${this.every}; /* m/s, s */
-    stribeck_model *law = NULL;
+    stribeck_instance *law = NULL;
     uint32_t in[2], out;
     const double *given[2] = {velocity, acceleration};
     double *results[1] = {force};

@@ -91,7 +91,7 @@ impl Program<'_> {
         text += HEAD;
         let _ = writeln!(
             text,
-            "#define PARTS {}\n#define WIRES {}\n#define RESULTS {}\n\nstatic stribeck_model *part[PARTS];\nstatic const \
+            "#define PARTS {}\n#define WIRES {}\n#define RESULTS {}\n\nstatic stribeck_instance *part[PARTS];\nstatic const \
              int is_host[PARTS] = {{{}}}, order[PARTS] = {{{}}};\nstatic wire wires[WIRES];",
             system.parts.len(),
             system.wires.len(),
@@ -207,7 +207,7 @@ typedef struct {
 "#;
 
 const CHECK: &str = r#"
-static void check(stribeck_status status, const stribeck_model *model) {
+static void check(stribeck_status status, const stribeck_instance *model) {
     if (status != STRIBECK_OK) {
         fprintf(stderr, "%s\n", stribeck_last_error(model));
         exit(1);

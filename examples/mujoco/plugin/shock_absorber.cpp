@@ -34,7 +34,7 @@ constexpr const char *plugin_name = "stribeck.shock_absorber";
 class ShockAbsorber {
   public:
     ShockAbsorber() {
-        stribeck_model *created = nullptr;
+        stribeck_instance *created = nullptr;
         const stribeck_status status = stribeck_create("ShockAbsorber", &created);
         if (status != STRIBECK_OK) {
             throw std::runtime_error(std::string("ShockAbsorber: ") + stribeck_status_text(status));
@@ -101,7 +101,7 @@ class ShockAbsorber {
 
   private:
     struct Deleter {
-        void operator()(stribeck_model *model) const noexcept {
+        void operator()(stribeck_instance *model) const noexcept {
             stribeck_free(model);
         }
     };
@@ -122,7 +122,7 @@ class ShockAbsorber {
         }
     }
 
-    std::unique_ptr<stribeck_model, Deleter> handle;
+    std::unique_ptr<stribeck_instance, Deleter> handle;
     std::uint32_t length = 0;
     std::uint32_t velocity = 0;
     std::uint32_t force = 0;

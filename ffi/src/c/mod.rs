@@ -114,7 +114,7 @@ pub struct stribeck_variable {
 }
 
 /// An instance of a model. Made by stribeck_create, freed by stribeck_free.
-pub struct stribeck_model {
+pub struct stribeck_instance {
     instance: Instance,
     texts: Vec<[CString; 3]>,
     presets: Vec<[CString; 2]>,
@@ -174,7 +174,7 @@ impl From<Internal> for Refusal {
     }
 }
 
-impl Handle for stribeck_model {
+impl Handle for stribeck_instance {
     type Call = ();
     type Refusal = Refusal;
     type Status = stribeck_status;
@@ -198,7 +198,10 @@ impl Handle for stribeck_model {
 ///
 /// # Safety
 /// As in the documentation of the module.
-unsafe fn enter(model: *mut stribeck_model, body: impl FnOnce(&mut stribeck_model) -> Outcome) -> stribeck_status {
+unsafe fn enter(
+    model: *mut stribeck_instance,
+    body: impl FnOnce(&mut stribeck_instance) -> Outcome,
+) -> stribeck_status {
     // SAFETY: the caller's promise.
     unsafe { model.as_mut() }.map_or(STRIBECK_NULL, |model| guard::run(model, (), body))
 }
@@ -261,7 +264,7 @@ pub extern "C" fn stribeck_status_text(status: c_int) -> *const c_char {
 /// # Safety
 /// `name` must be NULL or zero-terminated; `model` must be NULL or writable.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_create(name: *const c_char, model: *mut *mut stribeck_model) -> stribeck_status {
+pub unsafe extern "C" fn stribeck_create(name: *const c_char, model: *mut *mut stribeck_instance) -> stribeck_status {
     // SAFETY: the caller's promises.
     let (name, place) = unsafe { (text(name, "name"), model.as_mut()) };
     let Some(place) = place else { return STRIBECK_NULL };
@@ -292,7 +295,7 @@ impl From<OutOfMemory> for NoModel {
     }
 }
 
-fn make(model: &'static ModelType) -> Result<Box<stribeck_model>, NoModel> {
+fn make(model: &'static ModelType) -> Result<Box<stribeck_instance>, NoModel> {
     let texts = memory::each(model.table.iter(), |variable| {
         let unit = if let Kind::Real(unit) = variable.kind { unit.name } else { "" };
         let name = memory::c_text(&memory::whole_text(variable.path)?)?;
@@ -303,7 +306,7 @@ fn make(model: &'static ModelType) -> Result<Box<stribeck_model>, NoModel> {
     })?;
     let nothing = Cow::Borrowed(c"");
     let (error, warning) = (nothing.clone(), nothing);
-    Ok(memory::boxed(stribeck_model { instance: Instance::try_new(model)?, texts, presets, error, warning })?)
+    Ok(memory::boxed(stribeck_instance { instance: Instance::try_new(model)?, texts, presets, error, warning })?)
 }
 
 /// Frees a model. NULL is ignored.
@@ -311,7 +314,7 @@ fn make(model: &'static ModelType) -> Result<Box<stribeck_model>, NoModel> {
 /// # Safety
 /// The handle must not be used afterwards.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_free(model: *mut stribeck_model) {
+pub unsafe extern "C" fn stribeck_free(model: *mut stribeck_instance) {
     if !model.is_null() {
         // SAFETY: handles come from `Box::into_raw` in `stribeck_create`, and the caller promises that this is the last
         // use.
@@ -325,7 +328,7 @@ pub unsafe extern "C" fn stribeck_free(model: *mut stribeck_model) {
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_last_error(model: *const stribeck_model) -> *const c_char {
+pub unsafe extern "C" fn stribeck_last_error(model: *const stribeck_instance) -> *const c_char {
     // SAFETY: the caller's promise.
     unsafe { model.as_ref() }.map_or(c"the handle is NULL".as_ptr(), |model| model.error.as_ptr())
 }
@@ -335,8 +338,8 @@ pub unsafe extern "C" fn stribeck_last_error(model: *const stribeck_model) -> *c
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_reset(model: *mut stribeck_model) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+pub unsafe extern "C" fn stribeck_reset(model: *mut stribeck_instance) -> stribeck_status {
+    let body = |model: &mut stribeck_instance| {
         model.instance.reset();
         Ok(())
     };
@@ -349,7 +352,7 @@ pub unsafe extern "C" fn stribeck_reset(model: *mut stribeck_model) -> stribeck_
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_variable_count(model: *const stribeck_model) -> u32 {
+pub unsafe extern "C" fn stribeck_variable_count(model: *const stribeck_instance) -> u32 {
     // SAFETY: the caller's promise.
     unsafe { model.as_ref() }.map_or(0, |model| model.instance.model().variables().count() as u32)
 }
@@ -360,11 +363,11 @@ pub unsafe extern "C" fn stribeck_variable_count(model: *const stribeck_model) -
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_reference(
-    model: *mut stribeck_model,
+    model: *mut stribeck_instance,
     index: u32,
     reference: *mut u32,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+    let body = |model: &mut stribeck_instance| {
         // SAFETY: the caller's promise.
         let place = unsafe { place(reference, "reference") }?;
         let model = model.instance.model();
@@ -386,11 +389,11 @@ pub unsafe extern "C" fn stribeck_reference(
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_find(
-    model: *mut stribeck_model,
+    model: *mut stribeck_instance,
     variable: *const c_char,
     reference: *mut u32,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+    let body = |model: &mut stribeck_instance| {
         // SAFETY: the caller's promises.
         let (name, place) = unsafe { (text(variable, "variable")?, place(reference, "reference")?) };
         *place = model.instance.model().reference(model.instance.column_by_name(name)?);
@@ -406,11 +409,11 @@ pub unsafe extern "C" fn stribeck_find(
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_describe(
-    model: *mut stribeck_model,
+    model: *mut stribeck_instance,
     reference: u32,
     variable: *mut stribeck_variable,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+    let body = |model: &mut stribeck_instance| {
         let column = model.instance.column(reference)?;
         let known = &model.instance.model().table.at(column);
         // Without events no other value is accepted: see `check_for_steps`.
@@ -461,7 +464,7 @@ fn kind(kind: Kind) -> stribeck_kind {
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_preset_count(model: *const stribeck_model) -> usize {
+pub unsafe extern "C" fn stribeck_preset_count(model: *const stribeck_instance) -> usize {
     // SAFETY: the caller's promise.
     unsafe { model.as_ref() }.map_or(0, |model| model.presets.len())
 }
@@ -471,7 +474,7 @@ pub unsafe extern "C" fn stribeck_preset_count(model: *const stribeck_model) -> 
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_preset_name(model: *const stribeck_model, index: usize) -> *const c_char {
+pub unsafe extern "C" fn stribeck_preset_name(model: *const stribeck_instance, index: usize) -> *const c_char {
     // SAFETY: the caller's promise.
     unsafe { preset_text(model, index, 0) }
 }
@@ -481,14 +484,14 @@ pub unsafe extern "C" fn stribeck_preset_name(model: *const stribeck_model, inde
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_preset_source(model: *const stribeck_model, index: usize) -> *const c_char {
+pub unsafe extern "C" fn stribeck_preset_source(model: *const stribeck_instance, index: usize) -> *const c_char {
     // SAFETY: the caller's promise.
     unsafe { preset_text(model, index, 1) }
 }
 
 /// # Safety
 /// As the module says of handles.
-unsafe fn preset_text(model: *const stribeck_model, index: usize, which: usize) -> *const c_char {
+unsafe fn preset_text(model: *const stribeck_instance, index: usize, which: usize) -> *const c_char {
     // SAFETY: the caller's promise.
     let preset = unsafe { model.as_ref() }.and_then(|model| model.presets.get(index));
     preset.map_or(null(), |texts| texts[which].as_ptr())
@@ -500,8 +503,11 @@ unsafe fn preset_text(model: *const stribeck_model, index: usize, which: usize) 
 /// # Safety
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_apply_preset(model: *mut stribeck_model, preset: *const c_char) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+pub unsafe extern "C" fn stribeck_apply_preset(
+    model: *mut stribeck_instance,
+    preset: *const c_char,
+) -> stribeck_status {
+    let body = |model: &mut stribeck_instance| {
         // SAFETY: the caller's promise.
         let name = unsafe { text(preset, "preset") }?;
         if !model.instance.apply(name) {
@@ -519,7 +525,7 @@ pub unsafe extern "C" fn stribeck_apply_preset(model: *mut stribeck_model, prese
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_set(model: *mut stribeck_model, reference: u32, value: f64) -> stribeck_status {
+pub unsafe extern "C" fn stribeck_set(model: *mut stribeck_instance, reference: u32, value: f64) -> stribeck_status {
     // SAFETY: the caller's promise.
     unsafe { enter(model, |model| Ok(model.instance.set(reference, value)?)) }
 }
@@ -529,8 +535,12 @@ pub unsafe extern "C" fn stribeck_set(model: *mut stribeck_model, reference: u32
 /// # Safety
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_get(model: *mut stribeck_model, reference: u32, value: *mut f64) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+pub unsafe extern "C" fn stribeck_get(
+    model: *mut stribeck_instance,
+    reference: u32,
+    value: *mut f64,
+) -> stribeck_status {
+    let body = |model: &mut stribeck_instance| {
         // SAFETY: the caller's promise.
         let place = unsafe { place(value, "value") }?;
         *place = model.instance.get(reference)?;
@@ -546,11 +556,11 @@ pub unsafe extern "C" fn stribeck_get(model: *mut stribeck_model, reference: u32
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_set_by_name(
-    model: *mut stribeck_model,
+    model: *mut stribeck_instance,
     variable: *const c_char,
     value: f64,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+    let body = |model: &mut stribeck_instance| {
         // SAFETY: the caller's promise.
         let name = unsafe { text(variable, "variable") }?;
         Ok(model.instance.set_by_name(name, value)?)
@@ -565,11 +575,11 @@ pub unsafe extern "C" fn stribeck_set_by_name(
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_get_by_name(
-    model: *mut stribeck_model,
+    model: *mut stribeck_instance,
     variable: *const c_char,
     value: *mut f64,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+    let body = |model: &mut stribeck_instance| {
         // SAFETY: the caller's promises.
         let (name, place) = unsafe { (text(variable, "variable")?, place(value, "value")?) };
         *place = model.instance.get_by_name(name)?;
@@ -584,8 +594,8 @@ pub unsafe extern "C" fn stribeck_get_by_name(
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_step(model: *mut stribeck_model, dt: f64) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+pub unsafe extern "C" fn stribeck_step(model: *mut stribeck_instance, dt: f64) -> stribeck_status {
+    let body = |model: &mut stribeck_instance| {
         if !(dt > 0.0 && dt.is_finite()) {
             return refuse(STRIBECK_REFUSED_VALUE, format_args!("dt = {dt}: must be > 0 and finite"));
         }
@@ -602,8 +612,8 @@ pub unsafe extern "C" fn stribeck_step(model: *mut stribeck_model, dt: f64) -> s
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_output(model: *mut stribeck_model) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+pub unsafe extern "C" fn stribeck_output(model: *mut stribeck_instance) -> stribeck_status {
+    let body = |model: &mut stribeck_instance| {
         model.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
         model.instance.refresh_to(Computed::Main).map_err(fault(STRIBECK_NOT_FINITE))
     };
@@ -616,7 +626,7 @@ pub unsafe extern "C" fn stribeck_output(model: *mut stribeck_model) -> stribeck
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_time(model: *const stribeck_model) -> f64 {
+pub unsafe extern "C" fn stribeck_time(model: *const stribeck_instance) -> f64 {
     // SAFETY: the caller's promise.
     unsafe { model.as_ref() }.map_or(f64::NAN, |model| model.instance.time())
 }
@@ -628,12 +638,12 @@ pub unsafe extern "C" fn stribeck_time(model: *const stribeck_model) -> f64 {
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_derivative(
-    model: *mut stribeck_model,
+    model: *mut stribeck_instance,
     output: u32,
     input: u32,
     value: *mut f64,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+    let body = |model: &mut stribeck_instance| {
         let (output, input) = (model.instance.column(output)?, model.instance.column(input)?);
         let table = model.instance.model().table;
         let (result, varied) = (table.at(output), table.at(input));

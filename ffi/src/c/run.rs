@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use libc::c_int;
 
 use super::stribeck_status::*;
-use super::{Outcome, Refusal, enter, fault, refuse, stribeck_model, stribeck_status};
+use super::{Outcome, Refusal, enter, fault, refuse, stribeck_instance, stribeck_status};
 use crate::guard::pointer::{Null, array, array_mut};
 use stribeck::batch::{Registers, Rows, Runs, Worker};
 use stribeck::instance::{Instance, Refused, Snapshot};
@@ -127,7 +127,7 @@ struct Way {
 
 impl Way {
     /// Checks the numbers of a call.
-    fn of(model: &mut stribeck_model, dt: f64, samples: usize, runs: usize, held: c_int) -> Result<Way, Refusal> {
+    fn of(model: &mut stribeck_instance, dt: f64, samples: usize, runs: usize, held: c_int) -> Result<Way, Refusal> {
         if !(dt > 0.0 && dt.is_finite()) {
             return refuse(STRIBECK_REFUSED_VALUE, format_args!("dt = {}: must be > 0 and finite", Brief(dt)));
         }
@@ -192,14 +192,14 @@ impl Way {
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_run(
-    model: *mut stribeck_model,
+    model: *mut stribeck_instance,
     dt: f64,
     samples: usize,
     held: c_int,
     inputs: *const stribeck_samples,
     results: *const stribeck_results,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+    let body = |model: &mut stribeck_instance| {
         let way = Way::of(model, dt, samples, 1, held)?;
         let instance = &mut model.instance;
         let none = Arrays::of(instance, &[], |_| Ok(&[][..]))?;
@@ -227,7 +227,7 @@ pub unsafe extern "C" fn stribeck_run(
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_run_many(
-    model: *mut stribeck_model,
+    model: *mut stribeck_instance,
     dt: f64,
     samples: usize,
     runs: usize,
@@ -236,7 +236,7 @@ pub unsafe extern "C" fn stribeck_run_many(
     inputs: *const stribeck_samples,
     results: *const stribeck_results,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+    let body = |model: &mut stribeck_instance| {
         let way = Way::of(model, dt, samples, runs, held)?;
         let instance = &mut model.instance;
         // SAFETY: the caller's promises.

@@ -1,7 +1,7 @@
 //! Saved states.
 
 use super::stribeck_status::*;
-use super::{enter, fault, refuse, stribeck_model, stribeck_status};
+use super::{enter, fault, refuse, stribeck_instance, stribeck_status};
 use crate::guard::pointer::{Null, array, array_mut};
 use stribeck::serial;
 
@@ -10,7 +10,7 @@ use stribeck::serial;
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_state_size(model: *const stribeck_model) -> usize {
+pub unsafe extern "C" fn stribeck_state_size(model: *const stribeck_instance) -> usize {
     // SAFETY: the caller's promise.
     unsafe { model.as_ref() }.map_or(0, |model| serial::size(model.instance.model()))
 }
@@ -21,11 +21,11 @@ pub unsafe extern "C" fn stribeck_state_size(model: *const stribeck_model) -> us
 /// As the module says of handles; `buffer` must be NULL or have `size` writable bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_save(
-    model: *mut stribeck_model,
+    model: *mut stribeck_instance,
     buffer: *mut libc::c_void,
     size: usize,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+    let body = |model: &mut stribeck_instance| {
         let needed = serial::size(model.instance.model());
         if buffer.is_null() {
             return Err(Null("buffer").into());
@@ -49,11 +49,11 @@ pub unsafe extern "C" fn stribeck_save(
 /// As the module says of handles; `buffer` must be NULL or have `size` readable bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_restore(
-    model: *mut stribeck_model,
+    model: *mut stribeck_instance,
     buffer: *const libc::c_void,
     size: usize,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_model| {
+    let body = |model: &mut stribeck_instance| {
         if buffer.is_null() {
             return Err(Null("buffer").into());
         }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use libc::c_char;
 
-use super::{STRIBECK_OK, enter, stribeck_model};
+use super::{STRIBECK_OK, enter, stribeck_instance};
 use stribeck::memory::{self, OUT_OF_MEMORY};
 
 /// Warning about the present values, if some were accepted although they make no sense, such as an unconnected input at
@@ -14,9 +14,9 @@ use stribeck::memory::{self, OUT_OF_MEMORY};
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_warning(model: *mut stribeck_model) -> *const c_char {
+pub unsafe extern "C" fn stribeck_warning(model: *mut stribeck_instance) -> *const c_char {
     let mut text: *const c_char = c"the handle is NULL".as_ptr();
-    let body = |model: &mut stribeck_model| {
+    let body = |model: &mut stribeck_instance| {
         model.warning = match model.instance.warning() {
             None => Cow::Borrowed(c""),
             Some(warning) => memory::c_text(&warning.0).map_or(Cow::Borrowed(OUT_OF_MEMORY), Cow::Owned),
@@ -38,7 +38,7 @@ mod tests {
     use super::*;
     use crate::c::*;
 
-    fn text<'a>(model: *mut stribeck_model) -> &'a CStr {
+    fn text<'a>(model: *mut stribeck_instance) -> &'a CStr {
         // SAFETY: NULL or a live handle; each text is compared before the next call.
         unsafe { CStr::from_ptr(stribeck_warning(model)) }
     }

@@ -1,6 +1,6 @@
 //! Model Exchange: the importer integrates the states, using their derivatives.
 
-use super::door::{Outcome, Refusal, Slave, enter, refuse};
+use super::component::{Component, Outcome, Refusal, enter, refuse};
 use super::lifecycle::{Call, State};
 use super::types::*;
 use crate::guard::pointer::{array, array_mut};
@@ -16,9 +16,9 @@ fn check_length(given: usize, wanted: usize, what: &str) -> Outcome {
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2EnterEventMode(c: fmi2Component) -> fmi2Status {
-    let body = |slave: &mut Slave| {
-        slave.instance.enter_event();
-        slave.state = State::EventMode;
+    let body = |component: &mut Component| {
+        component.instance.enter_event();
+        component.state = State::EventMode;
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -32,11 +32,11 @@ pub unsafe extern "C-unwind" fn fmi2EnterEventMode(c: fmi2Component) -> fmi2Stat
 /// `c` as for every call on an instance; `eventInfo` must be NULL or writable.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2NewDiscreteStates(c: fmi2Component, eventInfo: *mut fmi2EventInfo) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         // SAFETY: the caller promises NULL or a writable struct.
         let Some(info) = (unsafe { eventInfo.as_mut() }) else { return refuse("eventInfo is NULL") };
-        slave.check_parameters()?;
-        let has_jumped = slave.instance.at_event()? | std::mem::take(&mut slave.has_jumped);
+        component.check_parameters()?;
+        let has_jumped = component.instance.at_event()? | std::mem::take(&mut component.has_jumped);
         *info = fmi2EventInfo {
             newDiscreteStatesNeeded: fmi2False,
             terminateSimulation: fmi2False,
@@ -57,10 +57,10 @@ pub unsafe extern "C-unwind" fn fmi2NewDiscreteStates(c: fmi2Component, eventInf
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2EnterContinuousTimeMode(c: fmi2Component) -> fmi2Status {
-    let body = |slave: &mut Slave| {
-        slave.check_parameters()?;
-        slave.instance.leave_event()?;
-        slave.state = State::ContinuousTimeMode;
+    let body = |component: &mut Component| {
+        component.check_parameters()?;
+        component.instance.leave_event()?;
+        component.state = State::ContinuousTimeMode;
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -78,14 +78,14 @@ pub unsafe extern "C-unwind" fn fmi2CompletedIntegratorStep(
     enterEventMode: *mut fmi2Boolean,
     terminateSimulation: *mut fmi2Boolean,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         // SAFETY: the caller promises NULL or writable values.
         let answers = unsafe { (enterEventMode.as_mut(), terminateSimulation.as_mut()) };
         let (Some(event), Some(end)) = answers else { return refuse("enterEventMode or terminateSimulation is NULL") };
         // Results that would not be finite cannot be reported here: the solver is notified when it reads them.
-        let wants_event = slave.instance.wants_event().unwrap_or(false);
+        let wants_event = component.instance.wants_event().unwrap_or(false);
         (*event, *end) = (fmi2Boolean::from(wants_event), fmi2False);
-        slave.count_step();
+        component.count_step();
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -98,11 +98,11 @@ pub unsafe extern "C-unwind" fn fmi2CompletedIntegratorStep(
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2SetTime(c: fmi2Component, time: fmi2Real) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         if !time.is_finite() {
             return refuse(format_args!("time = {time}: must be finite"));
         }
-        slave.instance.set_time(time);
+        component.instance.set_time(time);
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -115,11 +115,11 @@ pub unsafe extern "C-unwind" fn fmi2SetTime(c: fmi2Component, time: fmi2Real) ->
 /// `c` as for every call on an instance; `x` must have `nx` elements.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2SetContinuousStates(c: fmi2Component, x: *const fmi2Real, nx: usize) -> fmi2Status {
-    let body = |slave: &mut Slave| {
-        check_length(nx, slave.instance.continuous_states().len(), "states")?;
+    let body = |component: &mut Component| {
+        check_length(nx, component.instance.continuous_states().len(), "states")?;
         // SAFETY: the caller promises `nx` elements.
         let values = unsafe { array(x, nx, "x") }?;
-        slave.instance.set_continuous_states(values).map_err(|fault| Refusal::Discard(fault.0))
+        component.instance.set_continuous_states(values).map_err(|fault| Refusal::Discard(fault.0))
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::SetContinuousStates, body) }
@@ -136,12 +136,12 @@ pub unsafe extern "C-unwind" fn fmi2GetDerivatives(
     derivatives: *mut fmi2Real,
     nx: usize,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
-        check_length(nx, slave.instance.continuous_states().len(), "derivatives")?;
+    let body = |component: &mut Component| {
+        check_length(nx, component.instance.continuous_states().len(), "derivatives")?;
         // SAFETY: the caller promises `nx` elements.
         let values = unsafe { array_mut(derivatives, nx, "derivatives") }?;
-        let model = slave.instance.model();
-        let rates = slave.instance.rates().map_err(|fault| Refusal::out_of_domain(slave.state, fault))?;
+        let model = component.instance.model();
+        let rates = component.instance.rates().map_err(|fault| Refusal::out_of_domain(component.state, fault))?;
         for (value, column) in values.iter_mut().zip(model.continuous_states()) {
             *value = rates[column];
         }
@@ -162,11 +162,11 @@ pub unsafe extern "C-unwind" fn fmi2GetEventIndicators(
     eventIndicators: *mut fmi2Real,
     ni: usize,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
-        check_length(ni, slave.instance.model().event_indicators, "event indicators")?;
+    let body = |component: &mut Component| {
+        check_length(ni, component.instance.model().event_indicators, "event indicators")?;
         // SAFETY: the caller promises `ni` elements.
         let values = unsafe { array_mut(eventIndicators, ni, "eventIndicators") }?;
-        slave.instance.indicate(values).map_err(|fault| slave.out_of_domain(fault))
+        component.instance.indicate(values).map_err(|fault| component.out_of_domain(fault))
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::GetEventIndicators, body) }
@@ -178,12 +178,12 @@ pub unsafe extern "C-unwind" fn fmi2GetEventIndicators(
 /// `c` as for every call on an instance; `x` must have `nx` elements.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2GetContinuousStates(c: fmi2Component, x: *mut fmi2Real, nx: usize) -> fmi2Status {
-    let body = |slave: &mut Slave| {
-        check_length(nx, slave.instance.continuous_states().len(), "states")?;
+    let body = |component: &mut Component| {
+        check_length(nx, component.instance.continuous_states().len(), "states")?;
         // SAFETY: the caller promises `nx` elements.
         let values = unsafe { array_mut(x, nx, "x") }?;
-        for (value, column) in values.iter_mut().zip(slave.instance.continuous_states()) {
-            *value = slave.instance.row()[*column];
+        for (value, column) in values.iter_mut().zip(component.instance.continuous_states()) {
+            *value = component.instance.row()[*column];
         }
         Ok(())
     };
@@ -201,12 +201,12 @@ pub unsafe extern "C-unwind" fn fmi2GetNominalsOfContinuousStates(
     x_nominal: *mut fmi2Real,
     nx: usize,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
-        check_length(nx, slave.instance.continuous_states().len(), "nominal values")?;
+    let body = |component: &mut Component| {
+        check_length(nx, component.instance.continuous_states().len(), "nominal values")?;
         // SAFETY: the caller promises `nx` elements.
         let values = unsafe { array_mut(x_nominal, nx, "x_nominal") }?;
-        let table = slave.instance.model().table;
-        for (value, column) in values.iter_mut().zip(slave.instance.continuous_states()) {
+        let table = component.instance.model().table;
+        for (value, column) in values.iter_mut().zip(component.instance.continuous_states()) {
             *value = table.nominal(*column);
         }
         Ok(())

@@ -7,7 +7,7 @@
 //! one instance must not be used by two threads at once, while different instances may.
 #![allow(non_camel_case_types, non_snake_case, non_upper_case_globals, reason = "the names of the standard")]
 
-mod door;
+mod component;
 pub mod exchange;
 pub mod lifecycle;
 pub mod log;

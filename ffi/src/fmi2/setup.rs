@@ -4,7 +4,7 @@ use std::ffi::CStr;
 use std::fmt;
 use std::ptr::null_mut;
 
-use super::door::{self, Experiment, Slave, enter, refuse};
+use super::component::{self, Component, Experiment, enter, refuse};
 use super::lifecycle::{Call, Purpose, State};
 use super::log::{self, Line, Log};
 use super::types::*;
@@ -72,7 +72,7 @@ fn make(
     line: &mut Line,
 ) -> fmi2Component {
     match guard::make(|| instantiate(name, kind, guid, callbacks, debug)) {
-        Ok(slave) => Box::into_raw(slave).cast(),
+        Ok(component) => Box::into_raw(component).cast(),
         Err(NoInstance(why)) => {
             line.write(format_args!("fmi2Instantiate: {why}"));
             null_mut()
@@ -107,7 +107,7 @@ fn instantiate(
     guid: Option<&CStr>,
     callbacks: fmi2CallbackFunctions,
     debug: bool,
-) -> Result<Box<Slave>, NoInstance> {
+) -> Result<Box<Component>, NoInstance> {
     if name.to_bytes().trim_ascii().is_empty() {
         return Err(NoInstance::because("instanceName is NULL or blank"));
     }
@@ -123,7 +123,7 @@ fn instantiate(
         Purpose::CoSimulation => Instance::try_new(model)?,
         Purpose::ModelExchange => Instance::try_for_model_exchange(model)?,
     };
-    Ok(memory::boxed(Slave::new(instance, purpose, Log::new(callbacks, name, debug)?))?)
+    Ok(memory::boxed(Component::new(instance, purpose, Log::new(callbacks, name, debug)?))?)
 }
 
 fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, NoInstance> {
@@ -147,7 +147,7 @@ fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, NoInstance> {
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2FreeInstance(c: fmi2Component) {
     // SAFETY: the caller's promise. Freeing runs no code of a model, so there is no panic to catch.
-    drop(unsafe { door::take(c) });
+    drop(unsafe { component::take(c) });
 }
 
 /// Switches log categories (`logStatusWarning`, `logStatusDiscard`, `logStatusError`, `logAll`); all of them if
@@ -163,16 +163,16 @@ pub unsafe extern "C-unwind" fn fmi2SetDebugLogging(
     nCategories: usize,
     categories: *const fmi2String,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         let enabled = loggingOn != fmi2False;
         if nCategories == 0 {
-            slave.log.switch(log::ALL.name, enabled);
+            component.log.switch(log::ALL.name, enabled);
         }
         // SAFETY: the caller promises `nCategories` pointers.
         for category in unsafe { array(categories, nCategories, "categories") }? {
             // SAFETY: the caller promises NULL or zero-terminated texts.
             let Some(category) = (unsafe { pointer::text(*category) }) else { return refuse("a category is NULL") };
-            if slave.log.switch(category, enabled).is_none() {
+            if component.log.switch(category, enabled).is_none() {
                 return refuse(format_args!("unknown log category {}", category.to_string_lossy()));
             }
         }
@@ -196,7 +196,7 @@ pub unsafe extern "C-unwind" fn fmi2SetupExperiment(
     stopTimeDefined: fmi2Boolean,
     stopTime: fmi2Real,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         if toleranceDefined != fmi2False && !(tolerance > 0.0 && tolerance.is_finite()) {
             return refuse(format_args!("tolerance = {tolerance}: must be > 0 and finite"));
         }
@@ -207,8 +207,8 @@ pub unsafe extern "C-unwind" fn fmi2SetupExperiment(
             return refuse(format_args!("stopTime = {stopTime}: must be finite and >= startTime = {startTime}"));
         }
         let stop = if stopTimeDefined != fmi2False { stopTime } else { f64::INFINITY };
-        slave.experiment = Experiment { is_set_up: true, start: startTime, stop };
-        slave.instance.set_time(startTime);
+        component.experiment = Experiment { is_set_up: true, start: startTime, stop };
+        component.instance.set_time(startTime);
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -221,11 +221,11 @@ pub unsafe extern "C-unwind" fn fmi2SetupExperiment(
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2Status {
-    let body = |slave: &mut Slave| {
-        if !slave.experiment.is_set_up {
+    let body = |component: &mut Component| {
+        if !component.experiment.is_set_up {
             return refuse("fmi2SetupExperiment must be called first");
         }
-        slave.state = State::Initialization;
+        component.state = State::Initialization;
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -240,14 +240,14 @@ pub unsafe extern "C-unwind" fn fmi2EnterInitializationMode(c: fmi2Component) ->
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
-    let body = |slave: &mut Slave| {
-        slave.check_parameters()?;
-        slave.instance.refresh_to(Computed::Main)?;
-        slave.begin();
-        slave.state = match slave.purpose {
+    let body = |component: &mut Component| {
+        component.check_parameters()?;
+        component.instance.refresh_to(Computed::Main)?;
+        component.begin();
+        component.state = match component.purpose {
             Purpose::CoSimulation => State::StepComplete,
             Purpose::ModelExchange => {
-                slave.has_jumped = slave.instance.at_event()?;
+                component.has_jumped = component.instance.at_event()?;
                 State::EventMode
             }
         };
@@ -263,8 +263,8 @@ pub unsafe extern "C-unwind" fn fmi2ExitInitializationMode(c: fmi2Component) -> 
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
-    let body = |slave: &mut Slave| {
-        slave.state = State::Terminated;
+    let body = |component: &mut Component| {
+        component.state = State::Terminated;
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -277,10 +277,10 @@ pub unsafe extern "C-unwind" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
-    let body = |slave: &mut Slave| {
-        slave.instance.reset();
-        slave.experiment = Experiment::NONE;
-        slave.state = State::Instantiated;
+    let body = |component: &mut Component| {
+        component.instance.reset();
+        component.experiment = Experiment::NONE;
+        component.state = State::Instantiated;
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.

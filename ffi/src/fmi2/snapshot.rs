@@ -1,6 +1,6 @@
 //! Saving and restoring the complete state of an instance.
 
-use super::door::{Experiment, Outcome, Refusal, Slave, enter, refuse};
+use super::component::{Component, Experiment, Outcome, Refusal, enter, refuse};
 use super::lifecycle::{Call, Purpose, STATES, State};
 use super::types::*;
 use crate::guard::pointer::{array, array_mut};
@@ -24,20 +24,20 @@ struct Saved {
 const MAGIC: u64 = u64::from_le_bytes(*b"STRISAVE");
 
 impl Saved {
-    fn of(slave: &Slave) -> Result<Saved, OutOfMemory> {
+    fn of(component: &Component) -> Result<Saved, OutOfMemory> {
         Ok(Saved {
             magic: MAGIC,
-            guid: slave.guid,
-            state: slave.state,
-            experiment: slave.experiment,
-            snapshot: slave.instance.try_save()?,
+            guid: component.guid,
+            state: component.state,
+            experiment: component.experiment,
+            snapshot: component.instance.try_save()?,
         })
     }
 
-    fn refill(&mut self, slave: &Slave) {
-        self.state = slave.state;
-        self.experiment = slave.experiment;
-        slave.instance.save_into(&mut self.snapshot);
+    fn refill(&mut self, component: &Component) {
+        self.state = component.state;
+        self.experiment = component.experiment;
+        component.instance.save_into(&mut self.snapshot);
     }
 
     /// The numbers that the FMI layer adds to a serialised instance.
@@ -62,18 +62,18 @@ impl Saved {
     }
 }
 
-/// The saved state behind a pointer, if it belongs to the model of `slave`.
+/// The saved state behind a pointer, if it belongs to the model of `component`.
 ///
 /// # Safety
 /// `state` must be NULL or a state made by this library and not yet freed.
-unsafe fn saved<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a Saved, Refusal> {
+unsafe fn saved<'a>(component: &Component, state: fmi2FMUstate) -> Result<&'a Saved, Refusal> {
     // SAFETY: the caller's promise.
     match unsafe { state.cast::<Saved>().as_ref() } {
         None => refuse("FMUstate is NULL"),
         Some(saved) if saved.magic != MAGIC => refuse("FMUstate is not a state of this library"),
-        Some(saved) if saved.guid != slave.guid => {
+        Some(saved) if saved.guid != component.guid => {
             let whose = models::by_guid(saved.guid).map_or("another version", |model| model.name);
-            refuse(format_args!("FMUstate belongs to {whose}, not to {}", slave.instance.model().name))
+            refuse(format_args!("FMUstate belongs to {whose}, not to {}", component.instance.model().name))
         }
         Some(saved) => Ok(saved),
     }
@@ -83,9 +83,9 @@ unsafe fn saved<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a Saved, Ref
 ///
 /// # Safety
 /// As for [`saved`]; the state must not be used elsewhere during the call.
-unsafe fn saved_mut<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a mut Saved, Refusal> {
+unsafe fn saved_mut<'a>(component: &Component, state: fmi2FMUstate) -> Result<&'a mut Saved, Refusal> {
     // SAFETY: the caller's promise.
-    unsafe { saved(slave, state) }?;
+    unsafe { saved(component, state) }?;
     // SAFETY: `saved` has found a state there, and the caller promises that it is not used elsewhere.
     Ok(unsafe { &mut *state.cast::<Saved>() })
 }
@@ -97,14 +97,14 @@ unsafe fn saved_mut<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a mut Sa
 /// `c` as for every call on an instance; `FMUstate` must be NULL or point to NULL or to a state of this library.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut fmi2FMUstate) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         // SAFETY: the caller promises NULL or a writable pointer.
         let Some(place) = (unsafe { FMUstate.as_mut() }) else { return refuse("FMUstate is NULL") };
         if place.is_null() {
-            *place = Box::into_raw(memory::boxed(Saved::of(slave)?)?).cast();
+            *place = Box::into_raw(memory::boxed(Saved::of(component)?)?).cast();
         } else {
             // SAFETY: not NULL, so the caller promises a state of this library.
-            unsafe { saved_mut(slave, *place) }?.refill(slave);
+            unsafe { saved_mut(component, *place) }?.refill(component);
         }
         Ok(())
     };
@@ -119,26 +119,26 @@ pub unsafe extern "C-unwind" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut
 /// `c` as for every call on an instance; `FMUstate` must be NULL or a state of this library.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstate) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         // SAFETY: the caller's promise.
-        let saved = unsafe { saved(slave, FMUstate) }?;
-        if !saved.state.is_for(slave.purpose) {
+        let saved = unsafe { saved(component, FMUstate) }?;
+        if !saved.state.is_for(component.purpose) {
             return refuse(format_args!(
                 "FMUstate is in state {:?}, which {:?} does not have",
-                saved.state, slave.purpose
+                saved.state, component.purpose
             ));
         }
-        if slave.purpose == Purpose::CoSimulation {
-            slave.instance.check_without_events(&saved.snapshot)?;
+        if component.purpose == Purpose::CoSimulation {
+            component.instance.check_without_events(&saved.snapshot)?;
         }
-        slave.instance.restore(&saved.snapshot);
+        component.instance.restore(&saved.snapshot);
         if saved.state == State::ContinuousTimeMode {
-            slave.instance.continue_between_events();
+            component.instance.continue_between_events();
         }
         // Whether an event was reported is not saved; reading the states again is never wrong.
-        slave.has_jumped = saved.state == State::EventMode;
-        slave.state = saved.state;
-        slave.experiment = saved.experiment;
+        component.has_jumped = saved.state == State::EventMode;
+        component.state = saved.state;
+        component.experiment = saved.experiment;
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -151,12 +151,12 @@ pub unsafe extern "C-unwind" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2
 /// `c` as for every call on an instance; `FMUstate` must be NULL or point to NULL or to a state of this library.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2FreeFMUstate(c: fmi2Component, FMUstate: *mut fmi2FMUstate) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         // SAFETY: the caller promises NULL or a writable pointer.
         let Some(place) = (unsafe { FMUstate.as_mut() }) else { return Ok(()) };
         if !place.is_null() {
             // SAFETY: not NULL, so the caller promises a state of this library, which came from `Box::into_raw`.
-            drop(unsafe { Box::from_raw(saved_mut(slave, *place)?) });
+            drop(unsafe { Box::from_raw(saved_mut(component, *place)?) });
             *place = std::ptr::null_mut();
         }
         Ok(())
@@ -175,11 +175,11 @@ pub unsafe extern "C-unwind" fn fmi2SerializedFMUstateSize(
     FMUstate: fmi2FMUstate,
     size: *mut usize,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         // SAFETY: the caller's promises.
-        let (_, size) = unsafe { (saved(slave, FMUstate)?, size.as_mut()) };
+        let (_, size) = unsafe { (saved(component, FMUstate)?, size.as_mut()) };
         let Some(size) = size else { return refuse("size is NULL") };
-        *size = serial::size(slave.instance.model());
+        *size = serial::size(component.instance.model());
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -199,15 +199,15 @@ pub unsafe extern "C-unwind" fn fmi2SerializeFMUstate(
     serializedState: *mut fmi2Byte,
     size: usize,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| -> Outcome {
+    let body = |component: &mut Component| -> Outcome {
         // SAFETY: the caller's promises; bytes are bytes, signed or not.
         let (saved, bytes) =
-            unsafe { (saved(slave, FMUstate)?, array_mut(serializedState.cast::<u8>(), size, "serializedState")?) };
-        let needed = serial::size(slave.instance.model());
+            unsafe { (saved(component, FMUstate)?, array_mut(serializedState.cast::<u8>(), size, "serializedState")?) };
+        let needed = serial::size(component.instance.model());
         if size < needed {
             return refuse(format_args!("serializedState has {size} bytes, {needed} are needed"));
         }
-        serial::write(slave.instance.model(), &saved.snapshot, saved.owners(), &mut bytes[..needed]);
+        serial::write(component.instance.model(), &saved.snapshot, saved.owners(), &mut bytes[..needed]);
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -225,17 +225,17 @@ pub unsafe extern "C-unwind" fn fmi2DeSerializeFMUstate(
     size: usize,
     FMUstate: *mut fmi2FMUstate,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| -> Outcome {
+    let body = |component: &mut Component| -> Outcome {
         // SAFETY: the caller's promises.
         let (bytes, place) =
             unsafe { (array(serializedState.cast::<u8>(), size, "serializedState")?, FMUstate.as_mut()) };
         let Some(place) = place else { return refuse("FMUstate is NULL") };
-        let read = Saved::read(slave.instance.model(), bytes)?;
+        let read = Saved::read(component.instance.model(), bytes)?;
         if place.is_null() {
             *place = Box::into_raw(memory::boxed(read)?).cast();
         } else {
             // SAFETY: not NULL, so the caller promises a state of this library.
-            *unsafe { saved_mut(slave, *place) }? = read;
+            *unsafe { saved_mut(component, *place) }? = read;
         }
         Ok(())
     };

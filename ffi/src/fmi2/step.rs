@@ -1,6 +1,6 @@
 //! fmi2DoStep and the queries about it.
 
-use super::door::{Outcome, Refusal, Slave, enter, refuse};
+use super::component::{Component, Outcome, Refusal, enter, refuse};
 use super::lifecycle::Call;
 use super::types::*;
 use stribeck::memory;
@@ -35,13 +35,13 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
     communicationStepSize: fmi2Real,
     _noSetFMUStatePriorToCurrentPoint: fmi2Boolean,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         let (t, h) = (currentCommunicationPoint, communicationStepSize);
-        check_step(slave, t, h)?;
-        slave.instance.step(h)?;
+        check_step(component, t, h)?;
+        component.instance.step(h)?;
         // The master's clock is the reference.
-        slave.instance.set_time(t + h);
-        slave.count_step();
+        component.instance.set_time(t + h);
+        component.count_step();
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -49,19 +49,19 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
 }
 
 #[inline(always)]
-fn check_step(slave: &Slave, t: f64, h: f64) -> Outcome {
-    let stop = slave.experiment.stop;
+fn check_step(component: &Component, t: f64, h: f64) -> Outcome {
+    let stop = component.experiment.stop;
     // The usual step first. Written so that NaN fails.
-    if t == slave.instance.time() && h > 0.0 && t + h <= stop && t + h < f64::INFINITY {
+    if t == component.instance.time() && h > 0.0 && t + h <= stop && t + h < f64::INFINITY {
         return Ok(());
     }
-    check_unusual_step(slave, t, h)
+    check_unusual_step(component, t, h)
 }
 
 /// A step that begins, or ends, a rounding error away from where it should; otherwise a wrong one.
 #[inline(never)]
-fn check_unusual_step(slave: &Slave, t: f64, h: f64) -> Outcome {
-    let (time, stop) = (slave.instance.time(), slave.experiment.stop);
+fn check_unusual_step(component: &Component, t: f64, h: f64) -> Outcome {
+    let (time, stop) = (component.instance.time(), component.experiment.stop);
     if !(h > 0.0 && h.is_finite()) {
         return refuse(format_args!("communicationStepSize = {h}: must be > 0 and finite"));
     }
@@ -94,12 +94,12 @@ unsafe fn status<T>(
     call: Call,
     kind: fmi2StatusKind,
     value: *mut T,
-    answer: impl FnOnce(&Slave) -> Option<T>,
+    answer: impl FnOnce(&Component) -> Option<T>,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         // SAFETY: the caller promises NULL or a writable value.
         let Some(value) = (unsafe { value.as_mut() }) else { return refuse("value is NULL") };
-        match answer(slave) {
+        match answer(component) {
             Some(found) => *value = found,
             None => {
                 let text = format_args!("status kind {kind} is not available: steps are synchronous");
@@ -136,7 +136,7 @@ pub unsafe extern "C-unwind" fn fmi2GetRealStatus(
     s: fmi2StatusKind,
     value: *mut fmi2Real,
 ) -> fmi2Status {
-    let time = |slave: &Slave| (s == fmi2LastSuccessfulTime).then(|| slave.instance.time());
+    let time = |component: &Component| (s == fmi2LastSuccessfulTime).then(|| component.instance.time());
     // SAFETY: the caller's promises.
     unsafe { status(c, Call::GetRealStatus, s, value, time) }
 }

@@ -2,7 +2,7 @@
 
 use std::slice::{from_raw_parts, from_raw_parts_mut};
 
-use super::door::{self, Outcome, Refusal, Slave, enter, refuse};
+use super::component::{self, Component, Outcome, Refusal, enter, refuse};
 use super::lifecycle::{Call, State};
 use super::types::fmi2Status::fmi2OK;
 use super::types::*;
@@ -57,7 +57,7 @@ impl Base for Boolean {
     }
 }
 
-impl Slave {
+impl Component {
     /// The column or other quantity with this value reference; derivatives only of the states that a solver integrates.
     #[inline]
     fn place(&self, reference: fmi2ValueReference) -> Option<Place> {
@@ -104,11 +104,11 @@ fn column_of(model: &ModelType, reference: fmi2ValueReference) -> Option<usize> 
     }
 }
 
-fn wrong_reference(slave: &Slave, reference: fmi2ValueReference, wanted: BaseType) -> Refusal {
-    match slave.place(reference) {
+fn wrong_reference(component: &Component, reference: fmi2ValueReference, wanted: BaseType) -> Refusal {
+    match component.place(reference) {
         None => Refusal::error(format_args!("value reference {reference} does not belong to any variable")),
         Some(Place::Column(column)) => {
-            let name = &slave.variable(column).path;
+            let name = &component.variable(column).path;
             Refusal::error(format_args!("{name} (value reference {reference}) is not of type {wanted:?}"))
         }
         Some(Place::Time | Place::Derivative(_)) => {
@@ -127,37 +127,37 @@ unsafe fn get<B: Base>(
     n: usize,
     value: *mut B::Value,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         // SAFETY: the importer promises `n` value references and room for `n` values.
         let (references, values) = unsafe { (array(vr, n, "vr")?, array_mut(value, n, "value")?) };
         for reference in references {
-            match slave.place(*reference) {
+            match component.place(*reference) {
                 Some(Place::Time | Place::Derivative(_)) if B::TYPE == BaseType::Real => {}
                 _ => {
-                    slave.column::<B>(*reference)?;
+                    component.column::<B>(*reference)?;
                 }
             }
         }
-        let needed = slave.needs(references);
-        let refreshed = match slave.state {
+        let needed = component.needs(references);
+        let refreshed = match component.state {
             // After an error the last results are read, for debugging; advice may not be among them yet.
-            State::Error if needed == Computed::All => slave.instance.compute_advice(),
+            State::Error if needed == Computed::All => component.instance.compute_advice(),
             State::Error => Ok(()),
-            _ => slave.instance.refresh_to(needed),
+            _ => component.instance.refresh_to(needed),
         };
-        refreshed.map_err(|fault| slave.out_of_domain(fault))?;
-        read::<B>(slave, references, values)
+        refreshed.map_err(|fault| component.out_of_domain(fault))?;
+        read::<B>(component, references, values)
     };
     // SAFETY: the importer's promise about `c`.
     unsafe { enter(c, call, body) }
 }
 
 /// Reads variables whose results have been computed.
-fn read<B: Base>(slave: &mut Slave, references: &[fmi2ValueReference], values: &mut [B::Value]) -> Outcome {
-    let (model, time) = (slave.instance.model(), slave.instance.time());
-    if references.iter().any(|reference| slave.is_derivative(*reference)) {
-        let rates = slave.instance.rates();
-        let rates = rates.map_err(|fault| Refusal::out_of_domain(slave.state, fault))?;
+fn read<B: Base>(component: &mut Component, references: &[fmi2ValueReference], values: &mut [B::Value]) -> Outcome {
+    let (model, time) = (component.instance.model(), component.instance.time());
+    if references.iter().any(|reference| component.is_derivative(*reference)) {
+        let rates = component.instance.rates();
+        let rates = rates.map_err(|fault| Refusal::out_of_domain(component.state, fault))?;
         for (reference, value) in references.iter().zip(&mut *values) {
             if let Some(Place::Derivative(state)) = model.place(*reference) {
                 *value = B::from_number(rates[state]);
@@ -166,7 +166,7 @@ fn read<B: Base>(slave: &mut Slave, references: &[fmi2ValueReference], values: &
     }
     for (reference, value) in references.iter().zip(values) {
         match model.place(*reference) {
-            Some(Place::Column(column)) => *value = B::from_number(slave.instance.row()[column]),
+            Some(Place::Column(column)) => *value = B::from_number(component.instance.row()[column]),
             Some(Place::Time) => *value = B::from_number(time),
             Some(Place::Derivative(_)) | None => {}
         }
@@ -183,14 +183,14 @@ unsafe fn set<B: Base>(
     n: usize,
     value: *const B::Value,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         // SAFETY: the importer promises `n` value references and `n` values.
         let (references, values) = unsafe { (array(vr, n, "vr")?, array(value, n, "value")?) };
-        references.iter().try_for_each(|reference| slave.column::<B>(*reference).map(drop))?;
-        let model = slave.instance.model();
+        references.iter().try_for_each(|reference| component.column::<B>(*reference).map(drop))?;
+        let model = component.instance.model();
         let columns = references.iter().filter_map(|reference| column_of(model, *reference));
         let values = columns.zip(values.iter().map(|value| B::to_number(*value)));
-        slave.instance.set_all(slave.state.phase(), values).map_err(|refused| slave.refusal(refused))
+        component.instance.set_all(component.state.phase(), values).map_err(|refused| component.refusal(refused))
     };
     // SAFETY: the importer's promise about `c`.
     unsafe { enter(c, call, body) }
@@ -202,13 +202,13 @@ unsafe fn set<B: Base>(
 /// # Safety
 /// `vr` and `value` must be NULL or have `n` elements.
 #[inline(always)]
-unsafe fn read_at_once(slave: &Slave, vr: *const fmi2ValueReference, n: usize, value: *mut fmi2Real) -> bool {
+unsafe fn read_at_once(component: &Component, vr: *const fmi2ValueReference, n: usize, value: *mut fmi2Real) -> bool {
     if n == 0 || vr.is_null() || value.is_null() {
         return false;
     }
     // SAFETY: not NULL, and the caller promises `n` elements.
     let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts_mut(value, n)) };
-    slave.instance.read_at_once(references, values)
+    component.instance.read_at_once(references, values)
 }
 
 /// The fast path of fmi2SetReal: admitted values of inputs with no rule but their range. False, with nothing changed,
@@ -217,13 +217,18 @@ unsafe fn read_at_once(slave: &Slave, vr: *const fmi2ValueReference, n: usize, v
 /// # Safety
 /// `vr` and `value` must be NULL or have `n` elements.
 #[inline(always)]
-unsafe fn write_at_once(slave: &mut Slave, vr: *const fmi2ValueReference, n: usize, value: *const fmi2Real) -> bool {
+unsafe fn write_at_once(
+    component: &mut Component,
+    vr: *const fmi2ValueReference,
+    n: usize,
+    value: *const fmi2Real,
+) -> bool {
     if n == 0 || vr.is_null() || value.is_null() {
         return false;
     }
     // SAFETY: not NULL, and the caller promises `n` elements.
     let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts(value, n)) };
-    slave.instance.write_at_once(references, values)
+    component.instance.write_at_once(references, values)
 }
 
 /// Reads Real variables.
@@ -239,8 +244,8 @@ pub unsafe extern "C-unwind" fn fmi2GetReal(
 ) -> fmi2Status {
     // SAFETY: the caller's promises.
     unsafe {
-        if let Some(slave) = door::stepping(c)
-            && read_at_once(slave, vr, nvr, value)
+        if let Some(component) = component::stepping(c)
+            && read_at_once(component, vr, nvr, value)
         {
             return fmi2OK;
         }
@@ -306,8 +311,8 @@ pub unsafe extern "C-unwind" fn fmi2SetReal(
 ) -> fmi2Status {
     // SAFETY: the caller's promises.
     unsafe {
-        if let Some(slave) = door::stepping(c)
-            && write_at_once(slave, vr, nvr, value)
+        if let Some(component) = component::stepping(c)
+            && write_at_once(component, vr, nvr, value)
         {
             return fmi2OK;
         }
@@ -380,21 +385,21 @@ pub unsafe extern "C-unwind" fn fmi2SetRealInputDerivatives(
     order: *const fmi2Integer,
     value: *const fmi2Real,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         // SAFETY: the caller promises `nvr` elements in each array.
         let (references, orders, values) =
             unsafe { (array(vr, nvr, "vr")?, array(order, nvr, "order")?, array(value, nvr, "value")?) };
         for ((reference, order), value) in references.iter().zip(orders).zip(values) {
-            let column = slave.column::<Real>(*reference)?;
-            slave.instance.check_slope(column, *value).map_err(|refused| slave.refusal(refused))?;
+            let column = component.column::<Real>(*reference)?;
+            component.instance.check_slope(column, *value).map_err(|refused| component.refusal(refused))?;
             if *order != 1 {
-                let path = slave.variable(column).path;
+                let path = component.variable(column).path;
                 return refuse(format_args!("order {order} of {path}: only order 1 is supported"));
             }
         }
         for (reference, value) in references.iter().zip(values) {
-            let column = slave.column::<Real>(*reference)?;
-            slave.instance.set_slope(column, *value).map_err(|refused| slave.refusal(refused))?;
+            let column = component.column::<Real>(*reference)?;
+            component.instance.set_slope(column, *value).map_err(|refused| component.refusal(refused))?;
         }
         Ok(())
     };
@@ -414,12 +419,12 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
     order: *const fmi2Integer,
     value: *mut fmi2Real,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         // SAFETY: the caller promises `nvr` elements in each array.
         let (references, orders, values) =
             unsafe { (array(vr, nvr, "vr")?, array(order, nvr, "order")?, array_mut(value, nvr, "value")?) };
         for (reference, order) in references.iter().zip(orders) {
-            let variable = slave.variable(slave.column::<Real>(*reference)?);
+            let variable = component.variable(component.column::<Real>(*reference)?);
             if !variable.role.is_output() {
                 return refuse(format_args!("{} is not an output", variable.path));
             }
@@ -428,9 +433,9 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
                 return refuse(format_args!("order {order} of {}: must be >= 1", variable.path));
             }
         }
-        slave.instance.refresh_to(Computed::Main)?;
-        let model = slave.instance.model();
-        let derivative = slave.instance.time_derivative();
+        component.instance.refresh_to(Computed::Main)?;
+        let model = component.instance.model();
+        let derivative = component.instance.time_derivative();
         let columns = || references.iter().filter_map(|reference| column_of(model, *reference));
         if let Some(column) = columns().find(|column| !derivative[*column].slope.is_finite()) {
             return refuse(format_args!("the derivative of {} is not finite", model.table.at(column).path));
@@ -445,16 +450,16 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
 }
 
 /// Refuses derivatives that do not exist.
-fn check_directions(slave: &Slave, unknowns: &[fmi2ValueReference], knowns: &[fmi2ValueReference]) -> Outcome {
-    for reference in unknowns.iter().filter(|reference| !slave.is_derivative(**reference)) {
-        let variable = slave.variable(slave.column::<Real>(*reference)?);
+fn check_directions(component: &Component, unknowns: &[fmi2ValueReference], knowns: &[fmi2ValueReference]) -> Outcome {
+    for reference in unknowns.iter().filter(|reference| !component.is_derivative(**reference)) {
+        let variable = component.variable(component.column::<Real>(*reference)?);
         if !variable.role.is_output() {
             return refuse(format_args!("{} is neither an output nor a derivative", variable.path));
         }
         variable.check_derivatives().map_err(|fault| Refusal::Discard(fault.0))?;
     }
     for reference in knowns {
-        let variable = slave.variable(slave.column::<Real>(*reference)?);
+        let variable = component.variable(component.column::<Real>(*reference)?);
         if variable.role == Role::Output {
             let text = "is computed: nothing can be differentiated with respect to it";
             return refuse(format_args!("{} {text}", variable.path));
@@ -465,18 +470,18 @@ fn check_directions(slave: &Slave, unknowns: &[fmi2ValueReference], knowns: &[fm
 
 /// Writes the derivatives in the direction given by `seeds` (column, component).
 fn write_derivatives(
-    slave: &mut Slave,
+    component: &mut Component,
     unknowns: &[fmi2ValueReference],
     seeds: impl Iterator<Item = (usize, f64)>,
     result: &mut [f64],
 ) -> Outcome {
-    let (model, state) = (slave.instance.model(), slave.state);
-    slave.instance.refresh_to(slave.needs(unknowns)).map_err(|fault| slave.out_of_domain(fault))?;
-    let (outputs, rates) = if unknowns.iter().any(|reference| slave.is_derivative(*reference)) {
-        slave.instance.rates().map_err(|fault| Refusal::out_of_domain(state, fault))?;
-        slave.instance.derivatives(seeds)
+    let (model, state) = (component.instance.model(), component.state);
+    component.instance.refresh_to(component.needs(unknowns)).map_err(|fault| component.out_of_domain(fault))?;
+    let (outputs, rates) = if unknowns.iter().any(|reference| component.is_derivative(*reference)) {
+        component.instance.rates().map_err(|fault| Refusal::out_of_domain(state, fault))?;
+        component.instance.derivatives(seeds)
     } else {
-        (slave.instance.derivative(seeds), &[][..])
+        (component.instance.derivative(seeds), &[][..])
     };
     let slope = |reference: &fmi2ValueReference| match model.place(*reference) {
         Some(Place::Derivative(state)) => rates[state].slope,
@@ -509,7 +514,7 @@ pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
     dvKnown: *const fmi2Real,
     dvUnknown: *mut fmi2Real,
 ) -> fmi2Status {
-    let body = |slave: &mut Slave| {
+    let body = |component: &mut Component| {
         // SAFETY: the caller promises `nUnknown` and `nKnown` elements.
         let (unknowns, knowns, seed, result) = unsafe {
             (
@@ -519,10 +524,10 @@ pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
                 array_mut(dvUnknown, nUnknown, "dvUnknown")?,
             )
         };
-        check_directions(slave, unknowns, knowns)?;
-        let model = slave.instance.model();
+        check_directions(component, unknowns, knowns)?;
+        let model = component.instance.model();
         let columns = knowns.iter().filter_map(|reference| column_of(model, *reference));
-        write_derivatives(slave, unknowns, columns.zip(seed.iter().copied()), result)
+        write_derivatives(component, unknowns, columns.zip(seed.iter().copied()), result)
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::GetDirectionalDerivative, body) }

@@ -223,7 +223,8 @@ mod tests {
     fn promises_to_importers_and_c_programs_are_kept() {
         let changes = after(|rows| {
             row(rows, "LuGre", "attribute", "CoSimulation.canGetAndSetFMUstate").value = "false".into();
-            row(rows, "stribeck.h", "function", "stribeck_free").value = "int stribeck_free(stribeck_model *m)".into();
+            row(rows, "stribeck.h", "function", "stribeck_free").value =
+                "int stribeck_free(stribeck_instance *m)".into();
             row(rows, "stribeck.h", "constant", "fmi2Error").value = "9".into();
             rows.retain(|row| row.name != "stribeck_time");
         });

@@ -35,7 +35,7 @@
  *
  * Example, without status checks:
  *
- *     stribeck_model *law = NULL;
+ *     stribeck_instance *law = NULL;
  *     double force = 0.0;
  *     stribeck_create("LuGre", &law);
  *     stribeck_set(law, STRIBECK_LUGRE_VELOCITY, 0.001);

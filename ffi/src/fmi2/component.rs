@@ -14,7 +14,7 @@ use stribeck::memory::{self, OutOfMemory};
 use stribeck::model::Fault;
 
 /// The instance behind an importer's `fmi2Component`.
-pub(super) struct Slave {
+pub(super) struct Component {
     magic: u64,
     /// Address of the library in the last call.
     home: usize,
@@ -53,9 +53,9 @@ fn home() -> usize {
     (&raw const HERE).addr()
 }
 
-impl Slave {
-    pub fn new(instance: Instance, purpose: Purpose, log: Log) -> Slave {
-        Slave {
+impl Component {
+    pub fn new(instance: Instance, purpose: Purpose, log: Log) -> Component {
+        Component {
             magic: MAGIC,
             home: home(),
             guid: instance.model().guid_text(),
@@ -69,12 +69,12 @@ impl Slave {
         }
     }
 
-    /// Follows the library to its present address. An importer may unload and reload it while instances live, possibly
+    /// Binds the instance to the library at its present address. An importer may unload and reload it while instances live, possibly
     /// to another address: Ecos 0.7.2 does so before each further instance of an FMU. Of all that an instance holds
     /// only its model is in the library; the rest is in the host's memory and stays.
     #[cold]
     #[inline(never)]
-    fn follow(&mut self) -> Option<()> {
+    fn rebind(&mut self) -> Option<()> {
         crate::guard::panics::silence();
         self.instance.set_model(models::by_guid(self.guid)?);
         self.home = home();
@@ -197,23 +197,23 @@ pub(super) fn refuse<T>(text: impl fmt::Display) -> Result<T, Refusal> {
 /// # Safety
 /// `c` must be NULL or an instance made by `fmi2Instantiate` and not yet freed, not in use by another thread.
 #[inline(always)]
-pub(super) unsafe fn enter(c: fmi2Component, call: Call, body: impl FnOnce(&mut Slave) -> Outcome) -> fmi2Status {
+pub(super) unsafe fn enter(c: fmi2Component, call: Call, body: impl FnOnce(&mut Component) -> Outcome) -> fmi2Status {
     // SAFETY: the caller's promise.
-    let Some(slave) = (unsafe { slave(c) }) else { return fmi2Status::fmi2Error };
-    let status = guarded(slave, call, body);
-    if slave.log.is_waiting() {
-        slave.log.tell();
+    let Some(component) = (unsafe { component(c) }) else { return fmi2Status::fmi2Error };
+    let status = guarded(component, call, body);
+    if component.log.is_waiting() {
+        component.log.tell();
     }
     status
 }
 
 /// The part of [`enter`] before any message is logged.
 #[inline(never)]
-fn guarded(slave: &mut Slave, call: Call, body: impl FnOnce(&mut Slave) -> Outcome) -> fmi2Status {
-    guard::run(slave, call, body)
+fn guarded(component: &mut Component, call: Call, body: impl FnOnce(&mut Component) -> Outcome) -> fmi2Status {
+    guard::run(component, call, body)
 }
 
-impl Handle for Slave {
+impl Handle for Component {
     type Call = Call;
     type Refusal = Refusal;
     type Status = fmi2Status;
@@ -246,9 +246,9 @@ impl Handle for Slave {
 /// # Safety
 /// As for [`enter`].
 #[inline(always)]
-pub(super) unsafe fn stepping<'a>(c: fmi2Component) -> Option<&'a mut Slave> {
+pub(super) unsafe fn stepping<'a>(c: fmi2Component) -> Option<&'a mut Component> {
     // SAFETY: the caller's promise.
-    unsafe { slave(c) }.filter(|slave| slave.state == State::StepComplete)
+    unsafe { component(c) }.filter(|component| component.state == State::StepComplete)
 }
 
 /// The live instance behind `c`.
@@ -256,41 +256,41 @@ pub(super) unsafe fn stepping<'a>(c: fmi2Component) -> Option<&'a mut Slave> {
 /// # Safety
 /// As for [`enter`].
 #[inline(always)]
-unsafe fn slave<'a>(c: fmi2Component) -> Option<&'a mut Slave> {
-    let slave = c.cast::<Slave>();
-    // SAFETY: the caller promises NULL or a `Slave` that is not in use elsewhere. Only its mark is read before it is
+unsafe fn component<'a>(c: fmi2Component) -> Option<&'a mut Component> {
+    let component = c.cast::<Component>();
+    // SAFETY: the caller promises NULL or a `Component` that is not in use elsewhere. Only its mark is read before it is
     // known to be one.
-    let slave = unsafe {
-        let is_one = !slave.is_null() && (&raw const (*slave).magic).read() == MAGIC;
-        is_one.then(|| &mut *slave)
+    let component = unsafe {
+        let is_one = !component.is_null() && (&raw const (*component).magic).read() == MAGIC;
+        is_one.then(|| &mut *component)
     }?;
-    if slave.home != home() {
-        slave.follow()?;
+    if component.home != home() {
+        component.rebind()?;
     }
-    Some(slave)
+    Some(component)
 }
 
 /// Takes an instance back to free it. `None` for NULL and for memory that is not an instance.
 ///
 /// # Safety
 /// As for [`enter`]; `c` must not be used afterwards.
-pub(super) unsafe fn take(c: fmi2Component) -> Option<Box<Slave>> {
+pub(super) unsafe fn take(c: fmi2Component) -> Option<Box<Component>> {
     // SAFETY: the caller's promise.
-    let slave = unsafe { slave(c) }?;
+    let component = unsafe { component(c) }?;
     // A second free of the same pointer then finds no mark, as long as the memory has not been reused. Volatile, or the
     // compiler would drop the last write to memory that is freed.
     // SAFETY: a live instance.
-    unsafe { (&raw mut slave.magic).write_volatile(0) };
-    // SAFETY: every `Slave` behind an `fmi2Component` was made by `Box::into_raw` in `fmi2Instantiate`.
-    Some(unsafe { Box::from_raw(slave) })
+    unsafe { (&raw mut component.magic).write_volatile(0) };
+    // SAFETY: every `Component` behind an `fmi2Component` was made by `Box::into_raw` in `fmi2Instantiate`.
+    Some(unsafe { Box::from_raw(component) })
 }
 
 #[cold]
 #[inline(never)]
-fn not_allowed(slave: &Slave, call: Call) -> Refusal {
-    if call.is_for(slave.purpose) {
-        Refusal::error(format_args!("may not be called in state {:?}", slave.state))
+fn not_allowed(component: &Component, call: Call) -> Refusal {
+    if call.is_for(component.purpose) {
+        Refusal::error(format_args!("may not be called in state {:?}", component.state))
     } else {
-        Refusal::error(format_args!("is not available on an instance for {:?}", slave.purpose))
+        Refusal::error(format_args!("is not available on an instance for {:?}", component.purpose))
     }
 }
