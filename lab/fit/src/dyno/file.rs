@@ -29,7 +29,7 @@ impl Test {
     /// and `time`.
     ///
     /// ```
-    /// let test = crate::dyno::Test::parse("velocity [mm/s];force [N]\n100;1,5\n-100;-2\n").unwrap();
+    /// let test = stribeck_fit::dyno::Test::parse("velocity [mm/s];force [N]\n100;1,5\n-100;-2\n").unwrap();
     /// assert_eq!([test.velocity[0], test.force[0]], [0.1, 1.5]);
     /// ```
     pub fn parse(text: &str) -> Result<Test, SheetError> {
