@@ -455,7 +455,7 @@ export class FitView {
   }
 
   private asPython(): string {
-    const motion = this.data?.motion === undefined ? "" : `, motion="motion.csv", delay=None, longest_delay=${LONGEST_DELAY}`;
+    const motion = this.data?.motion === undefined ? "" : `, motion="motion.csv", delay="find", longest_delay=${LONGEST_DELAY}`;
     const options = this.options().map(({ name, value }) => `, ${name}=${value}`);
     return `import stribeck\n\nfound = stribeck.identify("force.csv", ${JSON.stringify(this.state.laws)}${motion}${options.join("")})\nprint(found)\n`;
   }

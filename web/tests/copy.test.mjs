@@ -16,7 +16,7 @@ const numbers = (text) => text.trim().split("\n").slice(1).map((row) => row.spli
 function python(text) {
   const file = join(folder, "copied.py");
   writeFileSync(file, text);
-  return execFileSync(PYTHON, [file], { env: { ...process.env, PYTHONPATH: PACKAGE }, encoding: "utf8", maxBuffer: 1e8 });
+  return execFileSync(PYTHON, [file], { cwd: folder, env: { ...process.env, PYTHONPATH: PACKAGE }, encoding: "utf8", maxBuffer: 1e8 });
 }
 
 /** What the command line writes to a table. */
@@ -134,4 +134,33 @@ test("curves at held velocities are those of Python", async () => {
     return [...file.getElementsByTagNameNS("*", "Parameter")].map((one) => [one.getAttribute("name"), one.firstElementChild.getAttribute("value")]);
   }, ssv);
   assert.deepEqual(set, [["mu_s", "0.21"]]);
+});
+
+/** Values of a parameter set in TOML. */
+const values = (toml) => Object.fromEntries([...toml.matchAll(/^(\w+) = (-?[\d.e+-]+)$/gm)].map(([, name, value]) => [name, Number(value)]));
+
+test("a fit is the same on the command line and in Python, with a camera too", { timeout: 300_000 }, async () => {
+  for (const faults of [false, true]) {
+    const link = `#v=1&view=fit&law=Coulomb&rig.law=CoulombViscous&rig.budget=200&rig.repetitions=2&rig.duration=2&rig.faults=${faults}`;
+    const { page, close } = await opened(link);
+    await page.locator("#measure-rig").click();
+    await page.waitForFunction(() => !document.querySelector("#start-fit").disabled);
+    await page.locator("#start-fit").click();
+    await page.locator(".outcome table").first().waitFor({ timeout: 240_000 });
+    const toml = values((await saved(page, () => page.locator("#fit-save-toml").click())).toString());
+    assert.ok(toml.mu_k > 0.01, JSON.stringify(toml));
+    const downloads = [];
+    page.on("download", (download) => downloads.push(download));
+    await page.locator("#fit-save-csv").click();
+    await page.waitForTimeout(500);
+    assert.deepEqual(downloads.map((one) => one.suggestedFilename()), faults ? ["force.csv", "motion.csv"] : ["force.csv"]);
+    for (const one of downloads) await one.saveAs(join(folder, one.suggestedFilename()));
+    const command = await copied(page, "#fit-copy-command");
+    execFileSync(STRIBECK, [...words(command), "--out", "found.toml"], { cwd: folder });
+    assert.deepEqual(values(readFileSync(join(folder, "found.toml"), "utf8")), toml, command);
+    const script = await copied(page, "#fit-copy-python");
+    const found = JSON.parse(python(`${script.replace(/print.*\n$/, "")}\nimport json\nprint(json.dumps(found.best.values))\n`));
+    for (const [name, value] of Object.entries(toml)) assert.equal(found[name], value, `${name}: ${script}`);
+    await close();
+  }
 });
