@@ -59,12 +59,12 @@ class Fit:
 
     law: str
     rms: float
-    """Root mean square of what is not explained, N."""
+    """RMS residual, N."""
     noise: float
     """The same without outliers, if the loss is robust, N."""
-    unseen: dict[str, float]
-    """Root mean square of what is not explained in each record that was not fitted, N."""
-    behind: float
+    validation: dict[str, float]
+    """RMS residual in each validation record, N."""
+    delta_bic: float
     """Criterion (BIC) above that of the best law."""
     tied: bool
     """Whether it cannot be told apart from the best law."""
@@ -100,10 +100,10 @@ class Identification:
 
     def __repr__(self) -> str:
         best = self.best
-        lines = [f"{best.law}: {best.rms:.4g} N not explained"]
+        lines = [f"{best.law}: RMS residual {best.rms:.4g} N"]
         lines += [f"  {one.name}: {one.text}" for one in best.estimates.values()]
         lines += [f"  warning: {warning}" for warning in best.warnings]
-        lines += [f"  {fit.law}: behind by {fit.behind:.1f}" for fit in self.fits[1:]]
+        lines += [f"  {fit.law}: ΔBIC {fit.delta_bic:.1f}" for fit in self.fits[1:]]
         return "\n".join(lines)
 
 
@@ -114,7 +114,7 @@ def _fit(one: dict[str, Any]) -> Fit:
         Estimate(**{name: each[name] for name in names}, **{name: each[name] and tuple(each[name]) for name in ends})
         for each in one["estimates"]
     ]
-    plain = ("law", "rms", "noise", "unseen", "behind", "tied", "repeatable", "warnings", "values")
+    plain = ("law", "rms", "noise", "validation", "delta_bic", "tied", "repeatable", "warnings", "values")
     return Fit(**{name: one[name] for name in plain}, estimates={each.name: each for each in estimates})
 
 
@@ -150,7 +150,7 @@ def identify(
     (s). `columns` says what columns are called, `scale` multiplies them: `{"force": 35.15}` for volts of a drive with
     35.15 N/V. `fix` holds parameters, `fit` adds some that are held otherwise, `ranges` narrows them. With
     `loss="robust"` outliers count less than by their squares. `hold_out` has records that are not fitted, `folds`
-    divides the fitted ones into parts for cross-validation; `Fit.unseen` says what is left there. With `axis=True`
+    divides the fitted ones into parts for cross-validation; `Fit.validation` says what is left there. With `axis=True`
     the records are of an axis, M a = F - f - offset; `rest` (m/s) leaves slow samples out. What is not given is as on
     the command line.
 

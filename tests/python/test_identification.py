@@ -109,7 +109,7 @@ def test_identify_takes_whatever_has_arrays_by_name(slid):
     for load in (20.0, numpy.full(500, 20.0)):
         assert stribeck.identify({**slid, "normal_force": load}, law, **rest).best.values == expected.best.values
     held = stribeck.identify(slid, [law], hold_out=frame, fit="offset", **{**rest, "normal_force": 20.0})
-    assert list(held.best.unseen) == ["held out 1"]
+    assert list(held.best.validation) == ["held out 1"]
 
 
 @pytest.mark.parametrize(

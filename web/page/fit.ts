@@ -302,7 +302,7 @@ export class FitView {
     this.mark(true);
     const tell = (rms?: number) => {
       const seconds = ((performance.now() - begin) / 1000).toFixed(0);
-      const so = rms === undefined ? "" : `, ${short(rms)} N not explained so far`;
+      const so = rms === undefined ? "" : `, RMS residual ${short(rms)} N so far`;
       const doing = this.isEnding ? "Ending with the best so far:" : "Fitting";
       told.textContent = `${doing} ${state.laws.join(", ")} for ${seconds} s${so}`;
     };
@@ -385,7 +385,7 @@ export class FitView {
     const [best] = ranking.laws;
     if (!best) return;
     this.outcome.replaceChildren(
-      h("h2", {}, `${best.law}: ${short(best.rms)} N of ${short(level)} N is not explained`),
+      h("h2", {}, `${best.law}: RMS residual ${short(best.rms)} N of ${short(level)} N`),
       early === null ? "" : h("p", { class: "note" }, early),
       this.estimates(best, data?.truth),
       h("ul", { class: "findings" }, ...best.warnings.map((text) => h("li", {}, text))),
@@ -471,8 +471,8 @@ export class FitView {
 function places({ laws, refused }: Fitted["ranking"]): HTMLElement {
   const note = ({ repeatable, tied }: FittedLaw, at: number) =>
     !repeatable ? "the searches did not agree" : tied && at > 0 ? "cannot be told apart from the first" : "";
-  const rows = laws.map((law, at) => [law.law, `${short(law.rms)} N`, law.behind.toFixed(1), note(law, at)]);
-  const head = ["Law", "Not explained", "Behind", "Note"];
+  const rows = laws.map((law, at) => [law.law, `${short(law.rms)} N`, law.delta_bic.toFixed(1), note(law, at)]);
+  const head = ["Law", "RMS residual", "ΔBIC", "Note"];
   const all = [...rows, ...refused.map(({ law, reason }) => [law, "", "", reason])];
   const row = ([name, ...cells]: string[]) => h("tr", {}, h("th", { scope: "row" }, name), ...cells.map((cell) => h("td", {}, cell)));
   const table = h(

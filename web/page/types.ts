@@ -162,7 +162,7 @@ export interface Estimate {
 
 export interface FittedLaw {
   law: string;
-  behind: number;
+  delta_bic: number;
   tied: boolean;
   rms: number;
   samples: number;

@@ -120,7 +120,7 @@ test("a fit finds the law of the virtual rig again, tells how far it is, and can
   assert.match(await page.locator("#drop").textContent(), /nothing is uploaded/);
   await measure(page);
   await page.locator("#start-fit").click();
-  await page.waitForFunction(() => /Fitting LuGre for \d+ s, [\d.e−]+ N not explained so far/.test(document.querySelector("#fit .progress").textContent));
+  await page.waitForFunction(() => /Fitting LuGre for \d+ s, RMS residual [\d.e−]+ N so far/.test(document.querySelector("#fit .progress").textContent));
   // As with Ctrl-C on the command line, the best so far is kept.
   await page.locator("#cancel-fit").click();
   await page.locator(".outcome table").first().waitFor();

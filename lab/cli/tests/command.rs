@@ -229,7 +229,7 @@ fn a_virtual_rig_is_identified_and_the_result_runs() {
     let found: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
     let laws = found["laws"].as_array().expect("laws");
     assert_eq!([&laws[0]["law"], &laws[1]["law"]], ["Dahl", "Coulomb"]);
-    assert!(laws[1]["behind"].as_f64().expect("a number") > 10.0 && laws[1]["tied"] == false);
+    assert!(laws[1]["delta_bic"].as_f64().expect("a number") > 10.0 && laws[1]["tied"] == false);
     let estimates = laws[0]["estimates"].as_array().expect("estimates");
     let stiffness = estimates.iter().find(|one| one["name"] == "sigma_0").expect("sigma_0");
     assert!((stiffness["value"].as_f64().expect("a number") / 3e4 - 1.0).abs() < 0.02, "{stiffness}");

@@ -558,28 +558,28 @@ fn table(ranking: &Ranking) -> String {
     if ranking.ranks.len() + ranking.refused.len() < 2 {
         return String::new();
     }
-    let mut text = "\n  law                  unexplained   unknowns   behind".to_owned();
+    let mut text = "\n  law                  RMS residual parameters     dBIC".to_owned();
     let is_held_out = ranking.fits.iter().any(|fit| !fit.unseen.is_empty());
-    text += if is_held_out { "   not fitted\n" } else { "\n" };
+    text += if is_held_out { "  validation RMS\n" } else { "\n" };
     for (number, place) in ranking.ranks.iter().enumerate() {
         let fit = &ranking.fits[place.fit];
         let is_tied = place.is_tied && number > 0;
         let note = fit.searches.note().or(is_tied.then_some("cannot be told apart from the first"));
         let note = note.map_or(String::new(), |note| format!("  {note}"));
         text += &format!(
-            "  {:<20} {:>9.3e} N {:>9} {:>8.1}{}{note}\n",
+            "  {:<20} {:>10.3e} N {:>10} {:>8.1}{}{note}\n",
             fit.law.name,
             fit.residuals.rms,
             fit.unknowns(),
-            place.behind,
-            worst(&fit.unseen).map_or(String::new(), |rms| format!("  {rms:>9.3e} N"))
+            place.delta_bic,
+            worst(&fit.unseen).map_or(String::new(), |rms| format!("  {rms:>12.3e} N"))
         );
     }
     ranking.refused.iter().for_each(|(_, reason)| text += &format!("  {reason}\n"));
     text + "\n"
 }
 
-/// The largest root mean square in records that were not fitted.
+/// The largest root mean square of the validation records.
 fn worst(unseen: &[Unseen]) -> Option<f64> {
     unseen.iter().map(|one| one.rms).reduce(f64::max)
 }

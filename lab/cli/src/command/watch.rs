@@ -100,11 +100,11 @@ impl Best {
         self.bar.set_position(0);
     }
 
-    /// A generation is done; so much is not explained at its best place.
+    /// A generation is done; RMS residual at its best point.
     pub fn reached(&self, rms: f64) {
         let mut best = self.best.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         *best = best.min(rms);
-        self.bar.set_message(format!("{:.4e} N not explained", *best));
+        self.bar.set_message(format!("RMS residual {:.4e} N", *best));
         self.bar.inc(1);
     }
 

@@ -178,7 +178,7 @@ impl Fit {
     pub fn table(&self, reference: Option<&Reference>) -> String {
         let seen = &self.residuals;
         let mut text = format!(
-            "{}: {} N of {} N is not explained (root mean square; {} samples, correlation time {:.1} samples)\n",
+            "{}: RMS residual {} N of {} N ({} samples, correlation time {:.1} samples)\n",
             self.law.name,
             digits(seen.rms),
             digits(self.level),
@@ -189,7 +189,7 @@ impl Fit {
             let _ = writeln!(text, "robust loss: the noise without outliers is {} N", digits(seen.noise));
         }
         for one in &self.unseen {
-            let _ = writeln!(text, "{}, not fitted: {} N is not explained", one.name, digits(one.rms));
+            let _ = writeln!(text, "validation record {}: RMS residual {} N", one.name, digits(one.rms));
         }
         let how = if self.is_exact { "exact" } else { "by differences" };
         let _ =
@@ -217,11 +217,11 @@ pub fn as_json(ranking: &Ranking) -> serde_json::Value {
         let fit = &ranking.fits[place.fit];
         json!({
             "law": fit.law.name,
-            "behind": place.behind,
+            "delta_bic": place.delta_bic,
             "tied": place.is_tied,
             "rms": fit.residuals.rms,
             "noise": fit.residuals.noise,
-            "unseen": fit.unseen.iter().map(|one| (one.name.clone(), one.rms)).collect::<BTreeMap<String, f64>>(),
+            "validation": fit.unseen.iter().map(|one| (one.name.clone(), one.rms)).collect::<BTreeMap<String, f64>>(),
             "samples": fit.samples,
             "correlation": fit.residuals.correlation,
             "repeatable": fit.searches == Searches::Agree,

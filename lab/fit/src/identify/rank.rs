@@ -26,7 +26,7 @@ pub struct Rank {
     /// Number of the fit in the list.
     pub fit: usize,
     /// Criterion above that of the best law.
-    pub behind: f64,
+    pub delta_bic: f64,
     /// Whether it cannot be told apart from the best one, which is tied with itself.
     pub is_tied: bool,
 }
@@ -48,8 +48,8 @@ pub fn rank(fits: &[Fit]) -> Vec<Rank> {
     list.sort_by(|a, b| a.1.total_cmp(&b.1));
     let best = list.first().map_or(0.0, |(_, criterion)| *criterion);
     let place = |(fit, criterion): (usize, f64)| {
-        let behind = criterion - best;
-        Rank { fit, behind, is_tied: behind < APART }
+        let delta_bic = criterion - best;
+        Rank { fit, delta_bic, is_tied: delta_bic < APART }
     };
     list.into_iter().map(place).collect()
 }

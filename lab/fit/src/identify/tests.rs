@@ -342,12 +342,12 @@ fn the_law_that_made_the_data_ranks_first_or_is_tied() {
         let own = ranks.iter().find(|rank| fits[rank.fit].law.name == truth).unwrap();
         assert!(own.is_tied, "{truth}: {ranks:?}");
         if truth == "LuGre" {
-            assert!(ranks[1].behind > APART, "{ranks:?}");
+            assert!(ranks[1].delta_bic > APART, "{ranks:?}");
         }
         if truth == "Coulomb" {
             // Stribeck's law explains as much with four unknowns more: 4 ln 600 = 26, less what they take of the noise.
             let more = ranks.iter().find(|rank| fits[rank.fit].law.name == "Stribeck").unwrap();
-            assert!(ranks[0].fit == own.fit && (10.0..30.0).contains(&more.behind), "{ranks:?}");
+            assert!(ranks[0].fit == own.fit && (10.0..30.0).contains(&more.delta_bic), "{ranks:?}");
         }
     }
 }
@@ -401,7 +401,7 @@ fn samples_of_unknown_direction_do_not_rank_laws() {
         let fits = ["Coulomb", "Threlfall"].map(|law| fitted(law, slice::from_ref(&data), &task));
         let ranks = rank(&fits);
         let own = ranks.iter().find(|one| one.fit == 0).unwrap();
-        (own.behind, own.is_tied)
+        (own.delta_bic, own.is_tied)
     };
     let (with, without) = (behind(all), behind(data));
     assert!(with.0 > 100.0 && !with.1, "{with:?}");
@@ -451,8 +451,8 @@ fn a_ranking_counts_effective_samples() {
         let best = Fit { residuals: Residuals { correlation, ..white_noise(0.02) }, ..fit.clone() };
         let other = Fit { residuals: Residuals { loss: 0.02 * ratio, ..best.residuals }, ..fit.clone() };
         let ranks = rank(&[other, best]);
-        assert_eq!((ranks[0].fit, ranks[0].behind), (1, 0.0));
-        (ranks[1].behind, ranks[1].is_tied)
+        assert_eq!((ranks[0].fit, ranks[0].delta_bic), (1, 0.0));
+        (ranks[1].delta_bic, ranks[1].is_tied)
     };
     for (ratio, correlation, is_tied) in [(1.008, 1.0, true), (1.009, 1.0, false), (1.009, 2.0, true)] {
         let (found, tied) = behind(ratio, correlation);

@@ -15,7 +15,7 @@ use stribeck_solve::system::Fault;
 pub struct Unseen {
     /// Its name.
     pub name: String,
-    /// Root mean square of what is not explained in it, N.
+    /// RMS residual in it, N.
     pub rms: f64,
     /// The same in the experiments that were fitted, N.
     pub fitted: f64,
@@ -34,7 +34,7 @@ impl Unseen {
     pub(super) fn warning(&self) -> Option<String> {
         self.is_worse().then(|| {
             format!(
-                "{}: {:.3e} N is not explained in this record, which was not fitted, {:.3e} N in those that were: the \
+                "{}: the RMS residual is {:.3e} N in this validation record, {:.3e} N in those that were fitted: the \
                  law or its values do not hold there",
                 self.name, self.rms, self.fitted
             )

@@ -96,14 +96,14 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
 /// Sizes of the residuals, also in records that were not fitted.
 fn residuals(page: &mut Page, best: &Fit) {
     for one in &best.unseen {
-        let text = format!("{}, which was not fitted: {} N is not explained.", one.name, digits(one.rms));
+        let text = format!("Validation record {}: RMS residual {} N.", one.name, digits(one.rms));
         page.paragraph("note", &text);
     }
     let seen = &best.residuals;
     page.paragraph(
         "note",
         &format!(
-            "Not explained: {} N (root mean square) of {} N. Correlation of neighbouring residuals {:.2}, correlation time \
+            "RMS residual: {} N of {} N. Correlation of neighbouring residuals {:.2}, correlation time \
              {:.1} of {} samples. Condition {:.1e}. {} evaluations; sensitivities {}.",
             digits(seen.rms),
             digits(best.level),
@@ -122,7 +122,7 @@ fn ranking(page: &mut Page, facts: &Identification) {
         return;
     }
     page.heading("Laws");
-    let head = ["Law", "#Unexplained in N", "#Unknowns", "#Behind", "Verdict"];
+    let head = ["Law", "#RMS residual in N", "#Parameters", "#ΔBIC", "Verdict"];
     page.begin_table(&head);
     for (place, rank) in facts.ranking.ranks.iter().enumerate() {
         let fit = &facts.ranking.fits[rank.fit];
@@ -130,7 +130,7 @@ fn ranking(page: &mut Page, facts: &Identification) {
         let verdict = fit.searches.note().or(is_tied.then_some("cannot be told apart from the first")).unwrap_or("");
         let count = fit.unknowns().to_string();
         let cells =
-            [fit.law.name.into(), digits(fit.residuals.rms), count, format!("{:.1}", rank.behind), verdict.into()];
+            [fit.law.name.into(), digits(fit.residuals.rms), count, format!("{:.1}", rank.delta_bic), verdict.into()];
         page.row("", &head, &cells);
     }
     page.end_table();

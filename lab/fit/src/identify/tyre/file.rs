@@ -21,12 +21,7 @@ pub fn property_file(fit: &TyreFit) -> String {
     let mut text =
         "$ Coefficients of the Magic Formula 5.2, fitted to a test by stribeck. Axes: ISO 8855.\n".to_owned();
     for (name, unit, rms, most) in &fit.left {
-        let _ = writeln!(
-            text,
-            "$ {name}: {} {unit} of {} {unit} is not explained (root mean square)",
-            digits(*rms),
-            digits(*most)
-        );
+        let _ = writeln!(text, "$ {name}: RMS residual {} {unit} of {} {unit}", digits(*rms), digits(*most));
     }
     let side = if Side::of(formula.side) == Side::Left { "LEFT" } else { "RIGHT" };
     let _ = write!(
@@ -69,12 +64,7 @@ fn help(key: &str) -> String {
 pub fn table(fit: &TyreFit) -> String {
     let mut text = String::new();
     for (name, unit, rms, most) in &fit.left {
-        let _ = writeln!(
-            text,
-            "{name}: {} {unit} of {} {unit} is not explained (root mean square)",
-            digits(*rms),
-            digits(*most)
-        );
+        let _ = writeln!(text, "{name}: RMS residual {} {unit} of {} {unit}", digits(*rms), digits(*most));
     }
     for one in &fit.estimates {
         let _ = match &one.told {

@@ -68,7 +68,7 @@ pub struct TyreEstimate {
 pub struct TyreFit {
     /// The coefficients, in the order of the formula.
     pub estimates: Vec<TyreEstimate>,
-    /// For each measured channel its name, unit, root mean square of what is not explained, and largest value.
+    /// For each measured channel its name, unit, RMS residual, and largest value.
     pub left: Vec<(&'static str, &'static str, f64, f64)>,
     /// The formula.
     pub formula: MagicFormula,
