@@ -391,7 +391,7 @@ def demo() -> None:
     """Packs the FMUs and runs each of them from Python, identifies a law, and compares solvers on the belt of the
     thesis."""
     setup()
-    wheel()
+    pack()
     run(PYTHON, "examples/fmpy/demo.py")
     stribeck = ["cargo", "run", "--release", "--package", "stribeck-cli", "--"]
     run(*stribeck, "rig", "--law", "LuGre", "--out", "out/rig")
