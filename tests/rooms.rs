@@ -479,6 +479,21 @@ fn no_files_use_each_other() {
     assert!(seen > 500, "only {seen} uses were found");
 }
 
+/// The line of a room's crate in the map must name it.
+#[test]
+fn the_map_names_every_room() {
+    let map = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    for House { folder, rooms } in HOUSES {
+        let begin = map.find(&format!("- `{folder}`:")).unwrap_or_else(|| panic!("{folder} has no list of rooms"));
+        let list = &map[begin + 2..];
+        let list = ["\n- ", "\n\n"].iter().fold(list, |list, end| list.split(end).next().unwrap());
+        let named =
+            |room: &str| list.find(&format!("`{room}`")).unwrap_or_else(|| panic!("{folder}: {room} is missing"));
+        let places: Vec<usize> = rooms.iter().map(|room| named(room)).collect();
+        assert!(places.is_sorted(), "{folder}: {list}");
+    }
+}
+
 /// A crate for the tests of the walk.
 const SMALL: House = House { folder: "src", rooms: &["cellar", "hall", "attic"] };
 
