@@ -34,6 +34,7 @@ fn _stribeck(module: &Bound<PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(series::follow, module)?)?;
     module.add_function(wrap_pyfunction!(series::settle, module)?)?;
     module.add_function(wrap_pyfunction!(identification::identify, module)?)?;
+    module.add_function(wrap_pyfunction!(identification::identify_options, module)?)?;
     module.add_function(wrap_pyfunction!(study::make_study, module)?)?;
     module.add_function(wrap_pyfunction!(study::missing_chunks, module)?)?;
     module.add_function(wrap_pyfunction!(study::merge_study, module)?)?;

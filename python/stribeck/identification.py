@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import json
-import operator
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -30,9 +29,6 @@ class Columns(Protocol):
 Record: TypeAlias = str | os.PathLike[str] | Mapping[str, ArrayLike] | Columns
 """A table of a rig: a file, or what has arrays in SI units (a dict, a data frame) by the names `time`, `force`,
 `displacement` or `velocity`, and perhaps `normal_force`, which may be a single number."""
-
-# Seeds and counts are unsigned numbers of 64 bits.
-MOST = 2**64 - 1
 
 
 @dataclass(frozen=True)
@@ -122,37 +118,17 @@ def identify(
     records: Record | Sequence[Record],
     law: str | Description | Sequence[str | Description] = (),
     *,
-    axis: bool = False,
-    mass: float = 0.0,
-    normal_force: float | None = None,
     motion: Record | None = None,
-    window: float | None = None,
-    columns: Mapping[str, str] | None = None,
-    scale: Mapping[str, float] | None = None,
-    delay: float | Literal["find"] | None = None,
-    longest_delay: float | None = None,
-    skip: float = 0.0,
-    rest: float | None = None,
-    fix: Mapping[str, float] | None = None,
-    fit: str | Sequence[str] = (),
-    ranges: Mapping[str, tuple[float, float]] | None = None,
-    budget: int | None = None,
-    seed: int | None = None,
-    repetitions: int | None = None,
-    loss: Literal["squares", "robust"] = "squares",
     hold_out: Record | Sequence[Record] = (),
-    folds: int = 0,
+    **options: Any,
 ) -> Identification:
-    """Finds the parameters of a law, or of several (`"all"`), as `stribeck identify` does, with the same numbers.
+    """Finds the parameters of a law, or of several (`"all"`). Same names, same numbers as `stribeck identify`.
 
-    `mass` (kg) is that between load cell and contact, `normal_force` (N) is for records without such a column,
-    `motion` is the table of a camera with its own clock. `delay="find"` looks for its delay, up to `longest_delay`
-    (s). `columns` says what columns are called, `scale` multiplies them: `{"force": 35.15}` for volts of a drive with
-    35.15 N/V. `fix` holds parameters, `fit` adds some that are held otherwise, `ranges` narrows them. With
-    `loss="robust"` outliers count less than by their squares. `hold_out` has records that are not fitted, `folds`
-    divides the fitted ones into parts for cross-validation; `Fit.validation` says what is left there. With `axis=True`
-    the records are of an axis, M a = F - f - offset; `rest` (m/s) leaves slow samples out. What is not given is as on
-    the command line.
+    `motion` is the table of a camera with its own clock. `hold_out` has validation records, which are not fitted;
+    `Fit.validation` says what is left there. The other options, of which those with several NAME=... are dictionaries
+    here, and LOW:HIGH is a pair:
+
+    {options}
 
     A record begins at rest with the contact unloaded, or in steady sliding if it is fast there: the first of its
     `findings` says which. Columns that are not used may hold anything.
@@ -168,92 +144,33 @@ def identify(
     >>> 0.95 < found.best.values["sigma_0"] / 2e4 < 1.05
     True
     """
-    finds_delay = isinstance(delay, str)
-    if finds_delay and delay != "find":
-        raise Refused(f"delay = {delay!r}: must be a number in s, or 'find'")
-    if not (isinstance(loss, str) and loss in ("squares", "robust")):
-        raise Refused(f"loss = {loss!r}: must be 'squares' or 'robust'")
-    if not isinstance(axis, bool | np.bool_):
-        raise TypeError(f"axis = {axis!r}: must be True or False")
-    known = {
-        "mass": _number("mass", mass),
-        "normal_force": _optional(_number, "normal_force", normal_force),
-        "window": _optional(_number, "window", window),
-        "column": _pairs("columns", columns, _text),
-        "scale": _pairs("scale", scale, _number),
-        "delay": None if finds_delay else _optional(_number, "delay", delay),
-        "finds_delay": finds_delay,
-        "longest_delay": _optional(_number, "longest_delay", longest_delay),
-        "skip": _number("skip", skip),
-        "fix": _pairs("fix", fix, _number),
-        "fit": _texts("fit", fit),
-        "range": _pairs("ranges", ranges, _ends),
-        "budget": _optional(_count, "budget", budget),
-        "seed": _optional(_count, "seed", seed),
-        "repetitions": _optional(_count, "repetitions", repetitions),
-        "is_robust": loss == "robust",
-        "folds": _count("folds", folds),
-        "rest": _optional(_number, "rest", rest),
-        "axis": bool(axis),
+    kinds = {"record": _several("records", records), "held out": _several("hold_out", hold_out)}
+    _refuse_twins(kinds)
+    arrays: dict[str, dict[str, Any]] = {}
+    names = {
+        kind: [_placed(f"{kind} {at}", record, arrays) for at, record in enumerate(all_of_kind, 1)]
+        for kind, all_of_kind in kinds.items()
     }
-    laws = _texts("law", law)
-    fitted, unseen = _several("records", records), _several("hold_out", hold_out)
-    _refuse_twins({"record": fitted, "held out": unseen})
-    seen = None if motion is None else _plain("motion", motion)
-    text, tables = _stribeck.identify(_named("record", fitted), _named("held out", unseen), seen, laws, known)
+    entries = {name: value for name, value in options.items() if value is not None}
+    entries |= {"records": names["record"], "hold_out": names["held out"], "law": _names("law", law)}
+    if "fit" in entries:
+        entries["fit"] = _names("fit", entries["fit"])
+    if motion is not None:
+        entries["motion"] = _placed("motion", motion, arrays)
+    text, tables = _stribeck.identify(entries, arrays)
     return Identification(text, dict(tables))
 
 
-def _number(name: str, value: Any) -> float:
-    is_number = np.ndim(value) == 0 and np.asarray(value).dtype.kind in "iuf"
-    if not is_number:
-        raise TypeError(f"{name} = {value!r}: must be a number")
-    return float(value)
+if identify.__doc__ is not None:
+    identify.__doc__ = identify.__doc__.replace("{options}", _stribeck.identify_options())
 
 
-def _count(name: str, value: Any) -> int:
-    try:
-        number = operator.index(None if isinstance(value, bool) else value)
-    except TypeError:
-        raise TypeError(f"{name} = {value!r}: must be a whole number") from None
-    if not 0 <= number <= MOST:
-        raise Refused(f"{name} = {number}: must be >= 0 and <= {MOST}")
-    return number
-
-
-def _optional(check: Any, name: str, value: Any) -> Any:
-    return None if value is None else check(name, value)
-
-
-def _text(name: str, value: Any) -> str:
-    if isinstance(value, Description):
-        return value.name
-    if not isinstance(value, str):
-        raise TypeError(f"{name} = {value!r}: must be a name")
-    return value
-
-
-def _texts(name: str, values: Any) -> list[str]:
+def _names(name: str, values: Any) -> list[str]:
     """Names, of which a single one needs no list."""
-    if isinstance(values, str | Description):
-        return [_text(name, values)]
-    if isinstance(values, Mapping) or not isinstance(values, Iterable):
+    several = [values] if isinstance(values, str | Description) else values
+    if isinstance(several, Mapping) or not isinstance(several, Iterable):
         raise TypeError(f"{name} = {values!r}: must be a name or a list of names")
-    return [_text(name, value) for value in values]
-
-
-def _ends(name: str, value: Any) -> list[float]:
-    if isinstance(value, str) or np.ndim(value) != 1 or len(value) != 2:
-        raise TypeError(f"{name} = {value!r}: must be two numbers, the least and the greatest")
-    return [_number(name, end) for end in value]
-
-
-def _pairs(name: str, values: Any, check: Any) -> list[tuple[str, Any]]:
-    if values is None:
-        return []
-    if not isinstance(values, Mapping):
-        raise TypeError(f"{name} = {values!r}: must be a dict")
-    return [(_text(f"a name in {name}", key), check(f"{name}[{key!r}]", value)) for key, value in values.items()]
+    return [str(one) if isinstance(one, Description) else one for one in several]
 
 
 def _has_columns(record: Any) -> bool:
@@ -279,32 +196,25 @@ def _no_record(name: str, record: Any) -> TypeError:
 
 
 def _refuse_twins(kinds: Mapping[str, Sequence[Any]]) -> None:
-    """Refuses a record that is given twice: it would count double, or be held against itself."""
-    seen: dict[Any, str] = {}
+    """Refuses arrays that are given twice: they would count double, or be held against themselves."""
+    seen: dict[int, str] = {}
     for kind, records in kinds.items():
         for number, record in enumerate(records, 1):
             own = f"{kind} {number}"
-            is_file = isinstance(record, str | os.PathLike)
-            first = seen.setdefault(os.path.realpath(record) if is_file else id(record), own)
+            first = own if isinstance(record, str | os.PathLike) else seen.setdefault(id(record), own)
             if first != own:
-                what = f" ({os.fspath(record)})" if is_file else ""
-                raise Refused(f"{own}{what} is the same as {first}: give it once")
+                raise Refused(f"{own} is the same as {first}: give it once")
 
 
-def _named(kind: str, records: Sequence[Any]) -> list[tuple[str, Any]]:
-    plain = [(f"{kind} {number}", record) for number, record in enumerate(records, 1)]
-    told = [(name, _plain(name, record)) for name, record in plain]
-    return [(record if isinstance(record, str) else name, record) for name, record in told]
-
-
-def _plain(name: str, record: Any) -> str | dict[str, Any]:
-    """The path of a file, or columns by name."""
+def _placed(name: str, record: Any, arrays: dict[str, dict[str, Any]]) -> str:
+    """The path of a file; or the name under which columns are laid into `arrays`."""
     if isinstance(record, str | os.PathLike):
         path = os.fspath(record)
         if isinstance(path, str):
             return path
     elif _has_columns(record):
-        return {str(key): _column(record[key]) for key in record.keys()}  # noqa: SIM118 (rows, in a data frame)
+        arrays[name] = {str(key): _column(record[key]) for key in record.keys()}  # noqa: SIM118 (rows, in a data frame)
+        return name
     raise _no_record(name, record)
 
 

@@ -283,9 +283,8 @@ fn refusals_of_an_identification_name_what_is_wrong() {
         (vec!["Dahl"], format!("{record}: no column 'normal_force', and no value was given for it")),
         (vec!["Dahl", "--normal-force", "-1"], format!("{record}: normal_force = -1: must be >= 0 and finite, in N")),
         (vec!["Dahl", "--mass", "-1"], format!("{record}: mass = -1: must be >= 0 and finite, in kg")),
-        (vec!["Dahl", "--fix", "mu_k=x"], "mu_k = x: must be a number".to_owned()),
-        (vec!["Dahl", "--mass", "2", "--fix", "mass=3"], "--fix mass=3 contradicts --mass 2".to_owned()),
-        (vec!["Dahl", "--fix", "mass=3", "--fit", "mass"], "--fix mass=3 contradicts --fit mass".to_owned()),
+        (vec!["Dahl", "--mass", "2", "--fix", "mass=3"], "fix mass = 3 contradicts mass = 2".to_owned()),
+        (vec!["Dahl", "--fix", "mass=3", "--fit", "mass"], "fix mass = 3 contradicts fit mass".to_owned()),
         (vec!["Dahl", "--motion", "absent.csv"], "absent.csv: No such file or directory (os error 2)".to_owned()),
         (
             vec!["Dahl", "--normal-force=1", "--motion", camera],
@@ -296,9 +295,15 @@ fn refusals_of_an_identification_name_what_is_wrong() {
     }
     let rig = refusal(&["rig", "--law", "LuGrePlanar", "--out", "x"]);
     assert!(rig.starts_with("stribeck: friction law 'LuGrePlanar' does not exist"), "{rig}");
-    for arguments in [["--range", "mu_k=1"], ["--delay", "late"]] {
-        let usage = stribeck(&[&law[..], &["Dahl"], &arguments].concat());
-        assert_eq!(usage.status.code(), Some(2), "{arguments:?}");
+    for (option, value, expected) in [
+        ("--range", "mu_k=1", "mu_k = 1: must be LOW:HIGH"),
+        ("--fix", "mu_k=x", "mu_k = x: must be a number"),
+        ("--delay", "late", "delay = late: must be a number in s, find, or find:LONGEST"),
+    ] {
+        let usage = stribeck(&[&law[..], &["Dahl", option, value]].concat());
+        assert_eq!(usage.status.code(), Some(2), "{option}");
+        let said = String::from_utf8(usage.stderr).expect("text");
+        assert!(said.contains(expected), "{said}");
     }
 }
 

@@ -3,6 +3,7 @@
 mod bench;
 mod choice;
 mod compare;
+mod description;
 mod identify;
 mod one;
 mod page;

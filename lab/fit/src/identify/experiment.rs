@@ -65,10 +65,13 @@ pub(super) const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 /// records of `Coulomb`, `CoulombViscous` and `Stribeck` better than these themselves.
 pub(super) const UNKNOWN_DIRECTION: f64 = 3.0;
 
-/// Names of records: those of their files, with folders before them where files have the same name.
+/// Names of records: those of their files, with folders before them where files have the same name, and with endings
+/// where they differ in nothing else.
 pub fn names(files: &[&Path]) -> Vec<String> {
+    let plain = |file: &Path| file.with_extension("");
+    let is_alone = |file: &Path| files.iter().filter(|other| plain(other) == plain(file)).count() == 1;
     let parts = |file: &&Path| -> Vec<String> {
-        let file = file.with_extension("");
+        let file = if is_alone(file) { plain(file) } else { file.to_path_buf() };
         let parts = file.components().filter(|part| matches!(part, Component::Normal(_)));
         parts.rev().map(|part| part.as_os_str().to_string_lossy().into()).collect()
     };

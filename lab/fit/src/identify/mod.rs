@@ -10,6 +10,7 @@
 //! thesis, University of Minho (2024). Differential evolution: R. Storn, K. Price, Journal of Global Optimization 11
 //! (1997), doi:10.1023/A:1008202821328.
 
+pub mod axis;
 #[cfg(test)]
 mod axis_tests;
 mod blur;
@@ -17,6 +18,9 @@ mod blur;
 mod ended_tests;
 mod estimate;
 mod experiment;
+mod inquiry;
+#[cfg(test)]
+mod inquiry_tests;
 mod interval;
 mod loss;
 mod output;
@@ -46,6 +50,7 @@ use stribeck::model::ModelType;
 pub use estimate::Estimate;
 pub use experiment::{Experiment, Rest, names};
 
+pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source};
 pub use output::{Difference, EARLY, Reference, as_json, difference, known, of_law, preset, respond};
 pub use rank::{APART, Rank, rank};
 pub use search::{Method, Searches, Watch};
@@ -116,47 +121,6 @@ impl Default for Task {
 
 /// Evaluations in a search, unless others are wanted (chosen).
 const BUDGET: u64 = 3000;
-
-/// Quantities fitted to the records of an axis, M a = F - f - offset (the model `Axis`).
-pub mod axis {
-    use super::experiment::UNKNOWN_DIRECTION;
-    use super::{Experiment, Fault, ModelType, Wishes};
-    use crate::measured::SLOW;
-
-    /// Law of its guides, unless another one is given.
-    pub const LAW: &str = "CoulombViscous";
-    /// Normal force in N, if none is known: a coefficient of friction is then the friction force in N.
-    pub const NORMAL_FORCE: f64 = 1.0;
-
-    /// Normal force of experiments that all are of an axis; None for others.
-    pub(super) fn load(experiments: &[Experiment]) -> Option<f64> {
-        let load = *experiments.first()?.normal_force.first()?;
-        let is_of_axis = |one: &Experiment| one.alike.is_some() && one.normal_force.iter().all(|other| *other == load);
-        experiments.iter().all(is_of_axis).then_some(load)
-    }
-
-    /// Adds mass and offset to the unknowns, unless they are held; a mass that is known, other than 0 kg, is.
-    pub fn fitted(wishes: &mut Wishes, mass: f64) {
-        for name in ["mass", "offset"] {
-            let is_known = name == "mass" && mass != 0.0;
-            if !is_known
-                && wishes.fixed.iter().all(|(held, _)| held != name)
-                && wishes.fitted.iter().all(|known| known != name)
-            {
-                wishes.fitted.push(name.to_owned());
-            }
-        }
-    }
-
-    /// An experiment without its samples at rest: there the guides carry whatever force there is, and the sign of the
-    /// velocity is noise. If only [`LAW`] is fitted, without those that are slow either.
-    pub fn in_motion(experiment: Experiment, laws: &[&'static ModelType]) -> Result<Experiment, Fault> {
-        let fastest = experiment.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-        let slow = if laws.iter().all(|law| law.name == LAW) { SLOW * fastest } else { 0.0 };
-        let rest = f64::max(UNKNOWN_DIRECTION * experiment.velocity_error, slow);
-        experiment.without_rest(rest)
-    }
-}
 
 /// A law fitted to experiments.
 #[derive(Clone, Debug)]

@@ -11,7 +11,7 @@ use stribeck::model::ModelType;
 use super::response::{Ports, forces};
 use super::trust::{digits, digits_within};
 use super::unknown::OF_RIG;
-use super::{Estimate, Experiment, Fit, Rank, Ranking, Searches, Verdict};
+use super::{Data, Estimate, Experiment, Fit, Rank, Ranking, Searches, Verdict};
 use crate::measured::Record;
 use stribeck_solve::run::Configuration;
 use stribeck_solve::system::Fault;
@@ -211,8 +211,8 @@ impl Fit {
 /// Description of a fit that was cancelled.
 pub const EARLY: &str = "ended early: the best values so far, without profiles and repetitions";
 
-/// Fits with their ranking, for programs. What is not determined has no value.
-pub fn as_json(ranking: &Ranking) -> serde_json::Value {
+/// Fits with their ranking, and what was found out about each record, for programs. What is not determined has no value.
+pub fn as_json(ranking: &Ranking, data: &Data) -> serde_json::Value {
     let law = |place: &Rank| {
         let fit = &ranking.fits[place.fit];
         json!({
@@ -236,9 +236,14 @@ pub fn as_json(ranking: &Ranking) -> serde_json::Value {
         })
     };
     let refused = ranking.refused.iter().map(|(law, reason)| json!({ "law": law, "reason": reason }));
+    let findings = data.records.iter().zip(&data.experiments).map(|((name, record), experiment)| {
+        let found = record.quality.findings.iter().map(String::as_str);
+        (name.as_str(), std::iter::once(experiment.beginning()).chain(found).collect())
+    });
     json!({
         "laws": ranking.ranks.iter().map(law).collect::<Vec<_>>(),
         "refused": refused.collect::<Vec<_>>(),
+        "findings": findings.collect::<BTreeMap<&str, Vec<&str>>>(),
     })
 }
 

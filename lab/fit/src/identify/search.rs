@@ -5,17 +5,20 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use basin::{
     BoundedLevenbergMarquardt, De, DeMutation, Executor, PointState, PopulationProgress, Ssga, State, StepOutcome,
 };
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
 
 use super::problem::{Found, Problem};
 use super::{BUDGET, Experiment, Task};
 
 /// How the whole range is searched.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
 pub enum Method {
-    /// Differential evolution, then least squares from the best place.
+    /// Differential evolution, then bounded least squares
     #[default]
     Evolution,
-    /// A genetic algorithm alone, as the thesis does: for comparison.
+    /// A genetic algorithm alone, as the thesis does: for comparison
     Genetic,
 }
 

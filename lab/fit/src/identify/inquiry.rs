@@ -1,0 +1,421 @@
+//! An identification as a user describes it: the records, what is known of the rig, the laws, and how they are fitted.
+//!
+//! The command line, files, Python and the page all describe it so. What it means, the defaults, and what contradicts
+//! itself are stated here alone.
+
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use clap::{Args, ValueEnum};
+use serde::{Deserialize, Serialize};
+use stribeck::model::ModelType;
+use stribeck_solve::job::{self, Entry, Spelled};
+use stribeck_solve::system::Fault;
+use toml::Value;
+
+use super::{Experiment, Method, Ranking, Task, Watch, Wishes, axis, fit_all, held_out, laws_named, names};
+use crate::measured::{Columns, Delay, MeasuredError, Record, Rig};
+use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TIME, VELOCITY, tables};
+
+/// Records, what is known of their rig, the laws, and how they are fitted.
+#[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Inquiry {
+    /// Records: tables with time, force, and displacement or velocity, perhaps normal_force; units in brackets
+    #[serde(deserialize_with = "job::names")]
+    pub records: Vec<PathBuf>,
+    /// Name of a column in the records: force=Kraft_1; in binary files (.mf4, .mat) that of a channel or variable
+    #[arg(long, value_name = "NAME=COLUMN")]
+    #[serde(with = "job::table")]
+    pub column: Vec<Entry<String>>,
+    /// Factor of a column: force=35.15 if it has volts of an amplifier with 35.15 N/V, displacement=-1 if it is reversed
+    #[arg(long, value_name = "NAME=FACTOR", allow_hyphen_values = true)]
+    #[serde(with = "job::table")]
+    pub scale: Vec<Entry<f64>>,
+    /// Table of the motion on its own clock (a camera), for a single record
+    #[arg(long, value_name = "FILE")]
+    pub motion: Option<PathBuf>,
+    /// Friction laws; several, or `all`, are ranked (default: none; for an axis CoulombViscous)
+    #[arg(long, alias = "laws", num_args = 1.., value_delimiter = ',')]
+    #[serde(deserialize_with = "job::names")]
+    pub law: Vec<String>,
+    /// The records are of an axis, M a = F - f - offset: fit mass and offset too, with Coulomb and viscous friction
+    /// unless a law is given, at a normal force of 1 N unless one is known
+    #[arg(long)]
+    pub axis: bool,
+    /// Mass between load cell and contact in kg (default: 0)
+    #[arg(long)]
+    pub mass: Option<f64>,
+    /// Normal force in N, if the record has none
+    #[arg(long)]
+    pub normal_force: Option<f64>,
+    /// Window in s for smoothing and differentiating the motion, 0 for the shortest (default: 5 to 391 samples, at most a
+    /// tenth of the record, with the least error of velocity and acceleration; for an axis 9 to 191 samples, force and
+    /// motion alike)
+    #[arg(long)]
+    pub window: Option<f64>,
+    /// Delay of the motion behind the force in s; or `find`, or `find:LONGEST` (default: 0; for an axis that of a
+    /// controller, up to two samples, is found)
+    #[arg(long)]
+    pub delay: Option<DelayChoice>,
+    /// Seconds at the start of the records that are skipped (default: 0)
+    #[arg(long)]
+    pub skip: Option<f64>,
+    /// Speed in m/s below which samples are left out (default: three times the error of the velocity, and for Coulomb and
+    /// viscous friction of an axis a twentieth of the highest speed; 0 for none)
+    #[arg(long)]
+    pub rest: Option<f64>,
+    /// Parameter that is held, in those of several laws that have it: sigma_1=0; also mass and offset of the rig
+    #[arg(long, value_name = "NAME=VALUE")]
+    #[serde(with = "job::table")]
+    pub fix: Vec<Entry<f64>>,
+    /// Additional parameter to fit: an exponent, mass, offset
+    #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]
+    #[serde(deserialize_with = "job::names")]
+    pub fit: Vec<String>,
+    /// Range of a parameter instead of the one that follows from the data
+    #[arg(long, value_name = "NAME=LOW:HIGH")]
+    #[serde(with = "job::table")]
+    pub range: Vec<Entry<[f64; 2]>>,
+    /// Search over the whole range (default: evolution)
+    #[arg(long, value_enum)]
+    pub method: Option<Method>,
+    /// Cost of a residual: squares, or less for outliers (default: squares)
+    #[arg(long, value_enum)]
+    pub loss: Option<LossChoice>,
+    /// Validation records, which are not fitted: the laws are held against them
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    #[serde(deserialize_with = "job::names")]
+    pub hold_out: Vec<PathBuf>,
+    /// Cross-validation: fit all parts of the records but one, in turn, and hold the law against that part (default: none)
+    #[arg(long, value_name = "PARTS")]
+    pub folds: Option<usize>,
+    /// Evaluations of the law in a search over the whole range, before least squares; at least those of its first
+    /// generations are made, 48 or 16 for each parameter, 62 by the genetic algorithm (default: 3000)
+    #[arg(long)]
+    pub budget: Option<u64>,
+    /// Seed of the search and of the repetitions (default: 1)
+    #[arg(long)]
+    pub seed: Option<u64>,
+    /// Repetitions with blocks of residuals (default: 40)
+    #[arg(long)]
+    pub repetitions: Option<usize>,
+}
+
+/// Cost of a residual.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum LossChoice {
+    /// Half the squares
+    Squares,
+    /// Squares of small residuals, magnitudes of those well above 1.3 times the noise
+    Robust,
+}
+
+/// Delay of the motion behind the force: a number in s, `find`, or `find:LONGEST`.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(try_from = "Value", into = "Value")]
+pub enum DelayChoice {
+    /// In s.
+    Known(f64),
+    /// To be found; the longest one, in s.
+    Find(Option<f64>),
+}
+
+impl FromStr for DelayChoice {
+    type Err = Fault;
+
+    fn from_str(text: &str) -> Result<DelayChoice, Fault> {
+        let wrong = |_| Fault::value(format_args!("delay = {text}: must be a number in s, find, or find:LONGEST"));
+        Ok(match text.split_once(':') {
+            Some(("find", longest)) => DelayChoice::Find(Some(f64::spelled("delay", longest.trim()).map_err(wrong)?)),
+            None if text == "find" => DelayChoice::Find(None),
+            _ => DelayChoice::Known(f64::spelled("delay", text.trim()).map_err(wrong)?),
+        })
+    }
+}
+
+impl TryFrom<Value> for DelayChoice {
+    type Error = Fault;
+
+    fn try_from(value: Value) -> Result<DelayChoice, Fault> {
+        value.as_str().map_or_else(|| value.to_string().parse(), str::parse)
+    }
+}
+
+impl From<DelayChoice> for Value {
+    fn from(delay: DelayChoice) -> Value {
+        match delay {
+            DelayChoice::Known(delay) => delay.into(),
+            DelayChoice::Find(None) => "find".into(),
+            DelayChoice::Find(Some(longest)) => format!("find:{longest:?}").into(),
+        }
+    }
+}
+
+/// Where the tables of records come from.
+pub trait Source {
+    /// The tables of a record, one for each of its clocks.
+    fn tables(&self, record: &Path) -> Result<Vec<Sheet>, SheetError>;
+
+    /// Refuses columns that are used and are no numbers, once columns have the names of their quantities.
+    fn check(&self, _record: &Path, _table: &Sheet, _is_used: &dyn Fn(&str) -> bool) -> Result<(), Fault> {
+        Ok(())
+    }
+}
+
+/// Records in files.
+#[derive(Clone, Copy, Debug)]
+pub struct Files;
+
+impl Source for Files {
+    fn tables(&self, record: &Path) -> Result<Vec<Sheet>, SheetError> {
+        tables(record)
+    }
+}
+
+/// The data of an identification.
+#[derive(Clone, Debug)]
+pub struct Data {
+    /// The records that are fitted, by their names.
+    pub records: Vec<(String, Record)>,
+    /// The same as the laws are led through them.
+    pub experiments: Vec<Experiment>,
+    /// Those that are not fitted.
+    pub validation: Vec<Experiment>,
+}
+
+impl Inquiry {
+    fn mass(&self) -> f64 {
+        self.mass.unwrap_or(0.0)
+    }
+
+    /// The rig.
+    pub(super) fn rig(&self) -> Rig {
+        let delay = match self.delay {
+            Some(DelayChoice::Known(delay)) => Delay::Known(delay),
+            Some(DelayChoice::Find(longest)) => Delay::Find(longest.unwrap_or(Delay::LONGEST)),
+            None if self.axis => Delay::OfController,
+            None => Delay::Known(0.0),
+        };
+        let normal_force = self.normal_force.or(self.axis.then_some(axis::NORMAL_FORCE));
+        let (mass, window, skip) = (self.mass(), self.window, self.skip.unwrap_or(0.0));
+        Rig { mass, normal_force, window, delay, skip, is_axis: self.axis }
+    }
+
+    fn columns(&self) -> Result<Columns, Fault> {
+        let names = self.column.iter().map(|Entry(name, column)| (name.clone(), column.clone())).collect();
+        let columns = Columns { names, factors: pairs(&self.scale) };
+        columns.check().map_err(Fault::value)?;
+        Ok(columns)
+    }
+
+    /// The laws.
+    pub fn laws(&self) -> Result<Vec<&'static ModelType>, Fault> {
+        match self.law.as_slice() {
+            [] if self.axis => laws_named(&[axis::LAW.to_owned()]),
+            [] => Err(Fault::value("no law was given")),
+            names => laws_named(names),
+        }
+    }
+
+    /// How they are fitted.
+    pub fn settings(&self) -> Result<Task, Fault> {
+        self.refuse_contradictions()?;
+        let mut wishes = Wishes { fixed: pairs(&self.fix), fitted: self.fit.clone(), ranges: pairs(&self.range) };
+        if self.axis {
+            axis::fitted(&mut wishes, self.mass());
+        }
+        let usual = Task::default();
+        Ok(Task {
+            wishes,
+            method: self.method.unwrap_or(usual.method),
+            seed: self.seed.unwrap_or(usual.seed),
+            budget: self.budget.unwrap_or(usual.budget),
+            repetitions: self.repetitions.unwrap_or(usual.repetitions),
+            mass: self.mass(),
+            is_robust: self.loss == Some(LossChoice::Robust),
+            folds: self.folds.unwrap_or(usual.folds),
+            ..usual
+        })
+    }
+
+    /// Refuses a parameter that is held at two values, or held and fitted.
+    pub fn refuse_contradictions(&self) -> Result<(), Fault> {
+        for Entry(name, value) in &self.fix {
+            let contradicts =
+                |other: String| Err(Fault::value(format_args!("fix {name} = {value} contradicts {other}")));
+            if let Some(mass) = self.mass.filter(|mass| name == "mass" && mass != value) {
+                return contradicts(format!("mass = {mass}"));
+            }
+            if self.fit.contains(name) {
+                return contradicts(format!("fit {name}"));
+            }
+            if let Some(Entry(_, other)) = self.fix.iter().find(|Entry(known, other)| known == name && other != value) {
+                return contradicts(format!("fix {name} = {other}"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses a file that is given twice: it would count twice, or be held against itself.
+    fn refuse_twice(&self) -> Result<(), Fault> {
+        let records = self.records.iter().map(|path| (path, false));
+        let mut known: Vec<(PathBuf, bool)> = Vec::new();
+        for (path, is_held_out) in records.chain(self.hold_out.iter().map(|path| (path, true))) {
+            // A file that is not there is refused when it is read.
+            let Ok(real) = path.canonicalize() else { continue };
+            if let Some((_, was_held_out)) = known.iter().find(|(other, _)| *other == real) {
+                let why = if is_held_out == *was_held_out { "is given twice" } else { "is a record and held out too" };
+                return Err(Fault::File(format!("{}: {why}", path.display())));
+            }
+            known.push((real, is_held_out));
+        }
+        Ok(())
+    }
+
+    /// The records with their names, and the validation records.
+    pub fn records(&self, from: &dyn Source) -> Result<[Vec<(String, Record)>; 2], Fault> {
+        if self.records.is_empty() {
+            return Err(Fault::value("no record was given"));
+        }
+        self.refuse_twice()?;
+        let files: Vec<&Path> = self.records.iter().chain(&self.hold_out).map(PathBuf::as_path).collect();
+        if self.motion.is_some() && files.len() > 1 {
+            return Err(Fault::value("motion: is for a single record"));
+        }
+        let mut names = names(&files).into_iter();
+        let mut named = |files: &[PathBuf]| {
+            let read = |(path, name): (&PathBuf, String)| Ok((name, self.record(path, from)?));
+            files.iter().zip(names.by_ref()).map(read).collect::<Result<Vec<_>, Fault>>()
+        };
+        Ok([named(&self.records)?, named(&self.hold_out)?])
+    }
+
+    fn record(&self, path: &Path, from: &dyn Source) -> Result<Record, Fault> {
+        let (rig, columns) = (self.rig(), self.columns()?);
+        let read = |path: &Path| from.tables(path).map_err(|error| unreadable(path, error.to_string()));
+        let mut own = read(path)?;
+        let mut motion = self.motion.as_deref().map(read).transpose()?.unwrap_or_default();
+        let refused = |error: MeasuredError| match (error, &self.motion) {
+            (MeasuredError::Motion(error), Some(camera)) => unreadable(camera, with_remedy(&error)),
+            (error, _) => unreadable(path, with_remedy(&error)),
+        };
+        let said = columns.apply(&mut own, &mut motion, &rig).map_err(refused)?;
+        let is_elsewhere = |quantity: &str| self.motion.is_some() && is_of_motion(quantity);
+        for table in &own {
+            from.check(path, table, &|quantity| Columns::knows(quantity) && !is_elsewhere(quantity))?;
+        }
+        for (camera, table) in self.motion.iter().flat_map(|camera| motion.iter().map(move |table| (camera, table))) {
+            from.check(camera, table, &|quantity| quantity == TIME.name || is_of_motion(quantity))?;
+        }
+        let (own, others) = with_force(own);
+        // The channels of a file may have several clocks.
+        let apart = if has_motion(&own) { None } else { with_motion(others) };
+        let motion = with_motion(motion).or(apart);
+        let mut record = Record::of(&own, motion.as_ref(), &rig).map_err(refused)?;
+        record.quality.findings.splice(0..0, said);
+        Ok(record)
+    }
+
+    fn experiments(&self, records: &[(String, Record)], laws: &[&'static ModelType]) -> Result<Vec<Experiment>, Fault> {
+        let experiment = |(name, record): &(String, Record)| {
+            let all = Experiment::new(name, record);
+            match self.rest {
+                Some(rest) => all.without_rest(rest),
+                None if self.axis => axis::in_motion(all, laws),
+                None => Ok(all),
+            }
+        };
+        records.iter().map(experiment).collect()
+    }
+
+    /// Reads the data.
+    pub fn data(&self, from: &dyn Source) -> Result<Data, Fault> {
+        let laws = self.laws()?;
+        let [records, others] = self.records(from)?;
+        let validation = self.experiments(&others, &laws)?;
+        Ok(Data { experiments: self.experiments(&records, &laws)?, records, validation })
+    }
+
+    /// Fits the laws, ranks them, and holds them against the validation records. `begin` hears of each law.
+    pub fn fits(
+        &self,
+        data: &Data,
+        begin: &mut (dyn FnMut(&'static ModelType) + Send),
+        watch: Watch,
+    ) -> Result<Ranking, Fault> {
+        let mut ranking = fit_all(&self.laws()?, &data.experiments, &self.settings()?, begin, watch)?;
+        let best = ranking.best().law.name;
+        // A law that is refused in other records has no figure there; the best one must have.
+        for fit in &mut ranking.fits {
+            match held_out(fit, &data.validation) {
+                Ok(found) => fit.saw(found),
+                Err(fault) if fit.law.name == best => return Err(fault),
+                Err(fault) => ranking.refused.push((fit.law.name, format!("not validated: {fault}"))),
+            }
+        }
+        Ok(ranking)
+    }
+
+    /// The same as a command line.
+    pub fn command(&self) -> Result<String, Fault> {
+        let records = job::shown(&self.records);
+        let begin: Vec<&str> = ["stribeck", "identify"].into_iter().chain(records.iter().map(String::as_str)).collect();
+        job::command_line(&begin, &self.options()?)
+    }
+
+    /// The same in Python.
+    pub fn python(&self) -> Result<String, Fault> {
+        let records = job::shown(&self.records).into_iter().map(Value::String).collect();
+        let call = job::python_call("stribeck.identify", &[Value::Array(records)], &self.options()?);
+        Ok(format!("import stribeck\n\nfound = {call}\nprint(found)\n"))
+    }
+
+    fn options(&self) -> Result<toml::Table, Fault> {
+        let mut options = job::entries(self)?;
+        options.remove("records");
+        Ok(options)
+    }
+}
+
+fn pairs<T: Clone>(entries: &[Entry<T>]) -> Vec<(String, T)> {
+    entries.iter().map(|Entry(name, value)| (name.clone(), value.clone())).collect()
+}
+
+/// An error about the tables of a file, with its name.
+fn unreadable(path: &Path, text: String) -> Fault {
+    let name = path.display().to_string();
+    Fault::File(if text.starts_with(&name) { text } else { format!("{name}: {text}") })
+}
+
+/// An error about a record; how to name a column that was not found.
+fn with_remedy(error: &MeasuredError) -> String {
+    match error {
+        MeasuredError::Sheet(SheetError::Column { wanted, .. }) if Columns::knows(wanted) => {
+            format!("{error}; --column {wanted}=NAME names it, --scale {wanted}=FACTOR turns it into the SI unit")
+        }
+        _ => error.to_string(),
+    }
+}
+
+/// Whether a table of the motion has a quantity besides the time.
+fn is_of_motion(quantity: &str) -> bool {
+    [DISPLACEMENT, VELOCITY].iter().any(|known| known.name == quantity)
+}
+
+fn has_motion(table: &Sheet) -> bool {
+    [DISPLACEMENT, VELOCITY].iter().any(|quantity| table.has(quantity.name))
+}
+
+/// The table of the force, or the first one if none has a force; and the others.
+fn with_force(mut tables: Vec<Sheet>) -> (Sheet, Vec<Sheet>) {
+    let at = tables.iter().position(|table| table.has(FORCE.name)).unwrap_or(0);
+    (tables.remove(at), tables)
+}
+
+/// The table of the motion, or the first one if none has a motion.
+fn with_motion(mut tables: Vec<Sheet>) -> Option<Sheet> {
+    let at = tables.iter().position(has_motion).unwrap_or(0);
+    (!tables.is_empty()).then(|| tables.remove(at))
+}
