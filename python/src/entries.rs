@@ -4,6 +4,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyInt, PyList, PyTuple};
 use serde::de::DeserializeOwned;
+use stribeck_solve::job;
 
 use crate::refused;
 
@@ -13,8 +14,7 @@ const DEEPEST: usize = 32;
 
 /// The value that a dictionary describes, as a file with its entries would.
 pub fn described<T: DeserializeOwned>(value: &Bound<PyAny>) -> PyResult<T> {
-    let lines = |error: toml::de::Error| refused(error.to_string().trim().replace('\n', " "));
-    as_toml(value, DEEPEST)?.try_into().map_err(lines)
+    job::of_value(as_toml(value, DEEPEST)?).map_err(refused)
 }
 
 /// An error of a wrong type with the name of the entry; others are as they were.

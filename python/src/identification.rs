@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck_fit::identify::{Experiment, Files, Inquiry, Source, Watch, as_json};
 use stribeck_fit::sheet::{NORMAL_FORCE, Sheet, SheetError, TIME};
-use stribeck_solve::job::options;
+use stribeck_solve::job::{Choice, options};
 use stribeck_solve::system::Fault;
 
 use crate::entries::described;
@@ -150,9 +150,12 @@ pub fn identify<'py>(
 #[pyfunction]
 pub fn identify_options() -> String {
     let own = ["records", "law", "motion", "hold_out"];
-    let all = options::<Inquiry>().into_iter().filter(|(name, _)| !own.contains(&name.as_str()));
-    let lines: Vec<String> = all.map(|(name, help)| format!("`{name}`: {help}")).collect();
-    lines.join("\n    ")
+    let all = options::<Inquiry>().into_iter().filter(|option| !own.contains(&option.name.as_str()));
+    let line = |Choice { name, help, choices, .. }: Choice| match choices.is_empty() {
+        true => format!("`{name}`: {help}"),
+        false => format!("`{name}`: {help} [{}]", choices.join(", ")),
+    };
+    all.map(line).collect::<Vec<String>>().join("\n    ")
 }
 
 /// An experiment with what the best law explains, and whether each sample was fitted.

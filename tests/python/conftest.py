@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from belt import BeltRun, run_belt
 from coupling import FMUS, PROJECT
+from page import page_library
 
 # Where the examples find FMUs of the Python package: not in the cache of whoever runs them.
 os.environ["STRIBECK_CACHE"] = str(PROJECT / "out" / "cache")
@@ -46,6 +47,12 @@ def pytest_terminal_summary(terminalreporter) -> None:
         f"{len(terminalreporter.stats.get(word, []))} {word}" for word in ("passed", "skipped", "failed", "error")
     ]
     terminalreporter.write_line(f"figure: {', '.join(counts)}")
+
+
+@pytest.fixture(scope="session")
+def ask():
+    """Puts a question of the page."""
+    return page_library()
 
 
 @functools.cache

@@ -1,47 +1,11 @@
 """The library behind the page, built for this machine, against the Python package: same questions, same bits."""
 
-import ctypes
 import json
-import os
 import random
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 import stribeck
-
-ROOT = Path(__file__).resolve().parents[2]
-NAMES = {"win32": "stribeck_page.dll", "darwin": "libstribeck_page.dylib"}
-
-
-@pytest.fixture(scope="module")
-def library():
-    folder = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
-    library = ctypes.CDLL(str(folder / NAMES.get(sys.platform, "libstribeck_page.so")))
-    library.stribeck_alloc.argtypes = [ctypes.c_size_t]
-    library.stribeck_alloc.restype = ctypes.c_void_p
-    library.stribeck_ask.restype = ctypes.c_size_t
-    library.stribeck_answer.restype = ctypes.c_void_p
-    return library
-
-
-@pytest.fixture(scope="module")
-def ask(library):
-    """A function that puts a question; it returns the answer and its arrays."""
-
-    def put(question):
-        text = question if isinstance(question, bytes) else json.dumps(question).encode()
-        ctypes.memmove(library.stribeck_alloc(len(text)), text, len(text))
-        length = library.stribeck_ask()
-        answer = ctypes.string_at(library.stribeck_answer(), length)
-        end = 8 + int.from_bytes(answer[:4], "little")
-        told = json.loads(answer[8:end])
-        numbers = np.frombuffer(answer[end:])
-        assert len(numbers) == sum(told["lengths"]) == int.from_bytes(answer[4:8], "little")
-        return told["answer"], np.split(numbers, np.cumsum(told["lengths"])[:-1])
-
-    return put
 
 
 @pytest.mark.parametrize(
@@ -62,27 +26,31 @@ def test_runs_are_those_of_the_package(ask, system, law, settings):
 
 
 def test_curves_and_strokes_are_those_of_the_package(ask):
-    velocity = np.linspace(-0.01, 0.01, 21)
-    series = {
-        "model": "LuGre",
-        "set": {"mu_s": 0.2},
-        "inputs": {"velocity": velocity.tolist(), "normal_force": [12.0]},
-        "results": ["friction_force"],
-    }
-    _, (curve,) = ask({"ask": "settle", **series})
+    law = {"model": "LuGre", "set": {"mu_s": 0.2}, "held": {"normal_force": 12.0}, "velocity": 0.01}
+    strokes = {**law, "stroke": 1e-3, "speed": 2e-3}
+    _, (velocity, curve) = ask({"ask": "curve", **strokes})
+    assert velocity[0] == -0.01 == -velocity[-1]
     assert np.array_equal(curve, stribeck.force("LuGre", velocity, 12.0, mu_s=0.2))
-    _, (strokes,) = ask({"ask": "follow", "every": 1e-4, "series": series})
-    loop = stribeck.simulate("LuGre", velocity=velocity, normal_force=12.0, mu_s=0.2, dt=1e-4)
-    assert np.array_equal(strokes, loop["friction_force"])
+    answer, (way, speed, force) = ask({"ask": "strokes", **strokes})
+    dt = answer["every"]
+    # A stroke is as long as it is asked for, and its speed changes evenly.
+    assert way.max() - way.min() == pytest.approx(1e-3)
+    assert np.abs(np.diff(speed)) == pytest.approx(np.full(speed.size - 1, 2e-3 / 100))
+    loop = stribeck.simulate("LuGre", velocity=speed, normal_force=12.0, mu_s=0.2, dt=dt)
+    assert np.array_equal(force, loop["friction_force"])
 
 
 def test_fits_are_those_of_the_package(ask, tmp_path):
     rig = {"law": "Dahl", "mass": 2.0, "normal_force": 20.0, "duration": 1.0, "faults": False, "seed": 5}
     files, _ = ask({"ask": "rig", **rig})
-    known = {"table": files["force"], "mass": 2.0, "normal_force": 20.0}
-    quality, arrays = ask({"ask": "quality", **known})
+    inquiry = {"records": ["force.csv"], "law": ["Dahl"], "mass": 2.0, "normal_force": 20.0}
+    question = {
+        "fit": {"inquiry": inquiry, "options": {"budget": "100", "repetitions": "0"}},
+        "files": {"force.csv": files["force"]},
+    }
+    quality, arrays = ask({"ask": "quality", **question})
     assert quality["samples"] == len(arrays[0]) == 1001
-    fit, _ = ask({"ask": "fit", "known": known, "wanted": {"laws": ["Dahl"], "budget": 100, "repetitions": 0}})
+    fit, _ = ask({"ask": "fit", **question})
     record = tmp_path / "force.csv"
     record.write_text(files["force"])
     there = stribeck.identify(str(record), "Dahl", mass=2.0, normal_force=20.0, budget=100, repetitions=0)
@@ -91,29 +59,31 @@ def test_fits_are_those_of_the_package(ask, tmp_path):
     assert abs(values["mu_k"] - files["truth"]["mu_k"]) < 0.01 * files["truth"]["mu_k"]
 
 
+MOTION = {"velocity": 0.01, "stroke": 1e-3, "speed": 1e-3}
+
+
+def quality(table, options=None, **inquiry):
+    """A question about a record."""
+    fit = {"inquiry": {"records": ["r.csv"], **inquiry}, "options": options or {}}
+    return {"ask": "quality", "fit": fit, "files": {"r.csv": table}}
+
+
 @pytest.mark.parametrize(
     ("question", "reason"),
     [
         (b"", "EOF"),
         (b'{"ask":"weather"}', "unknown variant `weather`"),
         ({"ask": "solve", "run": {"law": ["LuGer"]}, "law": "LuGer"}, "'LuGer' does not exist (did you mean 'LuGre'?)"),
-        ({"ask": "settle", "model": "Dahl", "inputs": {"speed": [1.0]}, "results": []}, "'speed' does not exist"),
+        ({"ask": "curve", "model": "Dal", **MOTION}, "'Dal' does not exist (did you mean 'Dahl'?)"),
+        ({"ask": "curve", "model": "Dahl", "held": {"load": 1.0}, **MOTION}, "variable of Dahl 'load' does not exist"),
+        ({"ask": "strokes", "model": "Dahl", **MOTION, "speed": 0.0}, "every = inf s: must be > 0"),
         ({"ask": "ssv", "model": "Dahl", "set": {"mu_k": -1}}, "mu_k = -1: must be >= 0"),
-        (
-            {"ask": "follow", "every": 0.0, "series": {"model": "Dahl", "inputs": {}, "results": []}},
-            "every = 0 s: must be > 0",
-        ),
-        (
-            {
-                "ask": "settle",
-                "model": "Dahl",
-                "inputs": {"velocity": [1, 2], "normal_force": [1, 2, 3]},
-                "results": [],
-            },
-            "velocity has 2 samples: must have 1 or 3",
-        ),
-        ({"ask": "quality", "table": "time [s]\n1\n", "mass": 1.0}, "1 samples; at least 20 are needed"),
-        ({"ask": "quality", "table": "", "mass": -1.0}, "mass = -1: must be >= 0"),
+        (quality("time [s]\n1\n"), "1 samples; at least 20 are needed"),
+        (quality("", mass=-1.0), "mass = -1: must be >= 0"),
+        (quality("", mas=1.0), "unknown field `mas`, expected one of `records`, "),
+        (quality("", budget=2.5), "invalid type: floating point `2.5`, expected u64 in `budget`"),
+        (quality("", {"budget": "many"}), "invalid value 'many' for '--budget <BUDGET>': invalid digit"),
+        (quality("", {"budgets": "1"}), "option 'budgets' does not exist (did you mean 'budget'?)"),
     ],
 )
 def test_what_is_wrong_is_refused_by_name(ask, question, reason):

@@ -2,7 +2,7 @@
 
 import { LawPicker, modelOf, RunChoices } from "./choices";
 import { faultText, type Setting } from "./controls";
-import { asCommand, asPython, checkLaws, ofPart, run } from "./copy";
+import { checkLaws, ofPart, run } from "./asked";
 import { h, save, swatch } from "./dom";
 import type { Curve, Diagram, Label, Range } from "./drawing";
 import { Lane, Superseded } from "./engine";
@@ -14,7 +14,7 @@ import { type Paint, Stage } from "./scene";
 import { type Group, Sliders } from "./sliders";
 import { TakeAway } from "./take";
 import { dashes, onTheme } from "./theme";
-import type { Catalogue, Moving, Parts, Solved, SystemEntry } from "./types";
+import type { Catalogue, Job, Moving, Parts, Solved, SystemEntry } from "./types";
 
 /** A plot: quantities over time or over another one. */
 export interface Picture {
@@ -366,14 +366,18 @@ export class Bench {
     const { view } = this.layout;
     const items = (take: TakeAway) => [
       { text: "Copy link", id: "copy-link", does: () => take.copy("Link", location.href.split("#")[0] + toHash({ view, state })) },
-      { text: "Copy as Python", id: "copy-python", does: () => take.copy("Python", asPython(run(state, this.record()))) },
-      { text: "Copy as command line", id: "copy-command", does: () => take.copy("Command line", asCommand(run(state, this.record()))) },
+      { text: "Copy as Python", id: "copy-python", does: () => take.copyOf("python", this.job()) },
+      { text: "Copy as command line", id: "copy-command", does: () => take.copyOf("command", this.job()) },
       { text: "Copy as C", id: "copy-c", does: async () => take.copy("C", await this.asC()) },
       { text: "Save CSV", id: "save-csv", does: () => this.saveCsv() },
       { text: "Save TOML", id: "save-toml", does: () => this.saveToml() },
       { text: "Save SSV", id: "save-ssv", does: () => this.saveSsv() },
     ];
     return new TakeAway(view, items, this.page.fault);
+  }
+
+  private job(): Job {
+    return { run: run(this.state, this.record()) };
   }
 
   /** The run of the first law as a program. */

@@ -3,7 +3,7 @@
 import type { Page } from "./bench";
 import { field, LawPicker, select } from "./choices";
 import { faultText } from "./controls";
-import { checkLaws } from "./copy";
+import { checkLaws } from "./asked";
 import { h, save } from "./dom";
 import type { Curve, Diagram, Label } from "./drawing";
 import { Lane, Superseded } from "./engine";
@@ -12,12 +12,10 @@ import { type State, toHash } from "./link";
 import { Cursor, LoopPlot, type Plot, TimePlot } from "./plot";
 import { TakeAway } from "./take";
 import { dashes, onTheme } from "./theme";
-import type { Files, Fitted, FittedLaw, Known, Quality } from "./types";
+import type { Choice, Files, Fit, Fitted, FittedLaw, Quality } from "./types";
 
 /** Largest file that is read, in bytes (chosen). */
 const LARGEST = 64e6;
-/** Longest delay of a camera that is looked for, in s. */
-const LONGEST_DELAY = 0.1;
 /** Values of the rig until they are set. */
 const RIG: Record<string, string> = {
   mass: "2",
@@ -26,9 +24,9 @@ const RIG: Record<string, string> = {
   duration: "4",
   seed: "1",
   faults: "false",
-  budget: "3000",
-  repetitions: "40",
 };
+/** Options that have places of their own on the page, or files. */
+const ELSEWHERE = ["records", "motion", "law", "mass", "normal_force", "hold_out"];
 
 const FORCE: Label = { name: "Friction force", unit: "N" };
 
@@ -119,6 +117,17 @@ export class FitView {
     this.page.changed(true);
   }
 
+  private get options(): Choice[] {
+    return this.page.catalogue.identification.filter(({ name }) => !ELSEWHERE.includes(name));
+  }
+
+  private setOption(name: string, text: string): void {
+    if (text === "" || text === "false") delete this.state.set[`fit.${name}`];
+    else this.state.set[`fit.${name}`] = text;
+    this.page.changed(true);
+    void this.measure();
+  }
+
   private number(name: string): number {
     const number = parsed(this.value(name));
     if (number === undefined) throw new RangeError(`${name} = '${this.value(name)}': must be a number`);
@@ -126,7 +135,8 @@ export class FitView {
   }
 
   async show(): Promise<void> {
-    const unknown = Object.keys(this.state.set).find((name) => !Object.keys(RIG).some((known) => name === `rig.${known}`));
+    const names = [...Object.keys(RIG).map((name) => `rig.${name}`), ...this.options.map(({ name }) => `fit.${name}`)];
+    const unknown = Object.keys(this.state.set).find((name) => !names.includes(name));
     if (unknown !== undefined) this.page.fault(`'${unknown}' is unknown`);
     const stranger = this.state.laws.find((law) => !this.page.catalogue.fitted.includes(law));
     if (stranger !== undefined) this.page.fault(`friction law '${stranger}' does not exist, or cannot be fitted`);
@@ -145,13 +155,7 @@ export class FitView {
     this.known.replaceChildren(
       number("Mass", "mass", "kg", again),
       number("Normal force", "normal_force", "N", again),
-      h(
-        "details",
-        { class: "solver" },
-        h("summary", {}, "Search"),
-        number("Budget", "budget", ""),
-        number("Repetitions", "repetitions", ""),
-      ),
+      h("details", { class: "solver" }, h("summary", {}, "Options"), ...this.options.map((option) => this.option(option))),
     );
     const laws = this.page.catalogue.fitted.map((name) => ({ name, text: name }));
     const faults = h("input", { type: "checkbox", id: "rig-faults" });
@@ -170,6 +174,20 @@ export class FitView {
         h("button", { type: "button", id: "measure-rig", onclick: () => this.virtual() }, "Measure on the virtual rig"),
       ),
     );
+  }
+
+  /** An option of the identification. */
+  private option({ name, help, choices, is_flag }: Choice): HTMLElement {
+    const [id, value] = [`fit-${name}`, this.state.set[`fit.${name}`] ?? ""];
+    const label = name.charAt(0).toUpperCase() + name.slice(1).replaceAll("_", " ");
+    const change = (text: string) => this.setOption(name, text);
+    const all = is_flag ? ["true"] : choices;
+    const input =
+      all.length > 0
+        ? select(label, id, value, [{ name: "", text: is_flag ? "no" : "default" }, ...all.map((one) => ({ name: one, text: is_flag ? "yes" : one }))], change)
+        : field(label, id, value, "", undefined, change);
+    input.title = help;
+    return input;
   }
 
   private dropZone(): HTMLElement {
@@ -232,10 +250,12 @@ export class FitView {
     await this.measure();
   }
 
-  private rig(data: Data): Known {
-    const { table, motion } = data;
-    const delay = motion === undefined ? {} : { motion, longest_delay: LONGEST_DELAY };
-    return { table, ...delay, mass: this.number("mass"), normal_force: this.number("normal_force") };
+  /** The identification. */
+  private asked(data: Data): Fit {
+    const known = { mass: this.number("mass"), normal_force: this.number("normal_force") };
+    const camera: Fit["inquiry"] = data.motion === undefined ? {} : { motion: "motion.csv", delay: "find" };
+    const given = this.options.map(({ name }) => [name, this.state.set[`fit.${name}`]]).filter(([, text]) => text !== undefined);
+    return { inquiry: { records: ["force.csv"], law: [...this.state.laws], ...camera, ...known }, options: Object.fromEntries(given) };
   }
 
   /** Looks at the record. */
@@ -246,7 +266,7 @@ export class FitView {
     this.page.fault("");
     this.fitted = undefined;
     try {
-      const { answer, arrays } = await this.questions.ask<Quality>({ ask: "quality", ...this.rig(data) });
+      const { answer, arrays } = await this.questions.ask<Quality>({ ask: "quality", fit: this.asked(data), files: files(data) });
       if (this.data !== data) return;
       this.measured = { quality: answer, arrays };
     } catch (fault) {
@@ -308,8 +328,7 @@ export class FitView {
     };
     tell();
     try {
-      const wanted = { laws: [...state.laws], budget: this.number("budget"), repetitions: this.number("repetitions") };
-      const { answer, arrays } = await this.worker.ask<Fitted>({ ask: "fit", known: this.rig(data), wanted }, tell);
+      const { answer, arrays } = await this.worker.ask<Fitted>({ ask: "fit", fit: this.asked(data), files: files(data) }, tell);
       this.fitted = { answer, arrays };
     } catch (fault) {
       if (fault instanceof Superseded) return;
@@ -426,8 +445,8 @@ export class FitView {
     };
     const items = (take: TakeAway) => [
       { text: "Copy link", id: "copy-link", does: () => take.copy("Link", location.href.split("#")[0] + toHash({ view: "fit", state })) },
-      { text: "Copy as Python", id: "copy-python", does: () => take.copy("Python", this.asPython()) },
-      { text: "Copy as command line", id: "copy-command", does: () => take.copy("Command line", this.asCommand()) },
+      { text: "Copy as Python", id: "copy-python", does: () => take.copyOf("python", this.job()) },
+      { text: "Copy as command line", id: "copy-command", does: () => take.copyOf("command", this.job()) },
       { text: "Save record", id: "save-csv", does: () => this.saveRecord() },
       { text: "Save TOML", id: "save-toml", does: () => save(`${best().best}.toml`, best().toml, "application/toml") },
       { text: "Save SSV", id: "save-ssv", does: () => save(`${best().best}.ssv`, best().ssv, "application/xml") },
@@ -438,26 +457,16 @@ export class FitView {
 
   /** The tables, for a fit elsewhere. */
   private saveRecord(): void {
+    for (const [name, text] of Object.entries(files(this.given()))) save(name, text, "text/csv");
+  }
+
+  private given(): Data {
     if (!this.data) throw new RangeError("there is no record yet");
-    save("force.csv", this.data.table, "text/csv");
-    if (this.data.motion !== undefined) save("motion.csv", this.data.motion, "text/csv");
+    return this.data;
   }
 
-  private options(): { name: string; value: string }[] {
-    const names = ["mass", "normal_force", "budget", "repetitions"];
-    return names.map((name) => ({ name, value: String(this.number(name)) }));
-  }
-
-  private asCommand(): string {
-    const motion = this.data?.motion === undefined ? "" : ` --motion motion.csv --delay find:${LONGEST_DELAY}`;
-    const options = this.options().map(({ name, value }) => ` --${name.replace("_", "-")} ${value}`);
-    return `stribeck identify force.csv --law ${this.state.laws.join()}${motion}${options.join("")}`;
-  }
-
-  private asPython(): string {
-    const motion = this.data?.motion === undefined ? "" : `, motion="motion.csv", delay="find", longest_delay=${LONGEST_DELAY}`;
-    const options = this.options().map(({ name, value }) => `, ${name}=${value}`);
-    return `import stribeck\n\nfound = stribeck.identify("force.csv", ${JSON.stringify(this.state.laws)}${motion}${options.join("")})\nprint(found)\n`;
+  private job(): { fit: Fit } {
+    return { fit: this.asked(this.given()) };
   }
 
   private toLaw({ ranking }: Fitted): void {
@@ -465,6 +474,11 @@ export class FitView {
     const entries = Object.entries(best.values).map(([name, value]) => `&friction.${name}=${value}`);
     location.hash = `v=1&view=law&law=${best.law}&held.normal_force=${this.number("normal_force")}${entries.join("")}`;
   }
+}
+
+/** The tables by the names of their files. */
+function files({ table, motion }: Data): Record<string, string> {
+  return { "force.csv": table, ...(motion === undefined ? {} : { "motion.csv": motion }) };
 }
 
 /** The laws, the best first. */

@@ -3,19 +3,18 @@
 import type { Page } from "./bench";
 import { modelOf, select } from "./choices";
 import { faultText, refusal, type Setting } from "./controls";
-import { ofPart } from "./copy";
+import { ofPart } from "./asked";
 import { h, save } from "./dom";
 import type { Diagram, Label } from "./drawing";
 import { Lane, Superseded } from "./engine";
 import { parsed, short } from "./format";
 import { type State, toHash, value } from "./link";
 import { Cursor, LoopPlot } from "./plot";
-import { Strokes } from "./strokes";
 import { type Group, Sliders } from "./sliders";
 import { TakeAway } from "./take";
 import { type Text, textOf } from "./texts";
 import { onTheme } from "./theme";
-import { type Model, Refused, type Variable } from "./types";
+import { type Model, Refused, type Strokes, type Variable } from "./types";
 
 /** Speed of the strokes of laws that depend on displacement, as a part of the highest velocity of the curve (chosen). */
 const SLOW = 0.02;
@@ -24,6 +23,12 @@ const LONG = 0.25;
 
 const FORCE: Label = { name: "Friction force", unit: "N" };
 const VELOCITY: Label = { name: "Velocity", unit: "m/s" };
+
+/** Strokes to and fro: interval of the samples in s, and samples of a period. */
+interface Loop {
+  every: number;
+  period: number;
+}
 
 export class LawView {
   readonly root: HTMLElement;
@@ -37,7 +42,7 @@ export class LawView {
   private readonly questions = new Lane();
   private text: Text | undefined;
   private now: Strokes | undefined;
-  private loop: { way: ArrayLike<number>; speed: ArrayLike<number>; force: ArrayLike<number> } | undefined;
+  private loop: { every: number; way: Float64Array; speed: Float64Array; force: Float64Array } | undefined;
   private running = 0;
 
   constructor(
@@ -145,7 +150,8 @@ export class LawView {
       return part !== "friction" || !known.has(rest.join("."));
     });
     if (wrong !== undefined && !wrong.startsWith("friction.")) throw new RangeError(`'${wrong}' is unknown`);
-    return new Strokes(model, parameters, held, { velocity: motion("velocity", "m/s"), stroke: motion("stroke", "m"), speed: motion("speed", "m/s") });
+    const [velocity, stroke, speed] = [motion("velocity", "m/s"), motion("stroke", "m"), motion("speed", "m/s")];
+    return { model: model.name, set: parameters, held, velocity, stroke, speed };
   }
 
   private number(name: string, variable: Variable, usual: number): number {
@@ -171,18 +177,18 @@ export class LawView {
     const { now } = this;
     this.running = 2;
     this.mark();
-    this.ask(this.lanes.loop, { ask: "follow", every: now.every, series: now.loop }, ([force]) => this.showLoop(now, force!));
-    this.ask(this.lanes.steady, { ask: "settle", ...now.curve }, ([force]) => this.showCurve(now, force!));
+    this.ask<Loop>(this.lanes.loop, { ask: "strokes", ...now }, (answer, arrays) => this.showLoop(answer, arrays));
+    this.ask(this.lanes.steady, { ask: "curve", ...now }, (_, arrays) => this.showCurve(arrays));
   }
 
-  private ask(lane: Lane, question: Parameters<Lane["ask"]>[0], done: (arrays: Float64Array[]) => void): void {
+  private ask<T>(lane: Lane, question: Parameters<Lane["ask"]>[0], done: (answer: T, arrays: Float64Array[]) => void): void {
     const isCurve = lane === this.lanes.steady;
     const plots = isCurve ? [this.plots.steady] : [this.plots.way, this.plots.speed];
-    lane.ask(question).then(
-      ({ arrays }) => {
+    lane.ask<T>(question).then(
+      ({ answer, arrays }) => {
         plots.forEach((plot) => (plot.root.hidden = false));
         if (isCurve) this.note.textContent = "";
-        done(arrays);
+        done(answer, arrays);
         this.running -= 1;
         this.mark();
       },
@@ -204,22 +210,23 @@ export class LawView {
     dataset.drawn = String(Number(dataset.drawn) + 1);
   }
 
-  private showCurve(now: Strokes, force: Float64Array): void {
+  private showCurve([velocity, force]: Float64Array[]): void {
     const diagram: Diagram = {
       title: "Friction force at held velocities",
       x: VELOCITY,
       y: FORCE,
-      curves: [{ name: this.model!.name, x: now.velocities, y: force, law: 0 }],
+      curves: [{ name: this.model!.name, x: velocity!, y: force!, law: 0 }],
     };
     this.plots.steady.show(diagram);
   }
 
-  private showLoop(now: Strokes, force: Float64Array): void {
-    const [way, speed, { name }] = [now.displacements, now.speeds, this.model!];
-    this.loop = { way, speed, force };
+  private showLoop({ every, period }: Loop, arrays: Float64Array[]): void {
+    const [way, speed, force] = [arrays[0]!, arrays[1]!, arrays[2]!];
+    const { name } = this.model!;
+    this.loop = { every, way, speed, force };
     const curve = (x: ArrayLike<number>) => [{ name, x, y: force, law: 0 }];
-    const period = `a period takes ${short(400 * now.every)} s`;
-    this.plots.way.show({ title: `Strokes over displacement; ${period}`, x: { name: "Displacement", unit: "m" }, y: FORCE, curves: curve(way) });
+    const takes = `a period takes ${short(period * every)} s`;
+    this.plots.way.show({ title: `Strokes over displacement; ${takes}`, x: { name: "Displacement", unit: "m" }, y: FORCE, curves: curve(way) });
     this.plots.speed.show({ title: "Strokes over velocity", x: VELOCITY, y: FORCE, curves: curve(speed) });
   }
 
@@ -231,8 +238,8 @@ export class LawView {
     };
     const items = (take: TakeAway) => [
       { text: "Copy link", id: "copy-link", does: () => take.copy("Link", location.href.split("#")[0] + toHash({ view: "law", state })) },
-      { text: "Copy as Python", id: "copy-python", does: () => take.copy("Python", now().asPython()) },
-      { text: "Copy as C", id: "copy-c", does: () => take.copy("C", now().asC()) },
+      { text: "Copy as Python", id: "copy-python", does: () => take.copyOf("python", { strokes: now() }) },
+      { text: "Copy as C", id: "copy-c", does: async () => take.copy("C", await this.asC(now())) },
       { text: "Save CSV", id: "save-csv", does: () => this.saveCsv() },
       { text: "Save SSV", id: "save-ssv", does: () => this.saveSsv() },
       { text: "Try it on the bench", id: "to-bench", does: () => this.toBench() },
@@ -240,10 +247,15 @@ export class LawView {
     return new TakeAway("law", items, this.page.fault);
   }
 
+  private async asC(strokes: Strokes): Promise<string> {
+    const { answer } = await this.questions.ask<{ text: string }>({ ask: "strokes-c", ...strokes });
+    return answer.text;
+  }
+
   private saveCsv(): void {
-    if (!this.loop || !this.now) return;
-    const { way, speed, force } = this.loop;
-    const rows = Array.from(force, (f, at) => [at * this.now!.every, way[at]!, speed[at]!, f].map(written).join());
+    if (!this.loop) return;
+    const { every, way, speed, force } = this.loop;
+    const rows = Array.from(force, (f, at) => [at * every, way[at]!, speed[at]!, f].map(written).join());
     const heading = "time [s],displacement [m],velocity [m/s],friction_force [N]";
     save(`${this.state.laws[0]}.csv`, `${heading}\n${rows.join("\n")}\n`, "text/csv");
   }

@@ -2,6 +2,10 @@
 
 import { faultText } from "./controls";
 import { h, say } from "./dom";
+import { Lane } from "./engine";
+import type { Job } from "./types";
+
+const WORDS = { command: "Command line", python: "Python" };
 
 export interface Item {
   text: string;
@@ -13,6 +17,7 @@ export interface Item {
 export class TakeAway {
   readonly root: HTMLElement;
   private readonly output: HTMLOutputElement;
+  private readonly questions = new Lane();
 
   constructor(
     view: string,
@@ -33,6 +38,12 @@ export class TakeAway {
 
   private run(does: () => unknown): void {
     Promise.resolve().then(does).catch((fault) => this.fault(faultText(fault)));
+  }
+
+  /** Copies what does the same elsewhere. */
+  async copyOf(ask: "command" | "python", job: Job): Promise<void> {
+    const { answer } = await this.questions.ask<{ text: string }>({ ask, job });
+    await this.copy(WORDS[ask], answer.text);
   }
 
   /** Copies a text; where the browser does not let it, shows it to be copied by hand. */

@@ -47,6 +47,13 @@ export interface Colours {
   laws: string[];
 }
 
+export interface Choice {
+  name: string;
+  help: string;
+  choices: string[];
+  is_flag: boolean;
+}
+
 export interface Catalogue {
   version: string;
   laws: Model[];
@@ -56,6 +63,8 @@ export interface Catalogue {
   solvers: { name: string; help: string }[];
   /** Laws that can be fitted. */
   fitted: string[];
+  /** Options of an identification. */
+  identification: Choice[];
   /** Solvers of the thesis, and its times in s for each law; null where it did not converge. */
   thesis: { classes: string[]; times: [string, (number | null)[]][] };
   palette: { light: Colours; dark: Colours; dashes: string[] };
@@ -114,22 +123,26 @@ export interface Run {
   set?: Record<string, Value>;
 }
 
-/** A model, its parameters, and samples of its inputs. */
-export interface Series {
+/** A law, its parameters, inputs that are held, and its motion. */
+export interface Strokes {
   model: string;
   set: Record<string, Value>;
-  inputs: Record<string, number[]>;
-  results: string[];
+  held: Record<string, number>;
+  /** Highest velocity of the curve, m/s. */
+  velocity: number;
+  /** Length of the strokes, m, and their highest speed, m/s. */
+  stroke: number;
+  speed: number;
 }
 
-/** Records and what is known of their rig. */
-export interface Known {
-  table: string;
-  motion?: string;
-  mass: number;
-  normal_force?: number;
-  longest_delay?: number;
+/** An identification: what is known, and further options as typed. */
+export interface Fit {
+  inquiry: Record<string, Value | string[]>;
+  options: Record<string, string>;
 }
+
+/** What can be done elsewhere too. */
+export type Job = { run: Run } | { fit: Fit } | { strokes: Strokes };
 
 export interface Quality {
   samples: number;
@@ -195,12 +208,11 @@ export type Question =
   | { ask: "system"; run: Run }
   | { ask: "solve" | "csv" | "c"; run: Run; law: string | null }
   | { ask: "toml"; run: Run }
-  | ({ ask: "settle" } & Series)
-  | { ask: "follow"; every: number; series: Series }
+  | ({ ask: "curve" | "strokes" | "strokes-c" } & Strokes)
+  | { ask: "command" | "python"; job: Job }
   | { ask: "ssv"; model: string; set: Record<string, Value> }
   | { ask: "rig"; law: string; mass: number; normal_force: number; duration: number; faults: boolean; seed: number }
-  | ({ ask: "quality" } & Known)
-  | { ask: "fit"; known: Known; wanted: { laws: string[]; budget?: number; repetitions?: number } };
+  | { ask: "quality" | "fit"; fit: Fit; files: Record<string, string> };
 
 export interface Answer<T> {
   answer: T;

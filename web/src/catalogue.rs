@@ -7,8 +7,10 @@ use serde_json::{Value, json};
 use ssp::parameter_set::text_of;
 use stribeck::catalogue::{Family, documented};
 use stribeck::model::{Kind, ModelType, Variable};
+use stribeck_fit::identify::Inquiry;
 use stribeck_fit::thesis::{CLASSES, TABLE_6_5};
 use stribeck_plot::palette::{Colours, DARK, DASHES, LIGHT};
+use stribeck_solve::job;
 use stribeck_solve::run::Solver;
 use stribeck_solve::system::{BUILT_IN, Description, Fault};
 
@@ -31,6 +33,7 @@ pub fn catalogue() -> Result<Answer, Fault> {
         "systems": systems,
         "solvers": solvers.collect::<Vec<_>>(),
         "fitted": fitted,
+        "identification": job::options::<Inquiry>(),
         "thesis": { "classes": CLASSES, "times": TABLE_6_5 },
         "palette": { "light": colours(&LIGHT), "dark": colours(&DARK), "dashes": DASHES },
     })))

@@ -8,6 +8,7 @@
 
 mod answer;
 mod catalogue;
+mod copied;
 mod parameters;
 mod program;
 mod progress;
@@ -15,6 +16,7 @@ mod question;
 mod rig;
 mod series;
 mod solution;
+mod strokes;
 mod system;
 mod values;
 

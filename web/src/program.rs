@@ -9,6 +9,7 @@ use stribeck_solve::system::{Fault, Place, Signal, System, WireSource};
 
 use crate::answer::Answer;
 use crate::solution::assembled;
+use crate::values::filled;
 
 /// A program that runs the system with the same steps, the same exchange and the same bits.
 pub fn c(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault> {
@@ -83,71 +84,60 @@ struct Program<'a> {
 impl Program<'_> {
     fn text(&self) -> Result<String, Fault> {
         let Program { system, settings, .. } = self;
-        let order = Train::new(system)?.order;
-        let numbers: Vec<String> = order.iter().map(usize::to_string).collect();
-        let hosts: Vec<&str> = (0..system.parts.len()).map(|at| if is_host(system, at) { "1" } else { "0" }).collect();
+        let list = |items: &mut dyn Iterator<Item = String>| items.collect::<Vec<String>>().join(", ");
+        let parts = system.parts.len();
         let intervals = ((settings.until / settings.every).round() as usize).max(1);
-        let mut text = format!("/* {}: steps of {} s. */\n", system.description.title, settings.master.step);
-        text += HEAD;
-        let _ = writeln!(
-            text,
-            "#define PARTS {}\n#define WIRES {}\n#define RESULTS {}\n\nstatic stribeck_instance *part[PARTS];\nstatic const \
-             int is_host[PARTS] = {{{}}}, order[PARTS] = {{{}}};\nstatic wire wires[WIRES];",
-            system.parts.len(),
-            system.wires.len(),
-            self.results.len(),
-            hosts.join(", "),
-            numbers.join(", ")
-        );
-        text += CHECK;
-        self.course(&mut text);
-        text += EXCHANGE;
-        let _ = writeln!(
-            text,
-            "int main(void) {{\n    const double step = {:?}, end = {:?}; /* s */\n    const int intervals = {intervals};",
-            settings.master.step, settings.until
-        );
-        text += "    const int from[RESULTS] = ";
-        text += &self.list(self.results.iter().map(|(place, _)| place.part.to_string()));
-        text += "    uint32_t result[RESULTS];\n";
+        let unit = |place: Place| system.unit(WireSource::Variable(place)).name;
+        let names = self.results.iter().map(|(place, name)| format!("{name} [{}]", unit(*place)));
+        let marks = [
+            ("title", system.description.title.clone()),
+            ("step", format!("{:?}", settings.master.step)),
+            ("end", format!("{:?}", settings.until)),
+            ("intervals", intervals.to_string()),
+            ("parts", parts.to_string()),
+            ("wires", system.wires.len().to_string()),
+            ("results", self.results.len().to_string()),
+            ("hosts", list(&mut (0..parts).map(|at| u8::from(is_host(system, at)).to_string()))),
+            ("order", list(&mut Train::new(system)?.order.iter().map(usize::to_string))),
+            ("from", list(&mut self.results.iter().map(|(place, _)| place.part.to_string()))),
+            ("names", names.collect::<Vec<String>>().join(",")),
+            ("course", self.course()),
+            ("set_up", self.set_up()),
+        ];
+        Ok(filled(include_str!("program.c"), &marks.each_ref().map(|(name, value)| (*name, value.as_str()))))
+    }
+
+    /// Creates the parts and finds variables.
+    fn set_up(&self) -> String {
+        let mut text = String::new();
         self.parts(&mut text);
         self.wires(&mut text);
         for (at, (place, _)) in self.results.iter().enumerate() {
             let _ = writeln!(text, "    result[{at}] = find({}, \"{}\");", place.part, self.variable(*place));
         }
-        for (at, (place, _)) in moving(system).enumerate() {
+        for (at, (place, _)) in moving(self.system).enumerate() {
             let _ = writeln!(text, "    input[{at}] = find({}, \"{}\");", place.part, self.variable(*place));
         }
-        let names = self
-            .results
-            .iter()
-            .map(|(place, name)| format!("{name} [{}]", system.unit(WireSource::Variable(*place)).name));
-        let _ = writeln!(text, "    puts(\"time [s],{}\");", names.collect::<Vec<_>>().join(","));
-        Ok(text + RUN)
-    }
-
-    fn list(&self, items: impl Iterator<Item = String>) -> String {
-        format!("{{{}}};\n", items.collect::<Vec<_>>().join(", "))
+        text
     }
 
     /// Inputs that move: the parts that they belong to, and their values.
-    fn course(&self, text: &mut String) {
+    fn course(&self) -> String {
         let parts: Vec<String> = moving(self.system).map(|(place, _)| place.part.to_string()).collect();
         if parts.is_empty() {
-            *text += "\n/* No input moves. */\nstatic void drive(int step) { (void)step; }\n\n";
-            return;
+            return "\n/* No input moves. */\nstatic void drive(int step) { (void)step; }\n\n".to_owned();
         }
+        let mut text = String::new();
         let (inputs, steps, parts) = (parts.len(), self.course.len(), parts.join(", "));
         let _ = writeln!(text, "#define INPUTS {inputs}\n#define STEPS {steps}\n");
         let _ = writeln!(text, "/* Inputs that move, and their values at the beginning of each step. */");
         let _ = writeln!(text, "static uint32_t input[INPUTS];\nstatic const int moved[INPUTS] = {{{parts}}};");
-        *text += "static const double course[STEPS][INPUTS] = {\n";
+        text += "static const double course[STEPS][INPUTS] = {\n";
         for row in self.course {
             let row: Vec<String> = row.iter().map(|value| format!("{value:?}")).collect();
             let _ = writeln!(text, "    {{{}}},", row.join(", "));
         }
-        *text += "};\n";
-        *text += DRIVE;
+        text + "};\n" + DRIVE
     }
 
     fn variable(&self, place: Place) -> String {
@@ -191,107 +181,10 @@ impl Program<'_> {
     }
 }
 
-const HEAD: &str = r#"#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include "stribeck.h"
-
-/* Results are passed on from one part to an input of another one. */
-typedef struct {
-    int from;
-    uint32_t out;
-    int to;
-    uint32_t in;
-} wire;
-
-"#;
-
-const CHECK: &str = r#"
-static void check(stribeck_status status, const stribeck_instance *model) {
-    if (status != STRIBECK_OK) {
-        fprintf(stderr, "%s\n", stribeck_last_error(model));
-        exit(1);
-    }
-}
-
-"#;
-
+/// Sets the inputs that move.
 const DRIVE: &str = r#"
 static void drive(int step) {
     for (int i = 0; i < INPUTS; i++) check(stribeck_set(part[moved[i]], input[i], course[step][i]), part[moved[i]]);
 }
 
-"#;
-
-const EXCHANGE: &str = r#"static uint32_t find(int at, const char *name) {
-    uint32_t found = 0;
-    check(stribeck_find(part[at], name, &found), part[at]);
-    return found;
-}
-
-static double get(int at, uint32_t variable) {
-    double value = 0.0;
-    check(stribeck_get(part[at], variable, &value), part[at]);
-    return value;
-}
-
-/* At the start values go round until nothing changes. */
-static void settle(void) {
-    drive(0);
-    for (int round = 0, changed = 1; round <= WIRES && changed; round++) {
-        changed = 0;
-        for (int i = 0; i < WIRES; i++) {
-            double value = get(wires[i].from, wires[i].out), now = get(wires[i].to, wires[i].in);
-            if (memcmp(&value, &now, sizeof value) != 0) {
-                check(stribeck_set(part[wires[i].to], wires[i].in, value), part[wires[i].to]);
-                changed = 1;
-            }
-        }
-    }
-}
-
-/* Passes values on to hosts, or to what acts on them: all are read before any is set. */
-static void pass(int to_host) {
-    double values[WIRES];
-    for (int i = 0; i < WIRES; i++)
-        if (is_host[wires[i].to] == to_host) values[i] = get(wires[i].from, wires[i].out);
-    for (int i = 0; i < WIRES; i++)
-        if (is_host[wires[i].to] == to_host) check(stribeck_set(part[wires[i].to], wires[i].in, values[i]), part[wires[i].to]);
-}
-
-static void advance(int hosts, double h) {
-    for (int i = 0; i < PARTS; i++)
-        if (is_host[order[i]] == hosts) check(stribeck_step(part[order[i]], h), part[order[i]]);
-}
-
-"#;
-
-const RUN: &str = r#"    settle();
-    /* Times are summed up with what the last digit loses (Kahan). */
-    double time = 0.0, lost = 0.0;
-    for (int number = 0, made = 0;; made++) {
-        double reached = time + 1e-9 * step + 4.0 * 2.220446049250313e-16 * time;
-        double due = number == intervals ? end : end * ((double)number / intervals);
-        if (due <= reached) {
-            printf("%.17g", time);
-            for (int i = 0; i < RESULTS; i++) printf(",%.17g", get(from[i], result[i]));
-            puts("");
-            do {
-                number++;
-                due = number == intervals ? end : end * ((double)number / intervals);
-            } while (number <= intervals && due <= reached);
-        }
-        if (number > intervals) break;
-        double rest = end - time, h = step >= rest * (1.0 - 1e-9) ? rest : step, length = h - lost, next = time + length;
-        drive(made);
-        pass(0);
-        advance(0, h);
-        pass(1);
-        advance(1, h);
-        lost = (next - time) - length;
-        time = next;
-    }
-    for (int i = 0; i < PARTS; i++) stribeck_free(part[i]);
-    return 0;
-}
 "#;

@@ -6,10 +6,12 @@ use serde::Deserialize;
 use stribeck_solve::run::Configuration;
 
 use crate::answer::Answer;
+use crate::copied::{self, Job};
 use crate::progress::progress;
-use crate::rig::{Known, Virtual, Wanted};
-use crate::series::Series;
-use crate::{catalogue, parameters, program, rig, series, solution, system};
+use crate::rig::{Asked, Texts, Virtual};
+use crate::strokes::Strokes;
+use crate::values::described;
+use crate::{catalogue, parameters, program, rig, solution, system};
 
 /// A question of the page.
 #[derive(Debug, Deserialize)]
@@ -20,11 +22,13 @@ enum Question {
     /// The parts of a system with one law and their present values.
     System {
         /// The run.
+        #[serde(deserialize_with = "described")]
         run: Configuration,
     },
     /// The run of one of the laws.
     Solve {
         /// The run with all laws: a setting that none of them has is refused.
+        #[serde(deserialize_with = "described")]
         run: Configuration,
         /// The law; none if the system has its own.
         law: Option<String>,
@@ -32,6 +36,7 @@ enum Question {
     /// The table of results of one of the laws, as the command line writes it.
     Csv {
         /// The run.
+        #[serde(deserialize_with = "described")]
         run: Configuration,
         /// The law.
         law: Option<String>,
@@ -39,24 +44,23 @@ enum Question {
     /// The file with which the command line runs the same.
     Toml {
         /// The run.
+        #[serde(deserialize_with = "described")]
         run: Configuration,
     },
     /// A program in C that runs the same by co-simulation.
     C {
         /// The run.
+        #[serde(deserialize_with = "described")]
         run: Configuration,
         /// The law.
         law: Option<String>,
     },
-    /// Results of a model at held inputs.
-    Settle(Series),
-    /// Results of a model along samples.
-    Follow {
-        /// Interval of the samples, in s.
-        every: f64,
-        /// Model, parameters, inputs and results.
-        series: Series,
-    },
+    /// Forces of a law at held velocities.
+    Curve(Strokes),
+    /// Forces of a law along strokes to and fro.
+    Strokes(Strokes),
+    /// These as a program in C.
+    StrokesC(Strokes),
     /// The parameter set of a model, for FMUs.
     Ssv {
         /// The model.
@@ -67,13 +71,28 @@ enum Question {
     /// Records of a virtual rig.
     Rig(Virtual),
     /// Quality of a record.
-    Quality(Known),
+    Quality {
+        /// The identification.
+        fit: Asked,
+        /// The record and the motion.
+        files: Texts,
+    },
     /// Laws fitted to a record.
     Fit {
-        /// The record.
-        known: Known,
-        /// The laws.
-        wanted: Wanted,
+        /// The identification.
+        fit: Asked,
+        /// The record and the motion.
+        files: Texts,
+    },
+    /// The command line that does the same.
+    Command {
+        /// What is done.
+        job: Job,
+    },
+    /// The same in Python.
+    Python {
+        /// What is done.
+        job: Job,
     },
 }
 
@@ -90,12 +109,15 @@ pub fn answer(text: &[u8]) -> Answer {
         Question::Csv { run, law } => solution::csv(&run, law.as_deref()),
         Question::Toml { run } => solution::toml(&run),
         Question::C { run, law } => program::c(&run, law.as_deref()),
-        Question::Settle(series) => series::settled(&series),
-        Question::Follow { every, series } => series::followed(&series, every),
+        Question::Curve(strokes) => strokes.curve(),
+        Question::Strokes(strokes) => strokes.strokes(),
+        Question::StrokesC(strokes) => strokes.c(),
         Question::Ssv { model, set } => parameters::ssv(&model, &set),
         Question::Rig(given) => rig::record(&given),
-        Question::Quality(known) => rig::quality(&known),
-        Question::Fit { known, wanted } => rig::fit(&known, &wanted, &progress),
+        Question::Quality { fit, files } => rig::quality(&fit, &files),
+        Question::Fit { fit, files } => rig::fit(&fit, &files, &progress),
+        Question::Command { job } => copied::command(&job),
+        Question::Python { job } => copied::python(&job),
     };
     answer.unwrap_or_else(Answer::refusal)
 }

@@ -3,31 +3,30 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::AtomicBool;
 
-use serde::Deserialize;
-use serde_json::json;
 use stribeck::catalogue;
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 use stribeck::series::{Between, Course, Input, Times, follow, set_up, settle};
 use stribeck_solve::system::{Fault, spelled};
 
-use crate::answer::Answer;
 use crate::values::texts;
 
 /// A model, values of its parameters, and samples of its inputs.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug)]
 pub struct Series {
-    model: String,
-    #[serde(default)]
-    set: BTreeMap<String, toml::Value>,
-    /// One value, or one per sample.
-    inputs: BTreeMap<String, Vec<f64>>,
-    results: Vec<String>,
+    /// Name of the model.
+    pub model: String,
+    /// Values of its parameters.
+    pub set: BTreeMap<String, toml::Value>,
+    /// Inputs: one value, or one per sample.
+    pub inputs: BTreeMap<String, Vec<f64>>,
+    /// Names of the results.
+    pub results: Vec<String>,
 }
 
 impl Series {
-    fn model(&self) -> Result<&'static ModelType, Fault> {
+    /// The model.
+    pub fn model(&self) -> Result<&'static ModelType, Fault> {
         let known = || catalogue::models().map(|model| model.name);
         catalogue::by_name(&self.model).ok_or_else(|| Fault::unknown("model", &self.model, known()))
     }
@@ -38,7 +37,7 @@ impl Series {
     }
 
     /// Columns and values of the parameters.
-    fn parameters(&self) -> Result<Vec<(usize, f64)>, Fault> {
+    pub fn parameters(&self) -> Result<Vec<(usize, f64)>, Fault> {
         let model = self.model()?;
         let value = |(name, text): (String, String)| {
             let column = column(model, &name)?;
@@ -65,7 +64,7 @@ fn column(model: &'static ModelType, name: &str) -> Result<usize, Fault> {
 }
 
 /// Results at held inputs, once they have settled; each sample begins anew.
-pub fn settled(series: &Series) -> Result<Answer, Fault> {
+pub fn settled(series: &Series) -> Result<Vec<Vec<f64>>, Fault> {
     let (inputs, results) = (series.columns(series.inputs.keys())?, series.columns(series.results.iter())?);
     let parameters = series.parameters()?;
     let samples = series.samples()?;
@@ -80,11 +79,11 @@ pub fn settled(series: &Series) -> Result<Answer, Fault> {
         settle(&mut instance, &held, &results, &mut values, &AtomicBool::new(false)).map_err(Fault::value)?;
         rows.iter_mut().zip(&values).for_each(|(row, value)| row.push(*value));
     }
-    Ok(Answer::with(json!({}), rows))
+    Ok(rows)
 }
 
 /// Results along samples `every` seconds apart.
-pub fn followed(series: &Series, every: f64) -> Result<Answer, Fault> {
+pub fn followed(series: &Series, every: f64) -> Result<Vec<Vec<f64>>, Fault> {
     if !(every > 0.0 && every.is_finite()) {
         return Err(Fault::value(format_args!("every = {every} s: must be > 0 and finite")));
     }
@@ -98,5 +97,5 @@ pub fn followed(series: &Series, every: f64) -> Result<Answer, Fault> {
     let mut rows = vec![vec![0.0; samples]; results.len()];
     let mut places: Vec<&mut [f64]> = rows.iter_mut().map(Vec::as_mut_slice).collect();
     follow(&mut instance, &course, &results, &mut places, &AtomicBool::new(false)).map_err(Fault::value)?;
-    Ok(Answer::with(json!({}), rows))
+    Ok(rows)
 }

@@ -2,6 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use serde::de::{DeserializeOwned, Error};
+use serde::{Deserialize, Deserializer};
+use stribeck_solve::job;
+
 /// Names and values as a user writes them.
 pub fn texts(set: &BTreeMap<String, toml::Value>) -> impl Iterator<Item = (String, String)> + '_ {
     let plain = |value: &toml::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
@@ -11,4 +15,14 @@ pub fn texts(set: &BTreeMap<String, toml::Value>) -> impl Iterator<Item = (Strin
 /// Names and numbers.
 pub fn numbers(set: &BTreeMap<String, f64>) -> Vec<(String, f64)> {
     set.iter().map(|(name, value)| (name.clone(), *value)).collect()
+}
+
+/// The description of a job, for `#[serde(deserialize_with)]`; an error names the entry.
+pub fn described<'de, T: DeserializeOwned, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
+    job::of_value(toml::Value::deserialize(from)?).map_err(D::Error::custom)
+}
+
+/// A text with values for the names between its marks @.
+pub fn filled(text: &str, values: &[(&str, &str)]) -> String {
+    values.iter().fold(text.to_owned(), |text, (name, value)| text.replace(&format!("@{name}@"), value))
 }

@@ -154,7 +154,7 @@ test("what is saved can be read again", async () => {
   assert.equal(title, "Friction force over time");
   const png = await saved(page, () => page.getByLabel("force-over-velocity as PNG").click());
   assert.equal(png.subarray(1, 4).toString(), "PNG");
-  assert.equal(await copied(page, "#bench-copy-command"), "stribeck run --system belt --law CoulombStiction --set rig.mass=1.5 --until 15");
+  assert.equal(await copied(page, "#bench-copy-command"), "stribeck run --law CoulombStiction --set rig.mass=1.5 --system belt --until 15.0");
 });
 
 test("the thesis' table is computed", async () => {

@@ -74,19 +74,18 @@ test("curves, strokes, records and fits have the same bits", { timeout: 600_000 
     return Number(heard.length === end);
   });
   const { laws, fitted } = ask({ ask: "catalogue" }).answer;
-  const velocity = Array.from({ length: 41 }, (_, at) => 1e-3 * (at - 20));
   const questions = [];
   for (const { name, variables } of laws) {
-    const inputs = {};
-    for (const { name: input, role } of variables) if (role === "Input") inputs[input] = [/^normal_(force|z)$/.test(input) ? 1 : 0];
-    const along = "velocity" in inputs ? "velocity" : "velocity_x";
-    const result = variables.find(({ name }) => /^friction_force(_x)?$/.test(name)).name;
-    const series = { model: name, set: {}, inputs: { ...inputs, [along]: velocity }, results: [result] };
-    questions.push({ ask: "follow", every: 1e-4, series }, { ask: "settle", ...series });
+    const held = Object.fromEntries(variables.filter(({ name }) => name === "normal_force").map(({ name }) => [name, 1]));
+    const strokes = { model: name, held, velocity: 0.02, stroke: 1e-4, speed: 0.02 };
+    questions.push({ ask: "strokes", ...strokes }, { ask: "curve", ...strokes });
   }
   const rig = { ask: "rig", law: "LuGre", mass: 2, normal_force: 20, duration: 1.5, faults: true, seed: 3 };
-  const known = ({ force, camera }) => ({ table: force, motion: camera, longest_delay: 0.05, mass: 2, normal_force: 20 });
-  questions.push(rig, { ask: "quality", ...known(ask(rig).answer) });
+  const asked = ({ force, camera }, law = [], options = {}) => {
+    const inquiry = { records: ["force"], law, mass: 2, normal_force: 20, ...(camera === null ? {} : { motion: "camera", delay: "find:0.05" }) };
+    return { fit: { inquiry, options }, files: { force, ...(camera === null ? {} : { camera }) } };
+  };
+  questions.push(rig, { ask: "quality", ...asked(ask(rig).answer) });
   const answers = questions.map(ask);
   // Forces that keep fluctuating are refused.
   const refused = answers.filter(({ answer }) => answer.refused).map(({ answer }) => answer.refused);
@@ -94,8 +93,8 @@ test("curves, strokes, records and fits have the same bits", { timeout: 600_000 
   assert.ok(fitted.length > 25);
   await agree(questions, answers);
   console.log(`figure: curves and strokes of ${laws.length} laws and a record: ${values(answers)} values with the same bits`);
-  const short = known(ask({ ...rig, duration: 0.6, faults: false }).answer);
-  const fits = [["Coulomb", "LuGre"], ["Stribeck", "Dahl", "MaxwellSlip"]].map((laws) => ({ ask: "fit", known: short, wanted: { laws, budget: 100, repetitions: 2 } }));
+  const short = ask({ ...rig, duration: 0.6, faults: false }).answer;
+  const fits = [["Coulomb", "LuGre"], ["Stribeck", "Dahl", "MaxwellSlip"]].map((laws) => ({ ask: "fit", ...asked(short, laws, { budget: "100", repetitions: "2" }) }));
   const found = fits.map(ask);
   await agree(fits, found);
   for (const { answer } of found) assert.ok(answer.ranking.laws[0].estimates.some(({ repeated }) => repeated), JSON.stringify(answer).slice(0, 400));
@@ -104,7 +103,7 @@ test("curves, strokes, records and fits have the same bits", { timeout: 600_000 
   // What a search that is ended has told last is what it answers with.
   heard.length = 0;
   end = 3;
-  const { answer } = ask({ ask: "fit", known: short, wanted: { laws: ["LuGre"], budget: 3000 } });
+  const { answer } = ask({ ask: "fit", ...asked(short, ["LuGre"], { budget: "3000" }) });
   assert.match(answer.early, /^ended early: the best values so far/);
   assert.ok(heard.length < 10, `${heard.length} reports`);
   assert.ok(answer.ranking.laws[0].rms <= Math.max(...heard), `${answer.ranking.laws[0].rms} N after ${heard}`);

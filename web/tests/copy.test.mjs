@@ -141,7 +141,7 @@ const values = (toml) => Object.fromEntries([...toml.matchAll(/^(\w+) = (-?[\d.e
 
 test("a fit is the same on the command line and in Python, with a camera too", { timeout: 300_000 }, async () => {
   for (const faults of [false, true]) {
-    const link = `#v=1&view=fit&law=Coulomb&rig.law=CoulombViscous&rig.budget=200&rig.repetitions=2&rig.duration=2&rig.faults=${faults}`;
+    const link = `#v=1&view=fit&law=Coulomb&rig.law=CoulombViscous&fit.budget=200&fit.repetitions=2&rig.duration=2&rig.faults=${faults}`;
     const { page, close } = await opened(link);
     await page.locator("#measure-rig").click();
     await page.waitForFunction(() => !document.querySelector("#start-fit").disabled);

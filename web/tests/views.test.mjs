@@ -116,7 +116,7 @@ test("a strut on the dyno rubs more under side load, on the guide and on the pis
 });
 
 test("a fit finds the law of the virtual rig again, tells how far it is, and can be cancelled", { timeout: 300_000 }, async () => {
-  const { page, wrong } = await opened("#v=1&view=fit&rig.budget=600&rig.repetitions=4&rig.duration=2");
+  const { page, wrong } = await opened("#v=1&view=fit&fit.budget=600&fit.repetitions=4&rig.duration=2");
   assert.match(await page.locator("#drop").textContent(), /nothing is uploaded/);
   await measure(page);
   await page.locator("#start-fit").click();

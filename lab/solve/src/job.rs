@@ -2,6 +2,8 @@
 //!
 //! A job is a struct of plain data. What was not given is empty, None or false in it, and is left out of its texts.
 
+use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::fmt::{Formatter, Write};
 use std::marker::PhantomData;
 use std::path::PathBuf;
@@ -115,19 +117,62 @@ pub fn names<'de, T: Deserialize<'de> + From<String>, D: Deserializer<'de>>(from
     from.deserialize_any(OneOrMore(PhantomData))
 }
 
-/// The options of a job with the help on each.
-pub fn options<T: clap::Args>() -> Vec<(String, String)> {
-    let command = T::augment_args(clap::Command::new("job"));
+/// An option of a job.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Choice {
+    /// Its name.
+    pub name: String,
+    /// What it does.
+    pub help: String,
+    /// What it may be; empty if that is not one of a few words.
+    pub choices: Vec<String>,
+    /// Whether it is there or not, and has no value.
+    pub is_flag: bool,
+}
+
+/// The options of a job.
+pub fn options<T: clap::Args>() -> Vec<Choice> {
     let option = |option: &clap::Arg| {
-        let help = option.get_long_help().or(option.get_help()).map_or(String::new(), ToString::to_string);
-        let choices: Vec<String> = match option.get_action().takes_values() {
-            true => option.get_possible_values().iter().map(|choice| choice.get_name().to_owned()).collect(),
-            false => Vec::new(),
-        };
-        let choices = if choices.is_empty() { String::new() } else { format!(" [{}]", choices.join(", ")) };
-        (option.get_id().to_string(), help + &choices)
+        let is_flag = !option.get_action().takes_values();
+        let choices = if is_flag { Vec::new() } else { option.get_possible_values() };
+        Choice {
+            name: option.get_id().to_string(),
+            help: option.get_long_help().or(option.get_help()).map_or(String::new(), ToString::to_string),
+            choices: choices.iter().map(|choice| choice.get_name().to_owned()).collect(),
+            is_flag,
+        }
     };
-    command.get_arguments().map(option).collect()
+    T::augment_args(clap::Command::new("job")).get_arguments().map(option).collect()
+}
+
+/// The job of options as texts: `true` or `false` for those without a value, several values separated by commas.
+pub fn of_texts<T: clap::Args>(texts: &BTreeMap<String, String>) -> Result<T, Fault> {
+    let command = T::augment_args(clap::Command::new("job").no_binary_name(true));
+    let mut words = Vec::new();
+    for (name, text) in texts {
+        let known = || command.get_arguments().map(|option| option.get_id().as_str());
+        let option = command.get_arguments().find(|option| option.get_id() == name.as_str());
+        let option = option.ok_or_else(|| Fault::unknown("option", name, known()))?;
+        let word = format!("--{}", name.replace('_', "-"));
+        match (option.get_action(), text.as_str()) {
+            (clap::ArgAction::SetTrue, "true") => words.push(word),
+            (clap::ArgAction::SetTrue, "false") => {}
+            (clap::ArgAction::Append, text) => {
+                words.extend(text.split(',').map(|one| format!("{word}={}", one.trim())));
+            }
+            (_, text) => words.push(format!("{word}={}", text.trim())),
+        }
+    }
+    let wrong = |error: clap::Error| {
+        let text = error.to_string();
+        Fault::value(text.lines().next().unwrap_or_default().trim_start_matches("error: "))
+    };
+    T::from_arg_matches(&command.try_get_matches_from(words).map_err(wrong)?).map_err(wrong)
+}
+
+/// The job that a value describes; an error names the entry.
+pub fn of_value<T: DeserializeOwned>(value: Value) -> Result<T, Fault> {
+    value.try_into().map_err(|error: toml::de::Error| Fault::value(error.to_string().trim().replace('\n', " ")))
 }
 
 /// What was given, by name.
@@ -153,7 +198,7 @@ pub fn given_over<T: Serialize + DeserializeOwned>(given: &T, file: &T) -> Resul
             }
         }
     }
-    all.try_into().map_err(|error: toml::de::Error| Fault::value(error.message()))
+    of_value(Value::Table(all))
 }
 
 /// The job as the text of a file.
@@ -177,7 +222,18 @@ pub fn command_line(begin: &[&str], entries: &Table) -> Result<String, Fault> {
         };
         words.extend(values.into_iter().flat_map(|value| [option.clone(), value]));
     }
-    shlex::try_join(words.iter().map(String::as_str)).map_err(Fault::value)
+    let quoted = words.iter().map(|word| quoted_word(word)).collect::<Result<Vec<Cow<str>>, Fault>>()?;
+    Ok(quoted.join(" "))
+}
+
+/// A word with quotes only where every shell would need some.
+fn quoted_word(word: &str) -> Result<Cow<'_, str>, Fault> {
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "_-+=.,:/".contains(letter);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        Ok(word.into())
+    } else {
+        shlex::try_quote(word).map_err(Fault::value)
+    }
 }
 
 /// A value as a word of a command line.

@@ -6,6 +6,7 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 use super::Settings;
+use crate::job;
 use crate::system::{Fault, Setting, Source, System};
 
 /// Settings of a run. All are optional; the system provides those that are missing.
@@ -59,6 +60,31 @@ impl Configuration {
         toml::to_string(self).unwrap_or_else(|error| error.to_string())
     }
 
+    /// The same as a command line.
+    pub fn command(&self) -> Result<String, Fault> {
+        let word = if self.law.len() > 1 { "compare" } else { "run" };
+        job::command_line(&["stribeck", word], &job::entries(self)?)
+    }
+
+    /// The same in Python.
+    pub fn python(&self) -> Result<String, Fault> {
+        let mut entries = job::entries(self)?;
+        let system = entries.remove("system").unwrap_or_else(|| self.name().into());
+        if entries.remove("no-events").is_some() {
+            entries.insert("events".to_owned(), false.into());
+        }
+        entries.remove("law");
+        let (function, laws) = match self.law.as_slice() {
+            [] => ("solve", None),
+            [law] => ("solve", Some(law.as_str().into())),
+            laws => ("compare", Some(laws.to_vec().into())),
+        };
+        let begin: Vec<toml::Value> = std::iter::once(system).chain(laws).collect();
+        let call = job::python_call(&format!("stribeck.{function}"), &begin, &entries);
+        let result = if function == "solve" { "solution" } else { "solutions" };
+        Ok(format!("import stribeck\n\n{result} = {call}\n"))
+    }
+
     /// Name of the system.
     pub fn name(&self) -> &str {
         self.system.as_deref().unwrap_or("belt")
@@ -109,4 +135,32 @@ fn named<T: ValueEnum>(what: &str, name: &str) -> Result<T, Fault> {
             .collect();
         Fault::unknown(what, name, known.iter().map(String::as_str))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_is_written_for_the_command_line_and_for_python() {
+        let run = |text: &str| toml::from_str::<Configuration>(text).unwrap();
+        let one = run("system = \"belt\"\nlaw = [\"LuGre\"]\nuntil = 15\ntol = 1e-7\nset = { \"rig.mass\" = 1.5 }");
+        let command = "stribeck run --law LuGre --set rig.mass=1.5 --system belt --tol 1e-7 --until 15.0";
+        assert_eq!(one.command().unwrap(), command);
+        assert_eq!(
+            one.python().unwrap(),
+            "import stribeck\n\nsolution = stribeck.solve(\"belt\", \"LuGre\", set={\"rig.mass\": 1.5}, tol=1e-7, \
+             until=15.0)\n"
+        );
+        let several = run("law = [\"LuGre\", \"Dahl\"]\nno-events = true\nset = { curve = \"Tustin\", flag = true }");
+        assert_eq!(
+            several.command().unwrap(),
+            "stribeck compare --law LuGre --law Dahl --no-events --set curve=Tustin --set flag=true"
+        );
+        assert_eq!(
+            several.python().unwrap(),
+            "import stribeck\n\nsolutions = stribeck.compare(\"belt\", [\"LuGre\", \"Dahl\"], events=False, \
+             set={\"curve\": \"Tustin\", \"flag\": True})\n"
+        );
+    }
 }

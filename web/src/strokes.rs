@@ -1,0 +1,204 @@
+//! A law led to and fro, and at held velocities: as arrays, in Python and in C.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use serde_json::json;
+use stribeck_solve::job::literal;
+use stribeck_solve::system::Fault;
+
+use crate::answer::Answer;
+use crate::series::{Series, followed, settled};
+use crate::values::filled;
+
+/// Samples of a period, periods, and velocities on a curve (chosen).
+const PERIOD: usize = 400;
+const QUARTER: usize = PERIOD / 4;
+const SAMPLES: usize = 2 * PERIOD + 1;
+const POINTS: usize = 201;
+
+/// What acts on a law that slides along one line, by the names of its inputs.
+const ACROSS: [(&str, f64); 5] =
+    [("velocity_y", 0.0), ("velocity_z", 0.0), ("normal_x", 0.0), ("normal_y", 0.0), ("normal_z", 1.0)];
+
+/// A law, its parameters, inputs that are held, and its motion.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Strokes {
+    model: String,
+    #[serde(default)]
+    set: BTreeMap<String, toml::Value>,
+    #[serde(default)]
+    held: BTreeMap<String, f64>,
+    /// Highest velocity of the curve, m/s.
+    velocity: f64,
+    /// Length of the strokes, m.
+    stroke: f64,
+    /// Their highest speed, m/s.
+    speed: f64,
+}
+
+/// Names of the inputs that move, and of the result.
+struct Names {
+    velocity: &'static str,
+    force: &'static str,
+    has_acceleration: bool,
+}
+
+impl Strokes {
+    /// Interval of the samples, s: the speed rises and falls along straight lines, so that a stroke takes 2 s / v.
+    fn every(&self) -> f64 {
+        4.0 * self.stroke / self.speed / PERIOD as f64
+    }
+
+    fn names(&self) -> Result<Names, Fault> {
+        let model = self.series(BTreeMap::new(), "").model()?;
+        let has = |name: &str| model.find(name).is_some();
+        Ok(Names {
+            velocity: if has("velocity") { "velocity" } else { "velocity_x" },
+            force: if has("friction_force") { "friction_force" } else { "friction_force_x" },
+            has_acceleration: has("acceleration"),
+        })
+    }
+
+    /// Inputs that are held.
+    fn held(&self) -> Result<BTreeMap<String, f64>, Fault> {
+        let model = self.series(BTreeMap::new(), "").model()?;
+        let across = ACROSS.iter().filter(|(name, _)| model.find(name).is_some());
+        let across = across.map(|(name, value)| ((*name).to_owned(), *value));
+        Ok(across.chain(self.held.clone()).collect())
+    }
+
+    fn series(&self, inputs: BTreeMap<String, Vec<f64>>, result: &str) -> Series {
+        Series { model: self.model.clone(), set: self.set.clone(), inputs, results: vec![result.to_owned()] }
+    }
+
+    /// The inputs, with a velocity and, where it is one, an acceleration.
+    fn led(&self, velocity: Vec<f64>, acceleration: Vec<f64>) -> Result<Series, Fault> {
+        let names = self.names()?;
+        let mut inputs: BTreeMap<String, Vec<f64>> =
+            self.held()?.into_iter().map(|(name, value)| (name, vec![value])).collect();
+        inputs.insert(names.velocity.to_owned(), velocity);
+        if names.has_acceleration {
+            inputs.insert("acceleration".to_owned(), acceleration);
+        }
+        Ok(self.series(inputs, names.force))
+    }
+
+    /// Velocities of the curve, closer together near 0.
+    fn velocities(&self) -> Vec<f64> {
+        let middle = ((POINTS - 1) / 2) as f64;
+        let at = |point: usize| {
+            let x = (point as f64 - middle) / middle;
+            self.velocity * x * x.abs()
+        };
+        (0..POINTS).map(at).collect()
+    }
+
+    fn speeds(&self) -> Vec<f64> {
+        let shape = |at: usize| match (at % PERIOD) as f64 / QUARTER as f64 {
+            u if u <= 1.0 => u,
+            u if u <= 3.0 => 2.0 - u,
+            u => u - 4.0,
+        };
+        (0..SAMPLES).map(|at| self.speed * shape(at)).collect()
+    }
+
+    fn accelerations(&self) -> Vec<f64> {
+        let slope = self.speed / (QUARTER as f64 * self.every());
+        let is_rising = |at: usize| (at % PERIOD / QUARTER).is_multiple_of(3);
+        (0..SAMPLES).map(|at| if is_rising(at) { slope } else { -slope }).collect()
+    }
+
+    /// Velocities and forces at held velocities.
+    pub fn curve(&self) -> Result<Answer, Fault> {
+        let velocities = self.velocities();
+        let mut forces = settled(&self.led(velocities.clone(), vec![0.0])?)?;
+        Ok(Answer::with(json!({}), vec![velocities, forces.swap_remove(0)]))
+    }
+
+    /// Displacements, velocities and forces of the strokes, and the interval between them.
+    pub fn strokes(&self) -> Result<Answer, Fault> {
+        let (every, speeds) = (self.every(), self.speeds());
+        let mut forces = followed(&self.led(speeds.clone(), self.accelerations())?, every)?;
+        // Sums of trapezia.
+        let ways = std::iter::once(0.0).chain(speeds.windows(2).scan(0.0, |way, pair| {
+            *way += 0.5 * (pair[0] + pair[1]) * every;
+            Some(*way)
+        }));
+        let ways = ways.collect();
+        Ok(Answer::with(json!({ "every": every, "period": PERIOD }), vec![ways, speeds, forces.swap_remove(0)]))
+    }
+
+    /// The strokes, and the curve of a law along one line, in Python.
+    pub fn python(&self) -> Result<String, Fault> {
+        let (names, speed) = (self.names()?, format!("{:?}", self.speed));
+        let held = self.held()?.into_iter().map(|(name, value)| (name, toml::Value::Float(value)));
+        let given = held.chain(self.set.clone());
+        let given = given.map(|(name, value)| format!("    \"{name}\": {},\n", literal(&value))).collect::<String>();
+        let middle = (POINTS - 1) / 2;
+        let curve = format!(
+            "\nx = (numpy.arange({POINTS}) - {middle}) / {middle}\nheld = {:?} * x * abs(x)  # m/s\nforce = \
+             stribeck.force(\"{}\", held, **given)  # N\n",
+            self.velocity, self.model
+        );
+        let slope = format!("speed / ({QUARTER} * dt)");
+        let acceleration = format!("acceleration = numpy.where(k // {QUARTER} % 3 == 0, {slope}, -{slope})\n");
+        let [acceleration, lead] =
+            if names.has_acceleration { [&acceleration, ", acceleration=acceleration"] } else { ["", ""] };
+        Ok(self.filled(
+            include_str!("strokes.py"),
+            &[
+                ("given", &given),
+                ("curve", if names.velocity == "velocity" { &curve } else { "" }),
+                ("speed", &speed),
+                ("acceleration", acceleration),
+                ("lead", lead),
+                ("velocity", names.velocity),
+                ("force", names.force),
+            ],
+        ))
+    }
+
+    /// The strokes in C.
+    pub fn c(&self) -> Result<Answer, Fault> {
+        let (names, speed) = (self.names()?, format!("{:?}", self.speed));
+        let series = self.led(vec![0.0], vec![0.0])?;
+        let model = series.model()?;
+        let set = series.parameters()?.into_iter().map(|(column, value)| (model.table.at(column).path, value));
+        let set = set.map(|(path, value)| (path.to_string(), value));
+        let values = self
+            .held()?
+            .into_iter()
+            .chain(set)
+            .map(|(name, value)| format!("    check(stribeck_set_by_name(law, \"{name}\", {value:?}), law);\n"));
+        let find = |name: &str, place: &str| format!("    check(stribeck_find(law, \"{name}\", {place}), law);\n");
+        let acceleration = if names.has_acceleration { find("acceleration", "&in[1]") } else { String::new() };
+        let places = find(names.velocity, "&in[0]") + &acceleration + &find(names.force, "&out");
+        let text = self.filled(
+            include_str!("strokes.c"),
+            &[
+                ("values", &values.collect::<String>()),
+                ("places", &places),
+                ("inputs", if names.has_acceleration { "2" } else { "1" }),
+                ("speed", &speed),
+            ],
+        );
+        Ok(Answer::plain(json!({ "text": text })))
+    }
+
+    /// A text with what stands between the marks @.
+    fn filled(&self, text: &str, own: &[(&str, &str)]) -> String {
+        let every = format!("{:?}", self.every());
+        let [samples, period, quarter] = [SAMPLES, PERIOD, QUARTER].map(|count| count.to_string());
+        let common = [
+            ("model", &self.model),
+            ("every", &every),
+            ("samples", &samples),
+            ("period", &period),
+            ("quarter", &quarter),
+        ];
+        let common = common.map(|(name, value)| (name, value.as_str()));
+        filled(text, &[own, &common].concat())
+    }
+}
