@@ -43,7 +43,7 @@ const HOUSES: &[House] = &[
     House { folder: "lab/solve/src", rooms: &["solve", "system", "job", "couple", "run", "study"] },
     House { folder: "lab/fit/src", rooms: &["sheet", "thesis", "measured", "dyno", "tir", "identify", "rig"] },
     House { folder: "lab/plot/src", rooms: &["palette", "picture", "report"] },
-    House { folder: "lab/cli/src", rooms: &["benchmark", "standard_output", "outputs", "damper", "tyre", "command"] },
+    House { folder: "lab/cli/src", rooms: &["benchmark", "standard_output", "outputs", "command", "damper", "tyre"] },
     House {
         folder: "web/src",
         rooms: &[

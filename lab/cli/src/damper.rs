@@ -1,90 +1,33 @@
 //! `stribeck damper`: turns a damper test into a parameter set.
 
 use std::path::PathBuf;
-use std::sync::atomic::AtomicBool;
 
-use clap::{Args, ValueEnum};
-use stribeck_fit::dyno::{Damper, DynoError, ForceSign, Options, Test, find_damper};
-use stribeck_fit::identify::{StrutFriction, Task, Watch, laws_named, strut_friction};
-use stribeck_solve::system::Fault;
-use thiserror::Error;
+use clap::Args;
+use stribeck_fit::dyno::{Damper, DynoError, Test};
+use stribeck_fit::identify::damper::{Answer, DamperError, Inquiry};
 
+use crate::command::{Description, Failure};
 use crate::outputs;
 
+/// A damper test, and the file for its results.
 #[derive(Args)]
 pub struct Arguments {
-    /// Table with the columns velocity and force, optionally displacement and temperature; units in brackets.
-    pub file: PathBuf,
-    /// Parameter set to write: set.csv or set.ssv.
+    #[command(flatten)]
+    inquiry: Inquiry,
+    #[command(flatten)]
+    description: Description,
+    /// Parameter set to write: set.csv or set.ssv
     #[arg(long)]
     out: Option<PathBuf>,
-    /// Number of points of the damper table, including 0 (3 to 16).
-    #[arg(long, default_value_t = Options::default().points)]
-    points: usize,
-    /// Velocity and displacement in the file are positive in compression.
-    #[arg(long)]
-    compression_positive: bool,
-    /// Reject a file unless its force has this sign.
-    #[arg(long)]
-    force_sign: Option<Sign>,
-    /// Speed below which samples distinguish friction from damping, in m/s.
-    #[arg(long, default_value_t = Options::default().low_speed)]
-    low_speed: f64,
-    /// Gas force, in N, mean of both ends of the stroke; separates the friction of the two directions.
-    #[arg(long)]
-    gas_force: Option<f64>,
-    /// Friction law of the strut, fitted to the strokes below the low speed; the file needs a column time.
-    #[arg(long)]
-    law: Option<String>,
-    /// Seed of the search for its parameters.
-    #[arg(long, default_value_t = Task::default().seed)]
-    seed: u64,
 }
 
-/// Reason why no set was written.
-#[derive(Debug, Error)]
-pub enum DamperError {
-    /// No damper was found.
-    #[error(transparent)]
-    Dyno(#[from] DynoError),
-    /// No friction law was found, or the set cannot be written.
-    #[error(transparent)]
-    Fault(#[from] Fault),
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Sign {
-    /// The force has the sign of the velocity in the file.
-    Resistance,
-    /// The force has the opposite sign.
-    Reaction,
-}
-
-impl From<Sign> for ForceSign {
-    fn from(sign: Sign) -> ForceSign {
-        match sign {
-            Sign::Resistance => ForceSign::Resistance,
-            Sign::Reaction => ForceSign::Reaction,
-        }
-    }
-}
-
-pub fn run(arguments: &Arguments) -> Result<(), DamperError> {
-    let options = Options {
-        compression_positive: arguments.compression_positive,
-        force_sign: arguments.force_sign.map(ForceSign::from),
-        points: arguments.points,
-        low_speed: arguments.low_speed,
-        falling: 0.0,
-        gas_force: arguments.gas_force,
-    };
+/// Finds the damper, prints it and writes the set.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     arguments.out.as_ref().map_or(Ok(()), |out| outputs::file(out, &["csv", "ssv"]))?;
-    let test = Test::load(&arguments.file).map_err(DynoError::from)?;
-    let mut damper = find_damper(&test, &options)?;
-    let friction = arguments.law.as_ref().map(|law| fitted(law, arguments.seed, &test, &options)).transpose()?;
-    if let Some(friction) = &friction {
-        damper.clone_from(&friction.damper);
-    }
+    let inquiry = arguments.description.complete(&arguments.inquiry)?;
+    let path = inquiry.file()?;
+    let refused = |error: DamperError| Failure::of_file(path, &error);
+    let Answer { test, damper, friction } = inquiry.answer().map_err(refused)?;
     print!("{}", report(&test, &damper));
     if let Some(friction) = &friction {
         print!("\nslow strokes, at a mean normal force of {:.1} N:\n{}", friction.load, friction.fit.table(None));
@@ -95,19 +38,11 @@ pub fn run(arguments: &Arguments) -> Result<(), DamperError> {
     if let Some(out) = &arguments.out {
         let name = out.file_stem().unwrap_or_default().to_string_lossy();
         let instead = friction.map_or_else(Vec::new, |friction| friction.values);
-        damper.parameter_set_with(&name, &instead)?.save(out).map_err(DynoError::from)?;
+        let set = damper.parameter_set_with(&name, &instead).map_err(|error| refused(error.into()))?;
+        set.save(out).map_err(|error| refused(DynoError::from(error).into()))?;
         println!("\n{}", out.display());
     }
     Ok(())
-}
-
-fn fitted(law: &str, seed: u64, test: &Test, options: &Options) -> Result<StrutFriction, Fault> {
-    let [law] = laws_named(&[law.to_owned()])?[..] else {
-        return Err(Fault::value(format_args!("--law {law}: must be one law")));
-    };
-    let never = AtomicBool::new(false);
-    let watch = Watch { cancel: &never, progress: &|_, _| {} };
-    strut_friction(law, test, options, &Task { seed, ..Task::default() }, watch)
 }
 
 /// Report of the results.
@@ -146,7 +81,7 @@ fn report(test: &Test, damper: &Damper) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stribeck_fit::dyno::{Estimate, Friction};
+    use stribeck_fit::dyno::{Estimate, ForceSign, Friction};
 
     #[test]
     fn reports_name_what_was_found_and_what_was_not() {

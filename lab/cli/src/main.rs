@@ -94,18 +94,8 @@ fn main() -> ExitCode {
         Task::Rig(arguments) => return ended(command::rig(&arguments)),
         Task::Bench(arguments) => return ended(command::bench(&arguments)),
         Task::Page(arguments) => return ended(command::page(&arguments)),
-        Task::Damper(arguments) => {
-            if let Err(error) = damper::run(&arguments) {
-                eprintln!("stribeck: {}: {error}", arguments.file.display());
-                return ExitCode::FAILURE;
-            }
-        }
-        Task::Tyre(arguments) => {
-            if let Err(error) = tyre::run(&arguments) {
-                eprintln!("stribeck: {error}");
-                return ExitCode::FAILURE;
-            }
-        }
+        Task::Damper(arguments) => return ended(damper::run(&arguments).map(|()| command::Verdict::Done)),
+        Task::Tyre(arguments) => return ended(tyre::run(&arguments).map(|()| command::Verdict::Done)),
     }
     ExitCode::SUCCESS
 }

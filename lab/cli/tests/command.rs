@@ -252,6 +252,39 @@ fn a_reference_of_another_law_is_said_to_be_one() {
     assert!(!said("Dahl").contains("is a set of"));
 }
 
+/// Arguments take precedence over a description in a file, entry by entry.
+#[test]
+fn a_saved_description_of_a_job_does_the_same() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let [rig, saved, again] = ["rig", "saved.toml", "again.toml"].map(file);
+    stribeck(&["rig", "--law", "Dahl", "--duration", "1", "--out", &rig]);
+    let record = file("rig/force.csv");
+    let known = ["--law", "Dahl", "--mass", "2", "--normal-force", "20", "--budget", "50", "--repetitions", "0"];
+    let told = |arguments: &[&str]| {
+        let output = stribeck(&[&["identify"], arguments, &["--json"]].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).expect("text")
+    };
+    let first = told(&[&[record.as_str()], &known[..], &["--fix", "sigma_0=2e4", "--save-config", &saved]].concat());
+    let all = "budget = 50\nlaw = [\"Dahl\"]\nmass = 2.0\nnormal_force = 20.0\n";
+    let expected = format!("{all}records = [{record:?}]\nrepetitions = 0\n\n[fix]\nsigma_0 = 20000.0\n");
+    assert_eq!(text(Path::new(&saved)), expected);
+    assert_eq!(told(&["--config", &saved]), first);
+    let other = told(&["--config", &saved, "--fix", "mu_k=0.1", "--fit", "offset", "--save-config", &again]);
+    assert!(other.contains("\"offset\"") && !first.contains("\"offset\""), "{other}");
+    assert!(text(Path::new(&again)).ends_with("[fix]\nmu_k = 0.1\nsigma_0 = 20000.0\n"), "{}", text(Path::new(&again)));
+    std::fs::write(&saved, "laws = \"Dahl\"").expect("a file");
+    for command in ["identify", "damper", "tyre"] {
+        let unknown = refusal(&[command, "--config", &saved]);
+        assert!(unknown.contains("unknown field `laws`"), "{unknown}");
+        let missing = if command == "identify" { "law" } else { "record" };
+        assert_eq!(refusal(&[command]), format!("stribeck: no {missing} was given"));
+    }
+    std::fs::write(&saved, "record = \"absent.csv\"\naxes = \"sae\"\nradius = 0.2").expect("a file");
+    assert!(refusal(&["tyre", "--config", &saved]).starts_with("stribeck: absent.csv: "));
+}
+
 /// `--check` says what a record can determine, without numbers, and refuses `--json`.
 #[test]
 fn what_can_be_determined_is_told_first() {

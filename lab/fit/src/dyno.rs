@@ -46,6 +46,8 @@ mod strokes;
 
 use std::fmt;
 
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
 use ssp::parameter_set::{ParameterSet, SetError, choice};
 use stribeck::catalogue;
 use stribeck::model::ModelType;
@@ -68,11 +70,12 @@ const WARM_UP: f64 = 10.0;
 const BREAKAWAY: f64 = 1e-3;
 
 /// Sign convention of the force in the file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
 pub enum ForceSign {
-    /// The force has the sign of the velocity in the file.
+    /// The force has the sign of the velocity in the file
     Resistance,
-    /// The force has the opposite sign: it is the action of the damper on the machine.
+    /// The force has the opposite sign: it is the action of the damper on the machine
     Reaction,
 }
 

@@ -11,7 +11,7 @@ mod rig;
 mod study;
 mod watch;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use stribeck_solve::system::Fault;
@@ -19,6 +19,7 @@ use stribeck_solve::system::Fault;
 pub use bench::{Arguments as BenchArguments, bench};
 pub use choice::Arguments;
 pub use compare::compare;
+pub use description::Description;
 pub use identify::{Arguments as IdentifyArguments, identify};
 pub use one::run;
 pub use page::{Arguments as PageArguments, page};
@@ -39,6 +40,13 @@ pub enum Failure {
         /// Why.
         source: std::io::Error,
     },
+}
+
+impl Failure {
+    /// An error about a file, with its name.
+    pub fn of_file(path: &Path, error: &impl std::fmt::Display) -> Failure {
+        Fault::File(format!("{}: {error}", path.display())).into()
+    }
 }
 
 /// How a command ended, as an exit code.
@@ -63,6 +71,7 @@ impl From<Verdict> for ExitCode {
     }
 }
 
-fn write(path: &std::path::Path, text: impl AsRef<[u8]>) -> Result<(), Failure> {
+/// Writes a file.
+pub fn write(path: &Path, text: impl AsRef<[u8]>) -> Result<(), Failure> {
     std::fs::write(path, text).map_err(|source| Failure::File { path: path.into(), source })
 }

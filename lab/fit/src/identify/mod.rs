@@ -14,6 +14,7 @@ pub mod axis;
 #[cfg(test)]
 mod axis_tests;
 mod blur;
+pub mod damper;
 #[cfg(test)]
 mod ended_tests;
 mod estimate;

@@ -1,13 +1,17 @@
 //! Columns of a tyre test, turned into the axes of the library.
 
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
+
 use crate::sheet::{ANGLE, FORCE, MOMENT, Quantity, SLIP, Sheet, SheetError};
 
 /// Axes of a tyre test.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
 pub enum Axes {
-    /// ISO 8855: x forward, y left, z up; the load is positive.
+    /// ISO 8855: x forward, y left, z up; the load is positive
     Iso,
-    /// SAE J670: x forward, y right, z down; the load is negative.
+    /// SAE J670: x forward, y right, z down; the load is negative
     Sae,
 }
 

@@ -10,6 +10,7 @@
 mod coefficient;
 mod columns;
 mod file;
+mod inquiry;
 mod problem;
 #[cfg(test)]
 mod tests;
@@ -19,6 +20,7 @@ use stribeck::model::{Columns, row_of, row_of_mut, start};
 
 pub use columns::{Axes, TyreTest, TyreTestError};
 pub use file::{property_file, table};
+pub use inquiry::{Inquiry, SideChoice, TyreInquiryError};
 
 use super::loss::Loss;
 use super::trust::{DETERMINED, WIDTH, residuals, spread};

@@ -1,0 +1,132 @@
+//! A tyre test as a user describes it, and what is found in it.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use serde::{Deserialize, Serialize};
+use stribeck::host::Side;
+use stribeck_solve::job::{self, Entry};
+use stribeck_solve::system::Fault;
+use thiserror::Error;
+
+use super::{Axes, TyreFit, TyreTask, TyreTest, TyreTestError, fit_tyre};
+use crate::sheet::Sheet;
+
+/// A tyre test, and what is known of it.
+#[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Inquiry {
+    /// The tyre property file (.tir), with coefficients of the Magic Formula 5; or a table of a tyre test, with the
+    /// columns FZ, SA (alpha), FY, and perhaps SR (kappa), IA (gamma), FX and MZ
+    pub record: Option<PathBuf>,
+    /// Name of a column in the table of a test: SA=Schraeglaufwinkel
+    #[arg(long, value_name = "NAME=COLUMN")]
+    #[serde(with = "job::table")]
+    pub column: Vec<Entry<String>>,
+    /// Axes of the test
+    #[arg(long, value_enum)]
+    pub axes: Option<Axes>,
+    /// Radius of the tested tyre without load, in m
+    #[arg(long)]
+    pub radius: Option<f64>,
+    /// Nominal load of the coefficients, in N (default: the mean load of the test)
+    #[arg(long)]
+    pub nominal_load: Option<f64>,
+    /// Side of the car on which the tyre was tested (default: left)
+    #[arg(long, value_enum)]
+    pub side: Option<SideChoice>,
+    /// Coefficient that is held: PKY2=1.7
+    #[arg(long, value_name = "KEY=VALUE")]
+    #[serde(with = "job::table")]
+    pub fix: Vec<Entry<f64>>,
+}
+
+/// Side of the car.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum SideChoice {
+    /// The left one
+    Left,
+    /// The right one
+    Right,
+}
+
+/// Reason why no tyre was found.
+#[derive(Debug, Error)]
+pub enum TyreInquiryError {
+    /// The table cannot be read.
+    #[error("{}: {source}", path.display())]
+    Test {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: TyreTestError,
+    },
+    /// The test is not described, or no tyre was found.
+    #[error(transparent)]
+    Fault(#[from] Fault),
+}
+
+impl Inquiry {
+    /// The file.
+    pub fn file(&self) -> Result<&Path, Fault> {
+        self.record.as_deref().ok_or_else(|| Fault::value("no record was given"))
+    }
+
+    /// Refuses what only a test has.
+    pub fn refuse_test(&self) -> Result<(), Fault> {
+        if *self == (Inquiry { record: self.record.clone(), ..Inquiry::default() }) {
+            return Ok(());
+        }
+        Err(Fault::value("axes, radius, nominal_load, side, column and fix: are for a tyre test, not for a .tir file"))
+    }
+
+    /// Fits the tyre.
+    pub fn answer(&self) -> Result<TyreFit, TyreInquiryError> {
+        let path = self.file()?;
+        let axes = self.axes.ok_or_else(|| Fault::value("axes: a tyre test needs iso or sae"))?;
+        let radius = self.radius.ok_or_else(|| Fault::value("radius: a tyre test needs the radius without load"))?;
+        let side = if self.side == Some(SideChoice::Right) { Side::Right } else { Side::Left };
+        let refused = |source: TyreTestError| TyreInquiryError::Test { path: path.into(), source };
+        let sheet = self.renamed(Sheet::load(path).map_err(|error| refused(error.into()))?, path)?;
+        let test = TyreTest::of(&sheet, axes).map_err(refused)?;
+        let fixed = self.fix.iter().map(|Entry(key, value)| (key.clone(), *value)).collect();
+        Ok(fit_tyre(&test, &TyreTask { radius, nominal_load: self.nominal_load, side, fixed })?)
+    }
+
+    /// The table with the names of columns as they are here.
+    fn renamed(&self, mut sheet: Sheet, path: &Path) -> Result<Sheet, Fault> {
+        for Entry(name, column) in &self.column {
+            let is_named = |names: &&&[&str]| names.iter().any(|known| known.eq_ignore_ascii_case(name));
+            let known = || TyreTest::COLUMNS.iter().flat_map(|names| names.iter().copied());
+            let names = TyreTest::COLUMNS.iter().find(is_named);
+            let names = names.ok_or_else(|| Fault::unknown("quantity of a tyre test", name, known()))?;
+            if !sheet.has(column) {
+                return Err(Fault::File(format!("{}: no column '{column}' for {name}", path.display())));
+            }
+            // The first name is looked for first, so that no other column takes its place.
+            sheet.rename(column, names[0]);
+        }
+        Ok(sheet)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_test_needs_and_a_property_file_does_not_have_is_refused() {
+        let described = |text: &str| toml::from_str::<Inquiry>(text).unwrap();
+        let refusal = |text: &str| described(text).answer().unwrap_err().to_string();
+        assert_eq!(refusal(""), "no record was given");
+        assert_eq!(refusal("record = \"a\""), "axes: a tyre test needs iso or sae");
+        assert_eq!(refusal("record = \"a\"\naxes = \"sae\""), "radius: a tyre test needs the radius without load");
+        assert!(described("record = \"a.tir\"").refuse_test().is_ok());
+        for option in
+            ["axes = \"iso\"", "radius = 0.3", "side = \"left\"", "fix = { PKY2 = 1.7 }", "column = { SA = \"a\" }"]
+        {
+            assert!(described(option).refuse_test().is_err(), "{option}");
+        }
+    }
+}
