@@ -37,6 +37,9 @@ export class TakeAway {
   }
 
   private run(does: () => unknown): void {
+    // What was copied before is not taken for what comes.
+    delete this.output.dataset.text;
+    this.output.textContent = "";
     Promise.resolve().then(does).catch((fault) => this.fault(faultText(fault)));
   }
 
