@@ -60,6 +60,7 @@ const HOUSES: &[House] = &[
             "solution",
             "program",
             "question",
+            "types",
         ],
     },
     House { folder: "fmu-build/src", rooms: &["project", "build", "describe", "page", "pack"] },

@@ -5,7 +5,7 @@ use std::path::Path;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stribeck_fit::identify::{Experiment, Files, Inquiry, Source, Watch, as_json};
+use stribeck_fit::identify::{Answer, Experiment, Files, Inquiry, Source, Watch};
 use stribeck_fit::sheet::{NORMAL_FORCE, Sheet, SheetError, TIME};
 use stribeck_solve::job::{Choice, options};
 use stribeck_solve::system::Fault;
@@ -138,12 +138,13 @@ pub fn identify<'py>(
         let data = inquiry.data(&source)?;
         let watch = Watch { cancel, progress: &|_, _| {} };
         let ranking = inquiry.fits(&data, &mut |_| {}, watch)?;
-        Ok::<_, Fault>((as_json(&ranking, &data), ranking.best().clone(), data.experiments))
+        let answer = serde_json::to_string(&Answer::of(&ranking, &data)).map_err(Fault::value)?;
+        Ok::<_, Fault>((answer, ranking.best().clone(), data.experiments))
     })?;
     let (told, best, experiments) = outcome.map_err(refused)?;
     let found = best.explained.into_iter().zip(best.fitted);
     let arrays = experiments.into_iter().zip(found).map(|(one, found)| Ok((one.name.clone(), table(py, one, found)?)));
-    Ok((told.to_string(), arrays.collect::<PyResult<_>>()?))
+    Ok((told, arrays.collect::<PyResult<_>>()?))
 }
 
 /// What the options mean, a line on each.

@@ -12,8 +12,8 @@ export function checkLaws(laws: string[], most: number): void {
 }
 
 /** The run of a system; `record` are its results if they are not those that it shows. */
-export function run(state: State, record: string[] = []): Run {
-  const run: Run = { system: state.system, law: [...state.laws] };
+export function run(state: State, record: string[] = []): Partial<Run> {
+  const run: Partial<Run> = { system: state.system, law: [...state.laws] };
   if (state.solver !== "auto") run.solver = state.solver;
   for (const name of ["tol", "until", "every"] as const) {
     if (state[name] === "") continue;

@@ -14,7 +14,7 @@ import { type Paint, Stage } from "./scene";
 import { type Group, Sliders } from "./sliders";
 import { TakeAway } from "./take";
 import { dashes, onTheme } from "./theme";
-import type { Catalogue, Job, Moving, Parts, Solved, SystemEntry } from "./types";
+import type { Catalogue, Job, Moving, Parts, Solved, SystemEntry, Written } from "./types";
 
 /** A plot: quantities over time or over another one. */
 export interface Picture {
@@ -383,21 +383,21 @@ export class Bench {
   /** The run of the first law as a program. */
   private async asC(): Promise<string> {
     const [law = ""] = this.state.laws;
-    const { answer } = await this.questions.ask<{ text: string }>({ ask: "c", run: run(this.state, this.record()), law });
+    const { answer } = await this.questions.ask<Written>({ ask: "c", run: run(this.state, this.record()), law });
     return answer.text;
   }
 
   private async saveCsv(): Promise<void> {
     const { state } = this;
     for (const law of [...state.laws]) {
-      const { answer } = await this.questions.ask<{ text: string }>({ ask: "csv", run: run(state, this.record()), law });
+      const { answer } = await this.questions.ask<Written>({ ask: "csv", run: run(state, this.record()), law });
       save(`${state.system}-${law}.csv`, answer.text, "text/csv");
     }
   }
 
   private async saveToml(): Promise<void> {
     const { state } = this;
-    const { answer } = await this.questions.ask<{ text: string }>({ ask: "toml", run: run(state, this.record()) });
+    const { answer } = await this.questions.ask<Written>({ ask: "toml", run: run(state, this.record()) });
     save(`${state.system}.toml`, answer.text, "application/toml");
   }
 
@@ -411,7 +411,7 @@ export class Bench {
       const all = ofPart(state, inStrut ? "strut" : "friction");
       const set = Object.fromEntries(Object.entries(all).filter(([name]) => own(name)));
       if (inStrut) set["friction.model"] = law;
-      const { answer } = await this.questions.ask<{ text: string }>({ ask: "ssv", model: model?.name ?? law, set });
+      const { answer } = await this.questions.ask<Written>({ ask: "ssv", model: model?.name ?? law, set });
       save(`${law}.ssv`, answer.text, "application/xml");
     }
   }

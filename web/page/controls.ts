@@ -2,7 +2,8 @@
 
 import { h } from "./dom";
 import { parsed, short, unitText } from "./format";
-import { Refused, type Variable } from "./types";
+import { Refused } from "./engine";
+import type { Variable } from "./types";
 
 const STEPS = 1000;
 

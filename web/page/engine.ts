@@ -2,9 +2,19 @@
 
 import { canHear } from "./library";
 import { unpacked } from "./texts";
-import { type Answer, type Question, Refused } from "./types";
+import type { Question } from "./types";
 
 declare const WORKER: string;
+
+export interface Answer<T> {
+  answer: T;
+  arrays: Float64Array[];
+  /** Time on the clock, in ms. */
+  took: number;
+}
+
+/** A refusal of the library, with its reason. */
+export class Refused extends Error {}
 
 let compiled: Promise<WebAssembly.Module> | undefined;
 let script: string | undefined;

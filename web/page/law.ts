@@ -6,7 +6,7 @@ import { faultText, refusal, type Setting } from "./controls";
 import { ofPart } from "./asked";
 import { h, save } from "./dom";
 import type { Diagram, Label } from "./drawing";
-import { Lane, Superseded } from "./engine";
+import { Lane, Refused, Superseded } from "./engine";
 import { parsed, short } from "./format";
 import { type State, toHash, value } from "./link";
 import { Cursor, LoopPlot } from "./plot";
@@ -14,7 +14,7 @@ import { type Group, Sliders } from "./sliders";
 import { TakeAway } from "./take";
 import { type Text, textOf } from "./texts";
 import { onTheme } from "./theme";
-import { type Model, Refused, type Strokes, type Variable } from "./types";
+import type { Loop, Model, Strokes, Variable, Written } from "./types";
 
 /** Speed of the strokes of laws that depend on displacement, as a part of the highest velocity of the curve (chosen). */
 const SLOW = 0.02;
@@ -23,12 +23,6 @@ const LONG = 0.25;
 
 const FORCE: Label = { name: "Friction force", unit: "N" };
 const VELOCITY: Label = { name: "Velocity", unit: "m/s" };
-
-/** Strokes to and fro: interval of the samples in s, and samples of a period. */
-interface Loop {
-  every: number;
-  period: number;
-}
 
 export class LawView {
   readonly root: HTMLElement;
@@ -248,7 +242,7 @@ export class LawView {
   }
 
   private async asC(strokes: Strokes): Promise<string> {
-    const { answer } = await this.questions.ask<{ text: string }>({ ask: "strokes-c", ...strokes });
+    const { answer } = await this.questions.ask<Written>({ ask: "strokes-c", ...strokes });
     return answer.text;
   }
 
@@ -262,7 +256,7 @@ export class LawView {
 
   private async saveSsv(): Promise<void> {
     const model = this.state.laws[0] ?? "";
-    const { answer } = await this.questions.ask<{ text: string }>({ ask: "ssv", model, set: ofPart(this.state, "friction") });
+    const { answer } = await this.questions.ask<Written>({ ask: "ssv", model, set: ofPart(this.state, "friction") });
     save(`${model}.ssv`, answer.text, "application/xml");
   }
 

@@ -30,7 +30,7 @@ export class Runs {
   }
 
   /** Runs every law; what is under way is replaced. */
-  start(laws: string[], asked: Run): void {
+  start(laws: string[], asked: Partial<Run>): void {
     for (const name of this.outcomes.keys()) if (!laws.includes(name)) this.outcomes.delete(name);
     this.lanes.slice(laws.length).forEach((lane) => lane.stop());
     this.running.clear();

@@ -3,7 +3,7 @@
 import { faultText } from "./controls";
 import { h, say } from "./dom";
 import { Lane } from "./engine";
-import type { Job } from "./types";
+import type { Job, Written } from "./types";
 
 const WORDS = { command: "Command line", python: "Python" };
 
@@ -45,7 +45,7 @@ export class TakeAway {
 
   /** Copies what does the same elsewhere. */
   async copyOf(ask: "command" | "python", job: Job): Promise<void> {
-    const { answer } = await this.questions.ask<{ text: string }>({ ask, job });
+    const { answer } = await this.questions.ask<Written>({ ask, job });
     await this.copy(WORDS[ask], answer.text);
   }
 

@@ -1,225 +1,465 @@
-/** What the library tells: see `web/src`. */
-
-export interface Variable {
-  name: string;
-  role: "Input" | "Fixed" | "Tunable" | "State" | "StateOutput" | "Output";
-  kind: "real" | "integer" | "boolean" | "choice";
-  unit: string;
-  start: number;
-  nominal: number;
-  bound: string;
-  minimum: number | null;
-  maximum: number | null;
-  help: string;
-  choices: { name: string; help: string }[];
-}
-
-export interface Preset {
-  name: string;
-  source: string;
-  /** Values as a user writes them. */
-  values: Record<string, string>;
-}
-
-export interface Model {
-  name: string;
-  summary: string;
-  variables: Variable[];
-  presets: Preset[];
-}
-
-export interface SystemEntry {
-  name: string;
-  title: string;
-  source: string;
-  until: number;
-  every: number;
-  show: Record<string, string>;
-  /** The law of the part that any law can be; none if laws are chosen inside of parts. */
-  law: string | null;
-}
-
-export interface Colours {
-  paper: string;
-  ink: string;
-  grid: string;
-  axis: string;
-  laws: string[];
-}
-
-export interface Choice {
-  name: string;
-  help: string;
-  choices: string[];
-  is_flag: boolean;
-}
-
-export interface Catalogue {
-  version: string;
-  laws: Model[];
-  shock_absorber: Model[];
-  hosts: Model[];
-  systems: SystemEntry[];
-  solvers: { name: string; help: string }[];
-  /** Laws that can be fitted. */
-  fitted: string[];
-  /** Options of an identification. */
-  identification: Choice[];
-  /** Solvers of the thesis, and its times in s for each law; null where it did not converge. */
-  thesis: { classes: string[]; times: [string, (number | null)[]][] };
-  palette: { light: Colours; dark: Colours; dashes: string[] };
-}
-
-export interface Part {
-  name: string;
-  model: string;
-  is_law: boolean;
-  values: Record<string, number>;
-}
-
-/** The signal of an input that moves, with the numbers by which it does. */
-export interface Moving {
-  input: string;
-  unit: string;
-  properties: { name: string; value: number }[];
-}
-
-export interface Parts {
-  parts: Part[];
-  signals: Moving[];
-  until: number;
-  every: number;
-  tol: number;
-  results: string[];
-}
-
-export interface Column {
-  name: string;
-  unit: string;
-}
-
-export interface Solved {
-  law: string | null;
-  solver: string;
-  reached: boolean;
-  end: string;
-  statistics: Record<"steps" | "rejected" | "evaluations" | "jacobians", number>;
-  columns: Column[];
-  /** The part that had each event; the times are the last array. */
-  events: string[];
-}
+/** What the library is asked and what it answers. Written by `cargo run -p stribeck-page --example types`. */
 
 export type Value = number | string | boolean;
 
-/** A run as the command line and Python write it. */
-export interface Run {
-  system?: string;
-  law?: string[];
-  solver?: string;
-  tol?: number;
-  until?: number;
-  every?: number;
-  record?: string[];
-  set?: Record<string, Value>;
-}
+export type Question = { "ask": "catalogue" } | { "ask": "system", 
+/**
+ * The run.
+ */
+run: Partial<Run>, } | { "ask": "solve", 
+/**
+ * The run with all laws: a setting that none of them has is refused.
+ */
+run: Partial<Run>, 
+/**
+ * The law; none if the system has its own.
+ */
+law: string | null, } | { "ask": "csv", 
+/**
+ * The run.
+ */
+run: Partial<Run>, 
+/**
+ * The law.
+ */
+law: string | null, } | { "ask": "toml", 
+/**
+ * The run.
+ */
+run: Partial<Run>, } | { "ask": "c", 
+/**
+ * The run.
+ */
+run: Partial<Run>, 
+/**
+ * The law.
+ */
+law: string | null, } | { "ask": "curve" } & Strokes | { "ask": "strokes" } & Strokes | { "ask": "strokes-c" } & Strokes | { "ask": "ssv", 
+/**
+ * The model.
+ */
+model: string, 
+/**
+ * Values of its parameters.
+ */
+set: Record<string, Value>, } | { "ask": "rig" } & Virtual | { "ask": "quality", 
+/**
+ * The identification.
+ */
+fit: Fit, 
+/**
+ * The record and the motion.
+ */
+files: Texts, } | { "ask": "fit", 
+/**
+ * The identification.
+ */
+fit: Fit, 
+/**
+ * The record and the motion.
+ */
+files: Texts, } | { "ask": "command", 
+/**
+ * What is done.
+ */
+job: Job, } | { "ask": "python", 
+/**
+ * What is done.
+ */
+job: Job, };
 
-/** A law, its parameters, inputs that are held, and its motion. */
-export interface Strokes {
-  model: string;
-  set: Record<string, Value>;
-  held: Record<string, number>;
-  /** Highest velocity of the curve, m/s. */
-  velocity: number;
-  /** Length of the strokes, m, and their highest speed, m/s. */
-  stroke: number;
-  speed: number;
-}
+export type Run = { 
+/**
+ * Name of a built-in system, or path of a system file.
+ */
+system?: string, 
+/**
+ * Friction laws.
+ */
+law: Array<string>, 
+/**
+ * Solver.
+ */
+solver?: string, 
+/**
+ * Relative and absolute tolerance.
+ */
+tol?: number, 
+/**
+ * End of the run in s.
+ */
+until?: number, 
+/**
+ * Interval of the results in s.
+ */
+every?: number, 
+/**
+ * Communication step in s.
+ */
+step?: number, 
+/**
+ * Order of exchange.
+ */
+exchange?: string, 
+/**
+ * Random part of the communication step.
+ */
+jitter?: number, 
+/**
+ * Whether steps extend across events.
+ */
+"no-events": boolean, 
+/**
+ * Results.
+ */
+record: Array<string>, 
+/**
+ * A variable and its values.
+ */
+vary?: string, 
+/**
+ * Values of variables.
+ */
+set?: Record<string, Value>, };
 
-/** An identification: what is known, and further options as typed. */
-export interface Fit {
-  inquiry: Record<string, Value | string[]>;
-  options: Record<string, string>;
-}
+export type Virtual = { law: string, set?: Record<string, number>, mass: number, normal_force: number, duration: number, 
+/**
+ * Whether it has all faults, not noise alone.
+ */
+faults: boolean, seed: number, };
 
-/** What can be done elsewhere too. */
-export type Job = { run: Run } | { fit: Fit } | { strokes: Strokes };
+export type Fit = { inquiry: Partial<Inquiry>, 
+/**
+ * Further options, as a user types them.
+ */
+options: Record<string, string>, };
 
-export interface Quality {
-  samples: number;
-  duration: number;
-  interval: number;
-  gaps: number;
-  saturated: number;
-  noise: number;
-  resolution: number;
-  fastest: number;
-  slow: number;
-  reversals: number;
-  loads: [number, number];
-  findings: string[];
-  window: number;
-  differentiated: boolean;
-  velocity_error: number;
-  delay: number;
-  cycles: number;
-}
+export type Texts = Record<string, string>;
 
-export interface Estimate {
-  name: string;
-  unit: string;
-  verdict: string;
-  value: number | null;
-  interval: [number, number] | null;
-  repeated: [number, number] | null;
-}
+export type Inquiry = { 
+/**
+ * Records: tables with time, force, and displacement or velocity, perhaps normal_force; units in brackets
+ */
+records: Array<string>, 
+/**
+ * Name of a column in the records: force=Kraft_1; in binary files (.mf4, .mat) that of a channel or variable
+ */
+column: Record<string, string>, 
+/**
+ * Factor of a column: force=35.15 if it has volts of an amplifier with 35.15 N/V, displacement=-1 if it is reversed
+ */
+scale: Record<string, number>, 
+/**
+ * Table of the motion on its own clock (a camera), for a single record
+ */
+motion?: string, 
+/**
+ * Friction laws; several, or `all`, are ranked (default: none; for an axis CoulombViscous)
+ */
+law: Array<string>, 
+/**
+ * The records are of an axis, M a = F - f - offset: fit mass and offset too, with Coulomb and viscous friction
+ * unless a law is given, at a normal force of 1 N unless one is known
+ */
+axis: boolean, 
+/**
+ * Mass between load cell and contact in kg (default: 0)
+ */
+mass?: number, 
+/**
+ * Normal force in N, if the record has none
+ */
+normal_force?: number, 
+/**
+ * Window in s for smoothing and differentiating the motion, 0 for the shortest (default: 5 to 391 samples, at most a
+ * tenth of the record, with the least error of velocity and acceleration; for an axis 9 to 191 samples, force and
+ * motion alike)
+ */
+window?: number, 
+/**
+ * Delay of the motion behind the force in s; or `find`, or `find:LONGEST` (default: 0; for an axis that of a
+ * controller, up to two samples, is found)
+ */
+delay?: number | string, 
+/**
+ * Seconds at the start of the records that are skipped (default: 0)
+ */
+skip?: number, 
+/**
+ * Speed in m/s below which samples are left out (default: three times the error of the velocity, and for Coulomb and
+ * viscous friction of an axis a twentieth of the highest speed; 0 for none)
+ */
+rest?: number, 
+/**
+ * Parameter that is held, in those of several laws that have it: sigma_1=0; also mass and offset of the rig
+ */
+fix: Record<string, number>, 
+/**
+ * Additional parameter to fit: an exponent, mass, offset
+ */
+fit: Array<string>, 
+/**
+ * Range of a parameter instead of the one that follows from the data
+ */
+range: Record<string, [number, number]>, 
+/**
+ * Search over the whole range (default: evolution)
+ */
+method?: Method, 
+/**
+ * Cost of a residual: squares, or less for outliers (default: squares)
+ */
+loss?: LossChoice, 
+/**
+ * Validation records, which are not fitted: the laws are held against them
+ */
+hold_out: Array<string>, 
+/**
+ * Cross-validation: fit all parts of the records but one, in turn, and hold the law against that part (default: none)
+ */
+folds?: number, 
+/**
+ * Evaluations of the law in a search over the whole range, before least squares; at least those of its first
+ * generations are made, 48 or 16 for each parameter, 62 by the genetic algorithm (default: 3000)
+ */
+budget?: number, 
+/**
+ * Seed of the search and of the repetitions (default: 1)
+ */
+seed?: number, 
+/**
+ * Repetitions with blocks of residuals (default: 40)
+ */
+repetitions?: number, };
 
-export interface FittedLaw {
-  law: string;
-  delta_bic: number;
-  tied: boolean;
-  rms: number;
-  samples: number;
-  repeatable: boolean;
-  evaluations: number;
-  warnings: string[];
-  values: Record<string, number>;
-  estimates: Estimate[];
-}
+export type Method = "evolution" | "genetic";
 
-export interface Fitted {
-  ranking: { laws: FittedLaw[]; refused: { law: string; reason: string }[] };
-  best: string;
-  level: number;
-  /** Description of a fit that was cancelled. */
-  early: string | null;
-  toml: string;
-  ssv: string;
-}
+export type LossChoice = "squares" | "robust";
 
-/** Files of a virtual rig, and the values of its law. */
-export interface Files {
-  force: string;
-  camera: string | null;
-  truth: Record<string, number>;
-}
+export type Strokes = { model: string, set: Record<string, Value>, held: Record<string, number>, 
+/**
+ * Highest velocity of the curve, m/s.
+ */
+velocity: number, 
+/**
+ * Length of the strokes, m.
+ */
+stroke: number, 
+/**
+ * Their highest speed, m/s.
+ */
+speed: number, };
 
-export type Question =
-  | { ask: "catalogue" }
-  | { ask: "system"; run: Run }
-  | { ask: "solve" | "csv" | "c"; run: Run; law: string | null }
-  | { ask: "toml"; run: Run }
-  | ({ ask: "curve" | "strokes" | "strokes-c" } & Strokes)
-  | { ask: "command" | "python"; job: Job }
-  | { ask: "ssv"; model: string; set: Record<string, Value> }
-  | { ask: "rig"; law: string; mass: number; normal_force: number; duration: number; faults: boolean; seed: number }
-  | { ask: "quality" | "fit"; fit: Fit; files: Record<string, string> };
+export type Job = { "run": Partial<Run> } | { "fit": Fit } | { "strokes": Strokes };
 
-export interface Answer<T> {
-  answer: T;
-  arrays: Float64Array[];
-  /** Time on the clock, in ms. */
-  took: number;
-}
+export type Written = { 
+/**
+ * The text.
+ */
+text: string, };
 
-/** A refusal of the library, with its reason. */
-export class Refused extends Error {}
+export type Catalogue = { version: string, laws: Array<Model>, shock_absorber: Array<Model>, hosts: Array<Model>, systems: Array<SystemEntry>, solvers: Array<Named>, 
+/**
+ * Laws that can be fitted.
+ */
+fitted: Array<string>, 
+/**
+ * Options of an identification.
+ */
+identification: Array<Choice>, thesis: Thesis, palette: Palette, };
+
+export type Thesis = { classes: [string, string, string, string], times: Array<[string, [number | null, number | null, number | null, number | null]]>, };
+
+export type Palette = { light: Colours, dark: Colours, dashes: [string, string, string, string, string, string, string, string], };
+
+export type Colours = { paper: string, ink: string, grid: string, axis: string, laws: string[], };
+
+export type Named = { name: string, help: string, };
+
+export type SystemEntry = { name: string, title: string, source: string, until: number, every: number, show: Record<string, string>, 
+/**
+ * The law of the part that any law can be; none if laws are chosen inside of parts.
+ */
+law: string | null, };
+
+export type Model = { name: string, summary: string, variables: Array<Variable>, presets: Array<Preset>, };
+
+export type Preset = { name: string, source: string, 
+/**
+ * Values as a user writes them.
+ */
+values: Record<string, string>, };
+
+export type Variable = { name: string, role: string, kind: "real" | "integer" | "boolean" | "choice", unit: string, start: number, nominal: number, bound: string, minimum: number | null, maximum: number | null, help: string, choices: Array<Named>, };
+
+export type Choice = { 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * What it does.
+ */
+help: string, 
+/**
+ * What it may be; empty if that is not one of a few words.
+ */
+choices: Array<string>, 
+/**
+ * Whether it is there or not, and has no value.
+ */
+is_flag: boolean, };
+
+export type Parts = { parts: Array<Part>, signals: Array<Moving>, until: number, every: number, tol: number, results: Array<string>, };
+
+export type Part = { name: string, model: string, is_law: boolean, values: Record<string, number>, };
+
+export type Moving = { input: string, unit: string, properties: Array<Property>, };
+
+export type Property = { name: string, value: number, };
+
+export type Solved = { law: string | null, solver: string, reached: boolean, end: string, statistics: Statistics, columns: Array<Column>, 
+/**
+ * The part that had each event; the times are the last array.
+ */
+events: Array<string>, };
+
+export type Statistics = { steps: number, rejected: number, evaluations: number, jacobians: number, };
+
+export type Column = { name: string, unit: string, };
+
+export type Loop = { every: number, period: number, };
+
+export type Files = { force: string, camera: string | null, truth: Record<string, number>, };
+
+export type Quality = { samples: number, duration: number, interval: number, gaps: number, saturated: number, noise: number, resolution: number, fastest: number, slow: number, reversals: number, loads: [number, number], findings: Array<string>, window: number, differentiated: boolean, velocity_error: number, delay: number, cycles: number, };
+
+export type Fitted = { ranking: Ranking, best: string, level: number, 
+/**
+ * Description of a fit that was cancelled.
+ */
+early: string | null, condition: number, toml: string, ssv: string, };
+
+export type Ranking = { 
+/**
+ * The laws, the best first.
+ */
+laws: Array<FittedLaw>, 
+/**
+ * Laws that cannot be fitted.
+ */
+refused: Array<RefusedLaw>, 
+/**
+ * For each record what is to be known of it, first how it is taken to begin.
+ */
+findings: Record<string, string[]>, };
+
+export type FittedLaw = { 
+/**
+ * The law.
+ */
+law: string, 
+/**
+ * Bayesian information criterion above that of the best law.
+ */
+delta_bic: number, 
+/**
+ * Whether it cannot be told apart from the best law.
+ */
+tied: boolean, 
+/**
+ * RMS residual, N.
+ */
+rms: number, 
+/**
+ * The same without outliers, N.
+ */
+noise: number, 
+/**
+ * RMS residual in each validation record, N.
+ */
+validation: Record<string, number>, 
+/**
+ * Number of samples.
+ */
+samples: number, 
+/**
+ * Correlation time of the residuals, in samples.
+ */
+correlation: number, 
+/**
+ * Whether several searches found the same values.
+ */
+repeatable: boolean, 
+/**
+ * Whether the sensitivities are exact.
+ */
+exact: boolean, 
+/**
+ * Ratio of the best to the worst known direction.
+ */
+condition: number, 
+/**
+ * Correlations among the parameters.
+ */
+correlations: Array<Array<number>>, 
+/**
+ * Evaluations of the law.
+ */
+evaluations: number, 
+/**
+ * Warnings.
+ */
+warnings: Array<string>, 
+/**
+ * The parameters that were held or that the data determine.
+ */
+values: Record<string, number>, 
+/**
+ * Description of a fit that was cancelled.
+ */
+early: string | null, 
+/**
+ * The parameters.
+ */
+estimates: Array<Estimate>, };
+
+export type Estimate = { 
+/**
+ * Its name.
+ */
+name: string, 
+/**
+ * Its unit.
+ */
+unit: string, 
+/**
+ * `determined`, or why there is no value.
+ */
+verdict: string, 
+/**
+ * Its value.
+ */
+value: number | null, 
+/**
+ * Interval of 95 %, by the sensitivities and the profile likelihood.
+ */
+interval: [number, number] | null, 
+/**
+ * Interval of 95 %, from repetitions with blocks of residuals.
+ */
+repeated: [number, number] | null, 
+/**
+ * Value and intervals for a reader, or why there are none.
+ */
+text: string, };
+
+export type RefusedLaw = { 
+/**
+ * The law.
+ */
+law: string, 
+/**
+ * Why.
+ */
+reason: string, };

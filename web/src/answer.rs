@@ -2,6 +2,15 @@
 
 use serde::Serialize;
 use serde_json::{Value, json};
+use ts_rs::TS;
+
+/// A text.
+#[derive(Debug, Serialize, TS)]
+#[ts(rename = "Written")]
+pub struct Text {
+    /// The text.
+    pub text: String,
+}
 
 /// An answer.
 pub struct Answer {

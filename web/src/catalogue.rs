@@ -3,67 +3,164 @@
 use std::collections::BTreeMap;
 
 use clap::ValueEnum;
-use serde_json::{Value, json};
+use serde::Serialize;
 use ssp::parameter_set::text_of;
 use stribeck::catalogue::{Family, documented};
 use stribeck::model::{Kind, ModelType, Variable};
 use stribeck_fit::identify::Inquiry;
 use stribeck_fit::thesis::{CLASSES, TABLE_6_5};
-use stribeck_plot::palette::{Colours, DARK, DASHES, LIGHT};
+use stribeck_plot::palette::{self, DARK, DASHES, LIGHT};
 use stribeck_solve::job;
 use stribeck_solve::run::Solver;
 use stribeck_solve::system::{BUILT_IN, Description, Fault};
+use ts_rs::TS;
 
 use crate::answer::Answer;
 
+/// Models by family, systems, solvers, and what else the page shows.
+#[derive(Debug, Serialize, TS)]
+pub struct Catalogue {
+    version: &'static str,
+    laws: Vec<Model>,
+    shock_absorber: Vec<Model>,
+    hosts: Vec<Model>,
+    systems: Vec<SystemEntry>,
+    solvers: Vec<Named>,
+    /// Laws that can be fitted.
+    fitted: Vec<&'static str>,
+    /// Options of an identification.
+    identification: Vec<job::Choice>,
+    thesis: Thesis,
+    palette: Palette,
+}
+
+/// Solvers of the thesis, and its times in s for each law; null where it did not converge.
+#[derive(Debug, Serialize, TS)]
+pub struct Thesis {
+    classes: [&'static str; 4],
+    times: &'static [(&'static str, [Option<f64>; 4])],
+}
+
+/// Colours and dashes.
+#[derive(Debug, Serialize, TS)]
+pub struct Palette {
+    light: Colours,
+    dark: Colours,
+    dashes: [&'static str; palette::MOST_LAWS],
+}
+
+/// Colours of a picture.
+#[derive(Debug, Serialize, TS)]
+pub struct Colours {
+    paper: &'static str,
+    ink: &'static str,
+    grid: &'static str,
+    axis: &'static str,
+    #[ts(type = "string[]")]
+    laws: [&'static str; palette::MOST_LAWS],
+}
+
+/// A name with one line on it.
+#[derive(Debug, Serialize, TS)]
+pub struct Named {
+    name: String,
+    help: String,
+}
+
+/// A built-in system.
+#[derive(Debug, Serialize, TS)]
+pub struct SystemEntry {
+    name: &'static str,
+    title: String,
+    source: String,
+    until: f64,
+    every: f64,
+    #[ts(type = "Record<string, string>")]
+    show: BTreeMap<String, String>,
+    /// The law of the part that any law can be; none if laws are chosen inside of parts.
+    law: Option<String>,
+}
+
+/// A model.
+#[derive(Debug, Serialize, TS)]
+pub struct Model {
+    name: &'static str,
+    summary: &'static str,
+    variables: Vec<Described>,
+    presets: Vec<Preset>,
+}
+
+/// A preset of a model.
+#[derive(Debug, Serialize, TS)]
+pub struct Preset {
+    name: &'static str,
+    source: &'static str,
+    /// Values as a user writes them.
+    #[ts(type = "Record<string, string>")]
+    values: BTreeMap<&'static str, String>,
+}
+
+/// A variable of a model.
+#[derive(Debug, Serialize, TS)]
+#[ts(rename = "Variable")]
+pub struct Described {
+    name: String,
+    role: String,
+    #[ts(type = "\"real\" | \"integer\" | \"boolean\" | \"choice\"")]
+    kind: &'static str,
+    unit: &'static str,
+    start: f64,
+    nominal: f64,
+    bound: String,
+    minimum: Option<f64>,
+    maximum: Option<f64>,
+    help: String,
+    choices: Vec<Named>,
+}
+
 /// Models by family, systems and solvers.
 pub fn catalogue() -> Result<Answer, Fault> {
-    let family = |family: Family| documented(family).map(|(model, _)| described(model)).collect::<Vec<_>>();
-    let systems = BUILT_IN.iter().map(|(name, text)| system(name, text)).collect::<Result<Vec<_>, _>>()?;
-    let solvers: Vec<_> = Solver::value_variants().iter().filter_map(ValueEnum::to_possible_value).collect();
-    let fitted = stribeck_fit::identify::laws().map(|law| law.name).collect::<Vec<_>>();
-    let solvers = solvers.iter().map(|solver| {
-        json!({ "name": solver.get_name(), "help": solver.get_help().map_or(String::new(), ToString::to_string) })
-    });
-    Ok(Answer::plain(json!({
-        "version": env!("CARGO_PKG_VERSION"),
-        "laws": family(Family::Friction),
-        "shock_absorber": family(Family::ShockAbsorber),
-        "hosts": family(Family::Host),
-        "systems": systems,
-        "solvers": solvers.collect::<Vec<_>>(),
-        "fitted": fitted,
-        "identification": job::options::<Inquiry>(),
-        "thesis": { "classes": CLASSES, "times": TABLE_6_5 },
-        "palette": { "light": colours(&LIGHT), "dark": colours(&DARK), "dashes": DASHES },
-    })))
-}
-
-fn colours(Colours { paper, ink, grid, axis, laws }: &Colours) -> Value {
-    json!({ "paper": paper, "ink": ink, "grid": grid, "axis": axis, "laws": laws })
-}
-
-fn system(name: &str, text: &str) -> Result<Value, Fault> {
-    let Description { title, source, until, every, show, part, .. } = Description::parse(text)?;
-    // Either a part is a law, or parts contain one that can be chosen.
-    let law = part.values().find_map(|part| part.law.clone());
-    Ok(json!({
-        "name": name, "title": title, "source": source, "until": until, "every": every, "show": show, "law": law,
+    let family = |family: Family| documented(family).map(|(model, _)| described(model)).collect();
+    let solver = |solver: clap::builder::PossibleValue| Named {
+        name: solver.get_name().to_owned(),
+        help: solver.get_help().map_or(String::new(), ToString::to_string),
+    };
+    Ok(Answer::plain(Catalogue {
+        version: env!("CARGO_PKG_VERSION"),
+        laws: family(Family::Friction),
+        shock_absorber: family(Family::ShockAbsorber),
+        hosts: family(Family::Host),
+        systems: BUILT_IN.iter().map(|(name, text)| system(name, text)).collect::<Result<_, Fault>>()?,
+        solvers: Solver::value_variants().iter().filter_map(ValueEnum::to_possible_value).map(solver).collect(),
+        fitted: stribeck_fit::identify::laws().map(|law| law.name).collect(),
+        identification: job::options::<Inquiry>(),
+        thesis: Thesis { classes: CLASSES, times: TABLE_6_5 },
+        palette: Palette { light: colours(&LIGHT), dark: colours(&DARK), dashes: DASHES },
     }))
 }
 
-fn described(model: &'static ModelType) -> Value {
-    let variables: Vec<_> = model.variables().map(|(_, variable)| variable_as_json(&variable)).collect();
-    let presets: Vec<_> = model
-        .presets
-        .iter()
-        .map(|preset| {
-            let values = preset.values.iter().map(|(name, value)| (*name, spelling(model, name, *value)));
-            let values: BTreeMap<&str, String> = values.collect();
-            json!({ "name": preset.name, "source": preset.source, "values": values })
-        })
-        .collect();
-    json!({ "name": model.name, "summary": model.summary, "variables": variables, "presets": presets })
+fn colours(&palette::Colours { paper, ink, grid, axis, laws }: &palette::Colours) -> Colours {
+    Colours { paper, ink, grid, axis, laws }
+}
+
+fn system(name: &'static str, text: &str) -> Result<SystemEntry, Fault> {
+    let Description { title, source, until, every, show, part, .. } = Description::parse(text)?;
+    // Either a part is a law, or parts contain one that can be chosen.
+    let law = part.values().find_map(|part| part.law.clone());
+    Ok(SystemEntry { name, title, source, until, every, show, law })
+}
+
+fn described(model: &'static ModelType) -> Model {
+    let preset = |preset: &stribeck::model::Preset| {
+        let values = preset.values.iter().map(|(name, value)| (*name, spelling(model, name, *value)));
+        Preset { name: preset.name, source: preset.source, values: values.collect() }
+    };
+    Model {
+        name: model.name,
+        summary: model.summary,
+        variables: model.variables().map(|(_, variable)| variable_of(&variable)).collect(),
+        presets: model.presets.iter().map(preset).collect(),
+    }
 }
 
 /// A value as a user writes it.
@@ -71,30 +168,29 @@ fn spelling(model: &ModelType, name: &str, value: f64) -> String {
     model.find(name).map_or_else(|| value.to_string(), |column| text_of(&model.table.at(column), value))
 }
 
-fn variable_as_json(variable: &Variable) -> Value {
+fn variable_of(variable: &Variable) -> Described {
     let (kind, unit) = match variable.kind {
         Kind::Real(unit) => ("real", unit.name),
         Kind::Integer => ("integer", ""),
         Kind::Boolean => ("boolean", ""),
         Kind::Enumeration(_) => ("choice", ""),
     };
-    let choices: Vec<_> = match variable.kind {
-        Kind::Enumeration(choices) => {
-            choices.items.iter().map(|item| json!({ "name": item.name, "help": item.help })).collect()
-        }
+    let choices = match variable.kind {
+        Kind::Enumeration(choices) => choices.items.iter().collect(),
         _ => Vec::new(),
     };
-    json!({
-        "name": variable.path.to_string(),
-        "role": format!("{:?}", variable.role),
-        "kind": kind,
-        "unit": unit,
-        "start": variable.start,
-        "nominal": variable.nominal,
-        "bound": variable.bound.to_string(),
-        "minimum": Some(variable.bound.min()).filter(|low| *low > f64::MIN),
-        "maximum": Some(variable.bound.max()).filter(|high| *high < f64::MAX),
-        "help": variable.help,
-        "choices": choices,
-    })
+    let named = choices.iter().map(|item| Named { name: item.name.to_string(), help: item.help.to_string() });
+    Described {
+        name: variable.path.to_string(),
+        role: format!("{:?}", variable.role),
+        kind,
+        unit,
+        start: variable.start,
+        nominal: variable.nominal,
+        bound: variable.bound.to_string(),
+        minimum: Some(variable.bound.min()).filter(|low| *low > f64::MIN),
+        maximum: Some(variable.bound.max()).filter(|high| *high < f64::MAX),
+        help: variable.help.to_string(),
+        choices: named.collect(),
+    }
 }

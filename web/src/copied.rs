@@ -1,21 +1,25 @@
 //! The same for the command line and in Python.
 
 use serde::Deserialize;
-use serde_json::json;
 use stribeck_solve::run::Configuration;
 use stribeck_solve::system::Fault;
+use ts_rs::TS;
 
-use crate::answer::Answer;
+use crate::answer::{Answer, Text};
 use crate::rig::Asked;
 use crate::strokes::Strokes;
 use crate::values::described;
 
 /// What a user may take along.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, TS)]
 #[serde(rename_all = "kebab-case")]
 pub enum Job {
     /// A run of a system.
-    Run(#[serde(deserialize_with = "described")] Configuration),
+    Run(
+        #[serde(deserialize_with = "described")]
+        #[ts(type = "Partial<Run>")]
+        Configuration,
+    ),
     /// An identification.
     Fit(Asked),
     /// Strokes of a law.
@@ -31,7 +35,7 @@ pub fn command(job: &Job) -> Result<Answer, Fault> {
             return Err(Fault::value("the command line has no strokes of a law; copy them as Python or C"));
         }
     };
-    Ok(Answer::plain(json!({ "text": text })))
+    Ok(Answer::plain(Text { text }))
 }
 
 /// In Python.
@@ -41,5 +45,5 @@ pub fn python(job: &Job) -> Result<Answer, Fault> {
         Job::Fit(asked) => asked.inquiry()?.python()?,
         Job::Strokes(strokes) => strokes.python()?,
     };
-    Ok(Answer::plain(json!({ "text": text })))
+    Ok(Answer::plain(Text { text }))
 }

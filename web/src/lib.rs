@@ -18,9 +18,12 @@ mod series;
 mod solution;
 mod strokes;
 mod system;
+mod types;
 mod values;
 
 use std::cell::RefCell;
+
+pub use types::types;
 
 thread_local! {
     /// Buffers of the host and the last answer.

@@ -2,12 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use serde_json::json;
 use ssp::parameter_set::ParameterSet;
 use stribeck::catalogue;
 use stribeck_solve::system::{Fault, spelled};
 
-use crate::answer::Answer;
+use crate::answer::{Answer, Text};
 use crate::values::texts;
 
 /// The parameter set of a model as a file for SSP (.ssv).
@@ -23,5 +22,5 @@ pub fn ssv(model: &str, set: &BTreeMap<String, toml::Value>) -> Result<Answer, F
     };
     let values = texts(set).map(value).collect::<Result<Vec<(String, f64)>, Fault>>()?;
     let set = ParameterSet::new(model, model.name, values).map_err(Fault::value)?;
-    Ok(Answer::plain(json!({ "text": set.to_ssv() })))
+    Ok(Answer::plain(Text { text: set.to_ssv() }))
 }

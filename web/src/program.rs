@@ -2,12 +2,11 @@
 
 use std::fmt::Write;
 
-use serde_json::json;
 use stribeck_solve::couple::{Exchange, Train, hold, is_host};
 use stribeck_solve::run::{Configuration, Settings, Solver, run};
 use stribeck_solve::system::{Fault, Place, Signal, System, WireSource};
 
-use crate::answer::Answer;
+use crate::answer::{Answer, Text};
 use crate::solution::assembled;
 use crate::values::filled;
 
@@ -22,7 +21,7 @@ pub fn c(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault> {
     let results = results.map(|name| Ok((system.place(&name)?, name))).collect::<Result<Vec<_>, Fault>>()?;
     let course = course(&system, &settings, &results)?;
     let text = Program { system: &system, settings: &settings, results: &results, course: &course }.text()?;
-    Ok(Answer::plain(json!({ "text": text })))
+    Ok(Answer::plain(Text { text }))
 }
 
 /// Refuses what the program cannot do.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 use stribeck_solve::run::Configuration;
+use ts_rs::TS;
 
 use crate::answer::Answer;
 use crate::copied::{self, Job};
@@ -14,21 +15,23 @@ use crate::values::described;
 use crate::{catalogue, parameters, program, rig, solution, system};
 
 /// A question of the page.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, TS)]
 #[serde(tag = "ask", rename_all = "kebab-case", deny_unknown_fields)]
-enum Question {
+pub enum Question {
     /// All models, systems and solvers.
     Catalogue,
     /// The parts of a system with one law and their present values.
     System {
         /// The run.
         #[serde(deserialize_with = "described")]
+        #[ts(type = "Partial<Run>")]
         run: Configuration,
     },
     /// The run of one of the laws.
     Solve {
         /// The run with all laws: a setting that none of them has is refused.
         #[serde(deserialize_with = "described")]
+        #[ts(type = "Partial<Run>")]
         run: Configuration,
         /// The law; none if the system has its own.
         law: Option<String>,
@@ -37,6 +40,7 @@ enum Question {
     Csv {
         /// The run.
         #[serde(deserialize_with = "described")]
+        #[ts(type = "Partial<Run>")]
         run: Configuration,
         /// The law.
         law: Option<String>,
@@ -45,12 +49,14 @@ enum Question {
     Toml {
         /// The run.
         #[serde(deserialize_with = "described")]
+        #[ts(type = "Partial<Run>")]
         run: Configuration,
     },
     /// A program in C that runs the same by co-simulation.
     C {
         /// The run.
         #[serde(deserialize_with = "described")]
+        #[ts(type = "Partial<Run>")]
         run: Configuration,
         /// The law.
         law: Option<String>,
@@ -66,6 +72,7 @@ enum Question {
         /// The model.
         model: String,
         /// Values of its parameters.
+        #[ts(type = "Record<string, Value>")]
         set: BTreeMap<String, toml::Value>,
     },
     /// Records of a virtual rig.

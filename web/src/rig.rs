@@ -4,26 +4,27 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use serde::Deserialize;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 use stribeck::catalogue;
 use stribeck::model::ModelType;
-use stribeck_fit::identify::{self, EARLY, Fit, Inquiry, Source, Watch, as_json};
+use stribeck_fit::identify::{self, EARLY, Inquiry, Source, Watch};
 use stribeck_fit::measured::average;
 use stribeck_fit::rig::{Faults, VirtualRig};
 use stribeck_fit::sheet::{Sheet, SheetError};
 use stribeck_solve::job;
 use stribeck_solve::system::Fault;
+use ts_rs::TS;
 
 use crate::answer::Answer;
 use crate::values::{described, numbers};
 
 /// A virtual rig.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Virtual {
     law: String,
     #[serde(default)]
+    #[ts(type = "Record<string, number>", optional)]
     set: BTreeMap<String, f64>,
     mass: f64,
     normal_force: f64,
@@ -34,13 +35,16 @@ pub struct Virtual {
 }
 
 /// An identification as the page asks for it.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
+#[ts(rename = "Fit")]
 pub struct Asked {
     #[serde(deserialize_with = "described")]
+    #[ts(type = "Partial<Inquiry>")]
     inquiry: Inquiry,
     /// Further options, as a user types them.
     #[serde(default)]
+    #[ts(type = "Record<string, string>")]
     options: BTreeMap<String, String>,
 }
 
@@ -52,9 +56,53 @@ impl Asked {
 }
 
 /// Texts of files by their names.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, TS)]
 #[serde(transparent)]
-pub struct Texts(BTreeMap<String, String>);
+pub struct Texts(#[ts(type = "Record<string, string>")] BTreeMap<String, String>);
+
+/// Files of a virtual rig, and the values of its law.
+#[derive(Debug, Serialize, TS)]
+pub struct Files {
+    force: String,
+    camera: Option<String>,
+    #[ts(type = "Record<string, number>")]
+    truth: BTreeMap<String, f64>,
+}
+
+/// Quality of a record.
+#[derive(Debug, Serialize, TS)]
+pub struct Quality {
+    samples: usize,
+    duration: f64,
+    interval: f64,
+    gaps: usize,
+    saturated: f64,
+    noise: f64,
+    resolution: f64,
+    fastest: f64,
+    slow: f64,
+    reversals: usize,
+    loads: [f64; 2],
+    findings: Vec<String>,
+    window: f64,
+    differentiated: bool,
+    velocity_error: f64,
+    delay: f64,
+    cycles: usize,
+}
+
+/// Laws fitted to a record, and the best one as files.
+#[derive(Debug, Serialize, TS)]
+pub struct Fitted {
+    ranking: identify::Answer,
+    best: &'static str,
+    level: f64,
+    /// Description of a fit that was cancelled.
+    early: Option<&'static str>,
+    condition: f64,
+    toml: String,
+    ssv: String,
+}
 
 impl Source for Texts {
     fn tables(&self, record: &Path) -> Result<Vec<Sheet>, SheetError> {
@@ -81,34 +129,34 @@ pub fn record(given: &Virtual) -> Result<Answer, Fault> {
     let mut truth: BTreeMap<String, f64> =
         starts.map(|(_, variable)| (variable.path.to_string(), variable.start)).collect();
     truth.extend(values);
-    Ok(Answer::plain(json!({ "force": files.force, "camera": files.camera, "truth": truth })))
+    Ok(Answer::plain(Files { force: files.force, camera: files.camera, truth }))
 }
 
 /// Quality of a record, its samples, and its mean cycle.
 pub fn quality(asked: &Asked, files: &Texts) -> Result<Answer, Fault> {
     let [mut records, _] = asked.inquiry()?.records(files)?;
     let (_, record) = records.swap_remove(0);
-    let quality = &record.quality;
     let cycle = average(&record);
-    let told = json!({
-        "samples": quality.samples,
-        "duration": quality.duration,
-        "interval": quality.interval,
-        "gaps": quality.gaps.len(),
-        "saturated": quality.saturated,
-        "noise": quality.noise,
-        "resolution": quality.resolution,
-        "fastest": quality.fastest,
-        "slow": quality.slow,
-        "reversals": quality.reversals,
-        "loads": quality.loads,
-        "findings": quality.findings,
-        "window": record.window,
-        "differentiated": record.is_differentiated,
-        "velocity_error": record.velocity_error,
-        "delay": record.clocks.delay,
-        "cycles": cycle.as_ref().map_or(0, |cycle| cycle.count),
-    });
+    let quality = &record.quality;
+    let told = Quality {
+        samples: quality.samples,
+        duration: quality.duration,
+        interval: quality.interval,
+        gaps: quality.gaps.len(),
+        saturated: quality.saturated,
+        noise: quality.noise,
+        resolution: quality.resolution,
+        fastest: quality.fastest,
+        slow: quality.slow,
+        reversals: quality.reversals,
+        loads: quality.loads,
+        findings: quality.findings.clone(),
+        window: record.window,
+        differentiated: record.is_differentiated,
+        velocity_error: record.velocity_error,
+        delay: record.clocks.delay,
+        cycles: cycle.as_ref().map_or(0, |cycle| cycle.count),
+    };
     let mut arrays = vec![record.time, record.displacement, record.velocity, record.friction_force];
     if let Some(cycle) = cycle {
         arrays.extend([cycle.phase, cycle.displacement, cycle.velocity, cycle.friction_force, cycle.deviation]);
@@ -129,18 +177,14 @@ pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)
     let fitted = best.explained_in(&best.seen(&data.records[0].1), 0);
     let cycle = average(&fitted).map(|cycle| cycle.friction_force);
     let arrays = std::iter::once(fitted.friction_force).chain(cycle).collect();
-    Ok(Answer::with(told(as_json(&ranking, &data), best)?, arrays))
-}
-
-fn told(ranking: Value, best: &Fit) -> Result<Value, Fault> {
-    let set = best.parameter_set(best.law.name)?;
-    Ok(json!({
-        "ranking": ranking,
-        "best": best.law.name,
-        "level": best.level,
-        "early": best.is_cancelled.then_some(EARLY),
-        "condition": best.condition,
-        "toml": best.configuration().text(),
-        "ssv": set.to_ssv(),
-    }))
+    let told = Fitted {
+        ranking: identify::Answer::of(&ranking, &data),
+        best: best.law.name,
+        level: best.level,
+        early: best.is_cancelled.then_some(EARLY),
+        condition: best.condition,
+        toml: best.configuration().text(),
+        ssv: best.parameter_set(best.law.name)?.to_ssv(),
+    };
+    Ok(Answer::with(told, arrays))
 }

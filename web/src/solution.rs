@@ -1,10 +1,40 @@
 //! Runs of systems.
 
-use serde_json::json;
+use serde::Serialize;
 use stribeck_solve::run::{Configuration, Outcome, run};
 use stribeck_solve::system::{Fault, Source, System};
+use ts_rs::TS;
 
-use crate::answer::Answer;
+use crate::answer::{Answer, Text};
+
+/// A run.
+#[derive(Debug, Serialize, TS)]
+pub struct Solved {
+    law: Option<&'static str>,
+    solver: String,
+    reached: bool,
+    end: String,
+    statistics: Statistics,
+    columns: Vec<Column>,
+    /// The part that had each event; the times are the last array.
+    events: Vec<String>,
+}
+
+/// What a run has cost.
+#[derive(Debug, Serialize, TS)]
+pub struct Statistics {
+    steps: u64,
+    rejected: u64,
+    evaluations: u64,
+    jacobians: u64,
+}
+
+/// A result of a run.
+#[derive(Debug, Serialize, TS)]
+pub struct Column {
+    name: String,
+    unit: String,
+}
 
 /// The system with one law of those that are chosen, and its description.
 pub fn assembled(chosen: &Configuration, law: Option<&str>) -> Result<(System, Source), Fault> {
@@ -36,24 +66,24 @@ fn outcome(chosen: &Configuration, law: Option<&str>) -> Result<Outcome, Fault> 
 /// Times, results, events and what they have cost.
 pub fn solve(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault> {
     let outcome = outcome(chosen, law)?;
-    let columns: Vec<_> =
-        outcome.columns.iter().map(|column| json!({ "name": column.name, "unit": column.unit })).collect();
-    let events: Vec<_> = outcome.events.iter().map(|event| &event.part).collect();
-    let statistics = &outcome.statistics;
-    let described = json!({
-        "law": outcome.law.map(|law| law.name),
-        "solver": outcome.solver.to_string(),
-        "reached": outcome.is_reached(),
-        "end": outcome.end.to_string(),
-        "statistics": {
-            "steps": statistics.steps,
-            "rejected": statistics.rejected,
-            "evaluations": statistics.evaluations,
-            "jacobians": statistics.jacobians,
+    let described = Solved {
+        law: outcome.law.map(|law| law.name),
+        solver: outcome.solver.to_string(),
+        reached: outcome.is_reached(),
+        end: outcome.end.to_string(),
+        statistics: Statistics {
+            steps: outcome.statistics.steps,
+            rejected: outcome.statistics.rejected,
+            evaluations: outcome.statistics.evaluations,
+            jacobians: outcome.statistics.jacobians,
         },
-        "columns": columns,
-        "events": events,
-    });
+        columns: outcome
+            .columns
+            .iter()
+            .map(|column| Column { name: column.name.clone(), unit: column.unit.to_string() })
+            .collect(),
+        events: outcome.events.iter().map(|event| event.part.clone()).collect(),
+    };
     let mut arrays = vec![outcome.time];
     arrays.extend(outcome.columns.into_iter().map(|column| column.values));
     arrays.push(outcome.events.iter().map(|event| event.time).collect());
@@ -65,7 +95,7 @@ pub fn csv(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault> {
     let mut table = Vec::new();
     outcome(chosen, law)?.write_csv(&mut table).map_err(Fault::value)?;
     let text = String::from_utf8(table).map_err(Fault::value)?;
-    Ok(Answer::plain(json!({ "text": text })))
+    Ok(Answer::plain(Text { text }))
 }
 
 /// The file for the command line, if it can be run.
@@ -75,5 +105,5 @@ pub fn toml(chosen: &Configuration) -> Result<Answer, Fault> {
     let laws = chosen.law.iter().map(|law| Some(law.as_str()));
     let assembled = laws.map(|law| System::assemble(&source, law, &values)).collect::<Result<Vec<_>, _>>()?;
     System::refuse_unused(&assembled)?;
-    Ok(Answer::plain(json!({ "text": chosen.text() })))
+    Ok(Answer::plain(Text { text: chosen.text() }))
 }

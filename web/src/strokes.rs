@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use serde_json::json;
 use stribeck_solve::job::literal;
 use stribeck_solve::system::Fault;
+use ts_rs::TS;
 
-use crate::answer::Answer;
+use crate::answer::{Answer, Text};
 use crate::series::{Series, followed, settled};
 use crate::values::filled;
 
@@ -22,13 +23,15 @@ const ACROSS: [(&str, f64); 5] =
     [("velocity_y", 0.0), ("velocity_z", 0.0), ("normal_x", 0.0), ("normal_y", 0.0), ("normal_z", 1.0)];
 
 /// A law, its parameters, inputs that are held, and its motion.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Strokes {
     model: String,
     #[serde(default)]
+    #[ts(type = "Record<string, Value>")]
     set: BTreeMap<String, toml::Value>,
     #[serde(default)]
+    #[ts(type = "Record<string, number>")]
     held: BTreeMap<String, f64>,
     /// Highest velocity of the curve, m/s.
     velocity: f64,
@@ -36,6 +39,13 @@ pub struct Strokes {
     stroke: f64,
     /// Their highest speed, m/s.
     speed: f64,
+}
+
+/// Strokes to and fro: interval of the samples in s, and samples of a period.
+#[derive(Debug, Serialize, TS)]
+pub struct Loop {
+    every: f64,
+    period: usize,
 }
 
 /// Names of the inputs that move, and of the result.
@@ -127,7 +137,7 @@ impl Strokes {
             Some(*way)
         }));
         let ways = ways.collect();
-        Ok(Answer::with(json!({ "every": every, "period": PERIOD }), vec![ways, speeds, forces.swap_remove(0)]))
+        Ok(Answer::with(Loop { every, period: PERIOD }, vec![ways, speeds, forces.swap_remove(0)]))
     }
 
     /// The strokes, and the curve of a law along one line, in Python.
@@ -184,7 +194,7 @@ impl Strokes {
                 ("speed", &speed),
             ],
         );
-        Ok(Answer::plain(json!({ "text": text })))
+        Ok(Answer::plain(Text { text }))
     }
 
     /// A text with what stands between the marks @.

@@ -13,6 +13,7 @@ use serde::de::value::SeqAccessDeserializer;
 use serde::de::{DeserializeOwned, Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use toml::{Table, Value};
+use ts_rs::TS;
 
 use crate::system::Fault;
 
@@ -118,7 +119,7 @@ pub fn names<'de, T: Deserialize<'de> + From<String>, D: Deserializer<'de>>(from
 }
 
 /// An option of a job.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct Choice {
     /// Its name.
     pub name: String,

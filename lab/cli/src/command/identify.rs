@@ -6,7 +6,7 @@ use clap::Args;
 use ssp::parameter_set::ParameterSet;
 use stribeck::model::ModelType;
 use stribeck_fit::identify::{
-    Data, Experiment, Files, Fit, Inquiry, Ranking, Reference, Searches, Task, Unseen, Verdict, Watch, as_json, fit,
+    Answer, Data, Experiment, Files, Fit, Inquiry, Ranking, Reference, Searches, Task, Unseen, Verdict, Watch, fit,
     of_law, preset,
 };
 use stribeck_fit::measured::{Record, average};
@@ -158,7 +158,7 @@ fn tell(arguments: &Arguments, facts: &Identification, data: &Data) -> Result<En
     let Identification { records, ranking, reference, .. } = *facts;
     let best = ranking.best();
     if arguments.json {
-        println!("{}", as_json(ranking, data));
+        println!("{}", serde_json::to_string(&Answer::of(ranking, data)).map_err(Fault::value)?);
     } else {
         print!("{}{}", table(ranking), best.table(reference));
     }

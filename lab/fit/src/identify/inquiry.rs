@@ -12,14 +12,16 @@ use stribeck::model::ModelType;
 use stribeck_solve::job::{self, Entry, Spelled};
 use stribeck_solve::system::Fault;
 use toml::Value;
+use ts_rs::TS;
 
 use super::{Experiment, Method, Ranking, Task, Watch, Wishes, axis, fit_all, held_out, laws_named, names};
 use crate::measured::{Columns, Delay, MeasuredError, Record, Rig};
 use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TIME, VELOCITY, tables};
 
 /// Records, what is known of their rig, the laws, and how they are fitted.
-#[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize, TS)]
 #[serde(deny_unknown_fields, default)]
+#[ts(optional_fields)]
 pub struct Inquiry {
     /// Records: tables with time, force, and displacement or velocity, perhaps normal_force; units in brackets
     #[serde(deserialize_with = "job::names")]
@@ -27,10 +29,12 @@ pub struct Inquiry {
     /// Name of a column in the records: force=Kraft_1; in binary files (.mf4, .mat) that of a channel or variable
     #[arg(long, value_name = "NAME=COLUMN")]
     #[serde(with = "job::table")]
+    #[ts(type = "Record<string, string>")]
     pub column: Vec<Entry<String>>,
     /// Factor of a column: force=35.15 if it has volts of an amplifier with 35.15 N/V, displacement=-1 if it is reversed
     #[arg(long, value_name = "NAME=FACTOR", allow_hyphen_values = true)]
     #[serde(with = "job::table")]
+    #[ts(type = "Record<string, number>")]
     pub scale: Vec<Entry<f64>>,
     /// Table of the motion on its own clock (a camera), for a single record
     #[arg(long, value_name = "FILE")]
@@ -57,6 +61,7 @@ pub struct Inquiry {
     /// Delay of the motion behind the force in s; or `find`, or `find:LONGEST` (default: 0; for an axis that of a
     /// controller, up to two samples, is found)
     #[arg(long)]
+    #[ts(type = "number | string", optional)]
     pub delay: Option<DelayChoice>,
     /// Seconds at the start of the records that are skipped (default: 0)
     #[arg(long)]
@@ -68,6 +73,7 @@ pub struct Inquiry {
     /// Parameter that is held, in those of several laws that have it: sigma_1=0; also mass and offset of the rig
     #[arg(long, value_name = "NAME=VALUE")]
     #[serde(with = "job::table")]
+    #[ts(type = "Record<string, number>")]
     pub fix: Vec<Entry<f64>>,
     /// Additional parameter to fit: an exponent, mass, offset
     #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]
@@ -76,6 +82,7 @@ pub struct Inquiry {
     /// Range of a parameter instead of the one that follows from the data
     #[arg(long, value_name = "NAME=LOW:HIGH")]
     #[serde(with = "job::table")]
+    #[ts(type = "Record<string, [number, number]>")]
     pub range: Vec<Entry<[f64; 2]>>,
     /// Search over the whole range (default: evolution)
     #[arg(long, value_enum)]
@@ -103,7 +110,7 @@ pub struct Inquiry {
 }
 
 /// Cost of a residual.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize, ValueEnum)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize, ValueEnum, TS)]
 #[serde(rename_all = "kebab-case")]
 pub enum LossChoice {
     /// Half the squares

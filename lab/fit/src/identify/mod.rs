@@ -10,6 +10,7 @@
 //! thesis, University of Minho (2024). Differential evolution: R. Storn, K. Price, Journal of Global Optimization 11
 //! (1997), doi:10.1023/A:1008202821328.
 
+mod answer;
 pub mod axis;
 #[cfg(test)]
 mod axis_tests;
@@ -48,11 +49,12 @@ use stribeck::catalogue::{self, Family};
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 
+pub use answer::{Answer, FittedLaw, FittedParameter, RefusedLaw};
 pub use estimate::Estimate;
 pub use experiment::{Experiment, Rest, names};
 
 pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source};
-pub use output::{Difference, EARLY, Reference, as_json, difference, known, of_law, preset, respond};
+pub use output::{Difference, EARLY, Reference, difference, known, of_law, preset, respond};
 pub use rank::{APART, Rank, rank};
 pub use search::{Method, Searches, Watch};
 pub use strut::{StrutFriction, strut_friction};

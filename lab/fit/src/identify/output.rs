@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use serde_json::json;
 use ssp::parameter_set::ParameterSet;
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
@@ -11,7 +10,7 @@ use stribeck::model::ModelType;
 use super::response::{Ports, forces};
 use super::trust::{digits, digits_within};
 use super::unknown::OF_RIG;
-use super::{Data, Estimate, Experiment, Fit, Rank, Ranking, Searches, Verdict};
+use super::{Estimate, Experiment, Fit, Searches, Verdict};
 use crate::measured::Record;
 use stribeck_solve::run::Configuration;
 use stribeck_solve::system::Fault;
@@ -132,7 +131,7 @@ impl Fit {
     }
 
     /// The values, with the kinetic level for the static one where the law refuses its start value.
-    fn accepted(&self) -> Vec<(String, f64)> {
+    pub(super) fn accepted(&self) -> Vec<(String, f64)> {
         let least = self.least_static().map(|level| ("mu_s".to_owned(), level));
         self.values().into_iter().chain(least).collect()
     }
@@ -211,57 +210,8 @@ impl Fit {
 /// Description of a fit that was cancelled.
 pub const EARLY: &str = "ended early: the best values so far, without profiles and repetitions";
 
-/// Fits with their ranking, and what was found out about each record, for programs. What is not determined has no value.
-pub fn as_json(ranking: &Ranking, data: &Data) -> serde_json::Value {
-    let law = |place: &Rank| {
-        let fit = &ranking.fits[place.fit];
-        json!({
-            "law": fit.law.name,
-            "delta_bic": place.delta_bic,
-            "tied": place.is_tied,
-            "rms": fit.residuals.rms,
-            "noise": fit.residuals.noise,
-            "validation": fit.unseen.iter().map(|one| (one.name.clone(), one.rms)).collect::<BTreeMap<String, f64>>(),
-            "samples": fit.samples,
-            "correlation": fit.residuals.correlation,
-            "repeatable": fit.searches == Searches::Agree,
-            "exact": fit.is_exact,
-            "condition": fit.condition,
-            "correlations": fit.correlation,
-            "evaluations": fit.evaluations,
-            "warnings": fit.warnings,
-            "values": fit.accepted().into_iter().collect::<BTreeMap<String, f64>>(),
-            "early": fit.is_cancelled.then_some(EARLY),
-            "estimates": fit.estimates.iter().map(|one| estimate(one, fit.searches)).collect::<Vec<_>>(),
-        })
-    };
-    let refused = ranking.refused.iter().map(|(law, reason)| json!({ "law": law, "reason": reason }));
-    let findings = data.records.iter().zip(&data.experiments).map(|((name, record), experiment)| {
-        let found = record.quality.findings.iter().map(String::as_str);
-        (name.as_str(), std::iter::once(experiment.beginning()).chain(found).collect())
-    });
-    json!({
-        "laws": ranking.ranks.iter().map(law).collect::<Vec<_>>(),
-        "refused": refused.collect::<Vec<_>>(),
-        "findings": findings.collect::<BTreeMap<&str, Vec<&str>>>(),
-    })
-}
-
-fn estimate(one: &Estimate, searches: Searches) -> serde_json::Value {
-    let is_told = one.verdict == Verdict::Determined;
-    json!({
-        "name": one.name,
-        "unit": one.unit,
-        "verdict": one.verdict.to_string(),
-        "value": is_told.then_some(one.value),
-        "interval": (is_told && searches != Searches::Ended).then(|| one.interval()),
-        "repeated": one.repeated.filter(|_| is_told),
-        "text": told(one, searches),
-    })
-}
-
 /// Value and intervals of an unknown, or why it has none.
-fn told(one: &Estimate, searches: Searches) -> String {
+pub(super) fn told(one: &Estimate, searches: Searches) -> String {
     let unit = if one.unit == "1" { "" } else { one.unit };
     if one.verdict != Verdict::Determined {
         return one.verdict.to_string();

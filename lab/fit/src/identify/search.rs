@@ -7,12 +7,13 @@ use basin::{
 };
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
+use ts_rs::TS;
 
 use super::problem::{Found, Problem};
 use super::{BUDGET, Experiment, Task};
 
 /// How the whole range is searched.
-#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize, ValueEnum, TS)]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
     /// Differential evolution, then bounded least squares

@@ -4,13 +4,15 @@ use std::collections::BTreeMap;
 
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
+use ts_rs::TS;
 
 use super::Settings;
 use crate::job;
 use crate::system::{Fault, Setting, Source, System};
 
 /// Settings of a run. All are optional; the system provides those that are missing.
-#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize, TS)]
+#[ts(rename = "Run", optional_fields)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Configuration {
     /// Name of a built-in system, or path of a system file.
@@ -51,6 +53,7 @@ pub struct Configuration {
     pub vary: Option<String>,
     /// Values of variables.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[ts(type = "Record<string, Value>")]
     pub set: BTreeMap<String, toml::Value>,
 }
 

@@ -1,0 +1,143 @@
+//! The answer of an identification, for programs: command line, Python and page give it out as it is.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use ts_rs::TS;
+
+use super::output::{EARLY, told};
+use super::{Data, Estimate, Fit, Rank, Ranking, Searches, Verdict};
+
+/// Laws fitted to records.
+#[derive(Clone, Debug, Serialize, TS)]
+#[ts(rename = "Ranking")]
+pub struct Answer {
+    /// The laws, the best first.
+    pub laws: Vec<FittedLaw>,
+    /// Laws that cannot be fitted.
+    pub refused: Vec<RefusedLaw>,
+    /// For each record what is to be known of it, first how it is taken to begin.
+    #[ts(type = "Record<string, string[]>")]
+    pub findings: BTreeMap<String, Vec<String>>,
+}
+
+/// A law that cannot be fitted.
+#[derive(Clone, Debug, Serialize, TS)]
+pub struct RefusedLaw {
+    /// The law.
+    pub law: &'static str,
+    /// Why.
+    pub reason: String,
+}
+
+/// A law after a fit. What the data do not determine has no value.
+#[derive(Clone, Debug, Serialize, TS)]
+pub struct FittedLaw {
+    /// The law.
+    pub law: &'static str,
+    /// Bayesian information criterion above that of the best law.
+    pub delta_bic: f64,
+    /// Whether it cannot be told apart from the best law.
+    pub tied: bool,
+    /// RMS residual, N.
+    pub rms: f64,
+    /// The same without outliers, N.
+    pub noise: f64,
+    /// RMS residual in each validation record, N.
+    #[ts(type = "Record<string, number>")]
+    pub validation: BTreeMap<String, f64>,
+    /// Number of samples.
+    pub samples: usize,
+    /// Correlation time of the residuals, in samples.
+    pub correlation: f64,
+    /// Whether several searches found the same values.
+    pub repeatable: bool,
+    /// Whether the sensitivities are exact.
+    pub exact: bool,
+    /// Ratio of the best to the worst known direction.
+    pub condition: f64,
+    /// Correlations among the parameters.
+    pub correlations: Vec<Vec<f64>>,
+    /// Evaluations of the law.
+    pub evaluations: u64,
+    /// Warnings.
+    pub warnings: Vec<String>,
+    /// The parameters that were held or that the data determine.
+    #[ts(type = "Record<string, number>")]
+    pub values: BTreeMap<String, f64>,
+    /// Description of a fit that was cancelled.
+    pub early: Option<&'static str>,
+    /// The parameters.
+    pub estimates: Vec<FittedParameter>,
+}
+
+/// A parameter after a fit.
+#[derive(Clone, Debug, Serialize, TS)]
+#[ts(rename = "Estimate")]
+pub struct FittedParameter {
+    /// Its name.
+    pub name: String,
+    /// Its unit.
+    pub unit: &'static str,
+    /// `determined`, or why there is no value.
+    pub verdict: String,
+    /// Its value.
+    pub value: Option<f64>,
+    /// Interval of 95 %, by the sensitivities and the profile likelihood.
+    pub interval: Option<[f64; 2]>,
+    /// Interval of 95 %, from repetitions with blocks of residuals.
+    pub repeated: Option<[f64; 2]>,
+    /// Value and intervals for a reader, or why there are none.
+    pub text: String,
+}
+
+impl Answer {
+    /// The answer of a ranking, with what was found out about each record.
+    pub fn of(ranking: &Ranking, data: &Data) -> Answer {
+        let findings = data.records.iter().zip(&data.experiments).map(|((name, record), experiment)| {
+            let found = record.quality.findings.iter().cloned();
+            (name.clone(), std::iter::once(experiment.beginning().to_owned()).chain(found).collect())
+        });
+        let refused = ranking.refused.iter().map(|(law, reason)| RefusedLaw { law, reason: reason.clone() });
+        Answer {
+            laws: ranking.ranks.iter().map(|place| law(&ranking.fits[place.fit], place)).collect(),
+            refused: refused.collect(),
+            findings: findings.collect(),
+        }
+    }
+}
+
+fn law(fit: &Fit, place: &Rank) -> FittedLaw {
+    FittedLaw {
+        law: fit.law.name,
+        delta_bic: place.delta_bic,
+        tied: place.is_tied,
+        rms: fit.residuals.rms,
+        noise: fit.residuals.noise,
+        validation: fit.unseen.iter().map(|one| (one.name.clone(), one.rms)).collect(),
+        samples: fit.samples,
+        correlation: fit.residuals.correlation,
+        repeatable: fit.searches == Searches::Agree,
+        exact: fit.is_exact,
+        condition: fit.condition,
+        correlations: fit.correlation.clone(),
+        evaluations: fit.evaluations,
+        warnings: fit.warnings.clone(),
+        values: fit.accepted().into_iter().collect(),
+        early: fit.is_cancelled.then_some(EARLY),
+        estimates: fit.estimates.iter().map(|one| parameter(one, fit.searches)).collect(),
+    }
+}
+
+fn parameter(one: &Estimate, searches: Searches) -> FittedParameter {
+    let is_told = one.verdict == Verdict::Determined;
+    FittedParameter {
+        name: one.name.clone(),
+        unit: one.unit,
+        verdict: one.verdict.to_string(),
+        value: is_told.then_some(one.value),
+        interval: (is_told && searches != Searches::Ended).then(|| one.interval()),
+        repeated: one.repeated.filter(|_| is_told),
+        text: told(one, searches),
+    }
+}

@@ -1,0 +1,76 @@
+//! Questions and answers as types of TypeScript.
+
+use std::fmt::Write;
+
+use stribeck_fit::identify;
+use stribeck_solve::{job, run};
+use ts_rs::{Config, TS};
+
+use crate::{answer, catalogue, copied, question, rig, solution, strokes, system};
+
+/// Declarations of types.
+macro_rules! declared {
+    ($($type:ty),* $(,)?) => {{
+        let config = Config::default().with_large_int("number");
+        let mut text = String::new();
+        $(let _ = write!(text, "\nexport {}\n", <$type>::decl(&config));)*
+        text
+    }};
+}
+
+/// The text of a file with all of them.
+pub fn types() -> String {
+    "/** What the library is asked and what it answers. Written by `cargo run -p stribeck-page --example types`. */\n\n\
+     export type Value = number | string | boolean;\n"
+        .to_owned()
+        + &questions()
+        + &answers()
+}
+
+/// What the page asks.
+fn questions() -> String {
+    declared!(
+        question::Question,
+        run::Configuration,
+        rig::Virtual,
+        rig::Asked,
+        rig::Texts,
+        identify::Inquiry,
+        identify::Method,
+        identify::LossChoice,
+        strokes::Strokes,
+        copied::Job,
+    )
+}
+
+/// What it is answered.
+fn answers() -> String {
+    declared!(
+        answer::Text,
+        catalogue::Catalogue,
+        catalogue::Thesis,
+        catalogue::Palette,
+        catalogue::Colours,
+        catalogue::Named,
+        catalogue::SystemEntry,
+        catalogue::Model,
+        catalogue::Preset,
+        catalogue::Described,
+        job::Choice,
+        system::Parts,
+        system::Part,
+        system::Moving,
+        system::Property,
+        solution::Solved,
+        solution::Statistics,
+        solution::Column,
+        strokes::Loop,
+        rig::Files,
+        rig::Quality,
+        rig::Fitted,
+        identify::Answer,
+        identify::FittedLaw,
+        identify::FittedParameter,
+        identify::RefusedLaw,
+    )
+}
