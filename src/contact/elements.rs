@@ -1,6 +1,6 @@
 //! Division of stiffness and strength among the elements of the Maxwell-slip laws.
 
-use crate::model::real;
+use crate::model::{Meaning, real};
 use crate::number::Scalar;
 use crate::number::elementary::pow;
 
@@ -25,9 +25,9 @@ crate::part! {
     /// Share of an element in the whole.
     Share {
         /// Stiffness of the element, relative to the sum over all elements in use.
-        stiffness_share: tunable = real("1", 0.1).positive(),
+        stiffness_share: tunable = real("1", 0.1).positive().means(Meaning::Shape),
         /// Strength of the element, relative to the sum over all elements in use.
-        strength_share: tunable = real("1", 0.1).positive(),
+        strength_share: tunable = real("1", 0.1).positive().means(Meaning::Shape),
     }
 }
 

@@ -2,7 +2,7 @@ use crate::contact::delay_line::{DelayLine, Piece};
 use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
+use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::root::first_rise;
@@ -117,7 +117,7 @@ crate::model! {
         viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
         time_lag: fixed = TIME_LAG,
         /// Dwell time after which half of the rise of the static friction has occurred (default chosen).
-        gamma: tunable = real("s", 2.0).at_least(0.0),
+        gamma: tunable = real("s", 2.0).at_least(0.0).means(Meaning::Own),
         slipping: state = SLIPPING,
         bristle_deflection: state = BRISTLE_DEFLECTION,
         /// Time since the contact got stuck; 0 while it slips.

@@ -1,7 +1,7 @@
 use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::regularised;
-use crate::model::{Fault, Model, Preset};
+use crate::model::{Fault, Meaning, Model, Preset};
 use crate::number::{Real, choose};
 
 crate::choices! {
@@ -92,7 +92,7 @@ crate::model! {
         mu_k: tunable = MU_K,
         mu_s: tunable = MU_S,
         /// Variant of the law.
-        variant: fixed = BengisuAkayVariant::Thesis.start(),
+        variant: fixed = BengisuAkayVariant::Thesis.start().means(Meaning::Variant),
         transition_slope: tunable = TRANSITION_SLOPE.start(5000.0),
         stiction_decay: tunable = STICTION_DECAY.start(500.0),
         transition_velocity: tunable = TRANSITION_VELOCITY,

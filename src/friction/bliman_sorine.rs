@@ -1,7 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Derivatives, Law, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
+use crate::model::{Derivatives, Law, Meaning, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
 use crate::number::{Real, choose};
 use crate::numerics::relaxation;
 
@@ -115,14 +115,14 @@ crate::model! {
         velocity: input = VELOCITY,
         normal_force: input = NORMAL_FORCE,
         /// Variant of the law.
-        variant: fixed = BlimanSorineOrder::Second.start(),
+        variant: fixed = BlimanSorineOrder::Second.start().means(Meaning::Variant),
         mu_k: tunable = MU_K,
         /// Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
-        mu_2: tunable = real("1", 0.273_205_080_756_887_7).at_least(0.0),
+        mu_2: tunable = real("1", 0.273_205_080_756_887_7).at_least(0.0).means(Meaning::Level),
         /// Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
-        eta: tunable = real("1", 0.5).positive().at_most(1.0),
+        eta: tunable = real("1", 0.5).positive().at_most(1.0).means(Meaning::Shape),
         /// Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
-        eps_f: tunable = real("m", 4.642_141_842_225_068e-5).positive().nominal(1e-5).shown_in("um"),
+        eps_f: tunable = real("m", 4.642_141_842_225_068e-5).positive().nominal(1e-5).shown_in("um").means(Meaning::Own),
         /// Fast relaxation, in units of its level.
         y_1: state = real("1", 0.0).reinit().odd(),
         /// Slow relaxation, in units of its level; second order.

@@ -1,6 +1,6 @@
 use crate::contact::quantities::*;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Model, Preset, integer, real};
+use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, integer, real};
 use crate::number::{Real, Scalar};
 
 /// Largest number of bristles in a contact. The authors find fewer than 50 sufficient.
@@ -126,11 +126,11 @@ crate::model! {
         mu_k: tunable = MU_K,
         mu_s: tunable = MU_S,
         /// Strain at which a bristle snaps (default f_s / sigma_0 of the thesis).
-        delta: tunable = real("m", 1.4715e-5).positive().nominal(1e-5).shown_in("um"),
+        delta: tunable = real("m", 1.4715e-5).positive().nominal(1e-5).shown_in("um").means(Meaning::Own),
         /// Number of bristles (default chosen).
-        bristle_count: fixed = integer(25).at_least(1.0).at_most(MOST as f64),
+        bristle_count: fixed = integer(25).at_least(1.0).at_most(MOST as f64).means(Meaning::Own),
         /// Seed of the random numbers.
-        seed: fixed = integer(0).at_least(0.0),
+        seed: fixed = integer(0).at_least(0.0).means(Meaning::Own),
         /// State of the bristles when the motion starts.
         initial_bonds: fixed = InitialBonds::Bonded.start(),
         /// Bristles; those beyond the count are not used.

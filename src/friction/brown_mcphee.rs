@@ -1,6 +1,6 @@
 use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
-use crate::model::{Fault, Model, real};
+use crate::model::{Fault, Meaning, Model, real};
 use crate::number::{Real, choose};
 
 crate::model! {
@@ -79,7 +79,7 @@ crate::model! {
         transition_velocity: tunable = TRANSITION_VELOCITY,
         viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
         /// Normal force at which the viscous part is fully active (default chosen).
-        transition_normal_force: tunable = real("N", 1.0).positive(),
+        transition_normal_force: tunable = real("N", 1.0).positive().means(Meaning::Own),
         /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         dissipated_energy: state_output = DISSIPATED_ENERGY,

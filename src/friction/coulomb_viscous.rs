@@ -1,7 +1,7 @@
 use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::viscous;
-use crate::model::{Model, real};
+use crate::model::{Meaning, Model, real};
 use crate::number::{Real, choose};
 
 crate::choices! {
@@ -90,10 +90,10 @@ crate::model! {
         external_force: input = EXTERNAL_FORCE,
         mu_k: tunable = MU_K,
         /// Variant of the law.
-        variant: fixed = CoulombViscousVariant::Linear.start(),
+        variant: fixed = CoulombViscousVariant::Linear.start().means(Meaning::Variant),
         viscous_coefficient: tunable = VISCOUS_COEFFICIENT.start(0.1),
         /// Exponent of the viscous part.
-        viscous_exponent: tunable = real("1", 1.0).positive(),
+        viscous_exponent: tunable = real("1", 1.0).positive().means(Meaning::Shape),
         /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         dissipated_energy: state_output = DISSIPATED_ENERGY,

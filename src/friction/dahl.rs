@@ -1,7 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
 use crate::number::{Mask, Real, choose};
 
 crate::model! {
@@ -82,7 +82,7 @@ crate::model! {
         mu_k: tunable = MU_K,
         sigma_0: tunable = SIGMA_0,
         /// Exponent of the transition to sliding; below 1 brittle, from 1 on ductile.
-        alpha: tunable = real("1", 1.0).at_least(0.0),
+        alpha: tunable = real("1", 1.0).at_least(0.0).means(Meaning::Shape),
         bristle_deflection: state = BRISTLE_DEFLECTION.reinit(),
         dissipated_energy: state_output = DISSIPATED_ENERGY,
         friction_force: output = FRICTION_FORCE,

@@ -1,7 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Derivatives, Law, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
+use crate::model::{Derivatives, Law, Meaning, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
 use crate::number::{Real, choose};
 use crate::numerics::relaxation;
 
@@ -73,7 +73,7 @@ crate::model! {
         normal_force: input = NORMAL_FORCE,
         mu_k: tunable = MU_K,
         /// Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
-        delta_t: tunable = real("m", 9.81e-6).positive().nominal(1e-5).shown_in("um"),
+        delta_t: tunable = real("m", 9.81e-6).positive().nominal(1e-5).shown_in("um").means(Meaning::Own),
         bristle_deflection: state = BRISTLE_DEFLECTION.reinit(),
         dissipated_energy: state_output = DISSIPATED_ENERGY,
         friction_force: output = FRICTION_FORCE,

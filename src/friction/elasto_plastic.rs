@@ -2,7 +2,7 @@ use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, integer};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, integer};
 use crate::number::elementary::{exp, exp_m1, ln, ln_1p, pow, sin};
 use crate::number::{Mask, Real, Scalar};
 use crate::numerics::quadrature;
@@ -113,7 +113,7 @@ crate::model! {
         stribeck_exponent: tunable = STRIBECK_EXPONENT,
         breakaway_ratio: tunable = BREAKAWAY_RATIO,
         /// Exponent of the transition from elastic deflection to sliding; odd.
-        plastic_exponent: tunable = integer(1).at_least(1.0).at_most(9.0),
+        plastic_exponent: tunable = integer(1).at_least(1.0).at_most(9.0).means(Meaning::Shape),
         sigma_0: tunable = SIGMA_0,
         sigma_1: tunable = SIGMA_1,
         viscous_coefficient: tunable = VISCOUS_COEFFICIENT.start(0.1),

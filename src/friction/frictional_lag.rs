@@ -3,7 +3,7 @@ use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Model, Preset, boolean};
+use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, boolean};
 use crate::number::elementary::{exp_m1, ln_1p, pow};
 use crate::number::{Mask, Scalar};
 use crate::numerics::quadrature::integral_past_peak;
@@ -115,7 +115,7 @@ crate::model! {
         viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
         time_lag: fixed = TIME_LAG,
         /// Variant of the law.
-        variant: fixed = FrictionalLagVariant::Delay.start(),
+        variant: fixed = FrictionalLagVariant::Delay.start().means(Meaning::Variant),
         /// Does the contact have a past? Without one the level follows the present velocity.
         has_past: state = boolean(false),
         lagged_velocity: state = LAGGED_VELOCITY,

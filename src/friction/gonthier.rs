@@ -1,7 +1,7 @@
 use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, real};
 use crate::number::elementary::{exp, exp_m1, ln};
 use crate::number::{Mask, Real};
 
@@ -103,7 +103,7 @@ crate::model! {
         sigma_1: tunable = SIGMA_1.positive(),
         viscous_coefficient: tunable = VISCOUS_COEFFICIENT.start(0.1),
         /// Time constant with which the static level rises at rest.
-        dwell_time_constant: tunable = real("s", 2.0).positive(),
+        dwell_time_constant: tunable = real("s", 2.0).positive().means(Meaning::Own),
         bristle_deflection: state = BRISTLE_DEFLECTION.reinit(),
         /// Memory of the time at rest: 0 after sliding, 1 after a long rest.
         dwell: state = real("1", 0.0).at_least(0.0).at_most(1.0).reinit(),

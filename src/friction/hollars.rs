@@ -1,6 +1,6 @@
 use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
-use crate::model::{Fault, Model, Preset, real};
+use crate::model::{Fault, Meaning, Model, Preset, real};
 use crate::number::Real;
 
 crate::model! {
@@ -76,7 +76,7 @@ crate::model! {
         mu_s: tunable = MU_S,
         transition_velocity: tunable = TRANSITION_VELOCITY,
         /// Viscous coefficient of friction, per normal force.
-        mu_v: tunable = real("s/m", 0.0).at_least(0.0),
+        mu_v: tunable = real("s/m", 0.0).at_least(0.0).means(Meaning::GrowsWithSpeed),
         /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         dissipated_energy: state_output = DISSIPATED_ENERGY,

@@ -3,7 +3,7 @@ use crate::contact::elements::{self, Division, Ramp, Share};
 use crate::contact::quantities::*;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
+use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, real};
 use crate::number::elementary::{exp_m1, pow};
 use crate::number::{Mask, Real, Scalar};
 use crate::numerics::approach;
@@ -117,9 +117,9 @@ crate::model! {
         sigma_1: tunable = SIGMA_1,
         viscous_coefficient: tunable = VISCOUS_COEFFICIENT.start(0.1),
         /// Exponent of the approach to the steady level (default chosen).
-        approach_exponent: tunable = real("1", 1.0).at_least(0.1),
+        approach_exponent: tunable = real("1", 1.0).at_least(0.1).means(Meaning::Shape),
         /// Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
-        hysteresis_strength: tunable = real("1", 1.2).positive(),
+        hysteresis_strength: tunable = real("1", 1.2).positive().means(Meaning::Strength),
         distribution: fixed = DISTRIBUTION,
         element_count: fixed = ELEMENT_COUNT,
         /// Elements; those beyond element_count are not used.

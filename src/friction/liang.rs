@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use crate::contact::quantities::*;
 use crate::contact::turning;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
+use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, real};
 use crate::number::{Decision, Mask, Scalar};
 use crate::numerics::root;
 use crate::numerics::vector::{Component, direction, in_plane, length, remainder, turned_into};
@@ -134,7 +134,7 @@ crate::model! {
         sigma_0: tunable = SIGMA_0,
         sigma_1: tunable = SIGMA_1,
         /// Variant of the law.
-        variant: fixed = LiangVariant::RadialReturn.start(),
+        variant: fixed = LiangVariant::RadialReturn.start().means(Meaning::Variant),
         bristle_deflection_x: state = BRISTLE_DEFLECTION_X,
         bristle_deflection_y: state = BRISTLE_DEFLECTION_Y,
         /// Elastic deflection of the bristles, component z.

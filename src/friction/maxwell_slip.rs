@@ -2,7 +2,7 @@ use crate::contact::elements::{self, Division, ElementDistribution, Ramp, Share}
 use crate::contact::quantities::*;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{self, CoSimulation, Fault, Law, Model, Preset, Width, boolean, real};
+use crate::model::{self, CoSimulation, Fault, Law, Meaning, Model, Preset, Width, boolean, real};
 use crate::number::elementary::exp_m1;
 use crate::number::{Mask, Real, Scalar};
 use crate::numerics::relaxation;
@@ -151,7 +151,7 @@ crate::model! {
         sigma_1: tunable = SIGMA_1.start(0.0),
         viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
         /// Rate at which the slipping elements together approach their level (default chosen).
-        attraction: tunable = real("N/s", 1000.0).positive().nominal(1000.0),
+        attraction: tunable = real("N/s", 1000.0).positive().nominal(1000.0).means(Meaning::Own),
         distribution: fixed = DISTRIBUTION,
         element_count: fixed = ELEMENT_COUNT.at_most(MOST as f64),
         /// Elements; those beyond element_count are not used.

@@ -44,3 +44,13 @@ crate::model::family! {
     elasto_plastic_planar::ElastoPlasticPlanar,
     rolling_resistance::RollingResistance,
 }
+
+// What a parameter is for decides its carrier in a strut and its range in a fit: a law that does not say it does not
+// compile.
+const _: () = {
+    let mut law = 0;
+    while law < TABLES.len() {
+        assert!(crate::model::is_declared(TABLES[law]), "a parameter of a law has no meaning: see Column::means");
+        law += 1;
+    }
+};

@@ -3,7 +3,7 @@ use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
 use crate::laws::branches;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
+use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 
@@ -89,11 +89,11 @@ crate::model! {
         mu_k: tunable = MU_K,
         mu_s: tunable = MU_S,
         /// Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
-        mu_stop: tunable = real("1", 0.0).at_least(0.0),
+        mu_stop: tunable = real("1", 0.0).at_least(0.0).means(Meaning::Level),
         /// Steepness of the curve while speeding up (default chosen).
-        acceleration_decay: tunable = real("s/m", 500.0).positive().nominal(500.0),
+        acceleration_decay: tunable = real("s/m", 500.0).positive().nominal(500.0).means(Meaning::Own),
         /// Steepness of the curve while slowing down (default chosen).
-        deceleration_decay: tunable = real("s/m", 500.0).positive().nominal(500.0),
+        deceleration_decay: tunable = real("s/m", 500.0).positive().nominal(500.0).means(Meaning::Own),
         dissipated_energy: state_output = DISSIPATED_ENERGY,
         friction_force: output = FRICTION_FORCE,
         dissipated_power: output = DISSIPATED_POWER,

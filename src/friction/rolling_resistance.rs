@@ -1,6 +1,6 @@
 use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
-use crate::model::{Model, real};
+use crate::model::{Meaning, Model, real};
 use crate::number::Real;
 
 crate::model! {
@@ -82,9 +82,9 @@ crate::model! {
         normal_force: input = NORMAL_FORCE,
         external_force: input = EXTERNAL_FORCE,
         /// Distance of the normal force ahead of the wheel's centre (default chosen).
-        lever_arm: tunable = real("m", 0.003).at_least(0.0).nominal(1e-3).shown_in("mm"),
+        lever_arm: tunable = real("m", 0.003).at_least(0.0).nominal(1e-3).shown_in("mm").means(Meaning::Own),
         /// Radius of the wheel (default chosen).
-        wheel_radius: tunable = real("m", 0.3).positive(),
+        wheel_radius: tunable = real("m", 0.3).positive().means(Meaning::Own),
         /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         dissipated_energy: state_output = DISSIPATED_ENERGY,

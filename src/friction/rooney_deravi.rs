@@ -1,6 +1,6 @@
 use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
-use crate::model::{Model, Preset};
+use crate::model::{Meaning, Model, Preset};
 use crate::number::{Real, choose};
 
 crate::choices! {
@@ -88,7 +88,7 @@ crate::model! {
         external_force: input = EXTERNAL_FORCE,
         mu_k: tunable = MU_K,
         /// Variant of the law.
-        variant: fixed = RooneyDeraviVariant::Linear.start(),
+        variant: fixed = RooneyDeraviVariant::Linear.start().means(Meaning::Variant),
         transition_velocity: tunable = TRANSITION_VELOCITY,
         /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),

@@ -1,7 +1,7 @@
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::specker::SpeckerCurve;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
 use crate::number::{Real, choose};
 use crate::numerics::relaxation;
 
@@ -95,7 +95,7 @@ crate::model! {
         viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
         sigma_0: tunable = SIGMA_0,
         /// Time constant of the force while sliding (default chosen).
-        slip_time: tunable = real("s", 0.001).positive().nominal(1e-3).shown_in("ms"),
+        slip_time: tunable = real("s", 0.001).positive().nominal(1e-3).shown_in("ms").means(Meaning::Own),
         /// Friction force behind the low-pass.
         lagging_force: state = real("N", 0.0).reinit().odd(),
         dissipated_energy: state_output = DISSIPATED_ENERGY,

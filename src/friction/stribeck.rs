@@ -1,7 +1,7 @@
 use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::{stribeck, viscous};
-use crate::model::{Fault, Model, real};
+use crate::model::{Fault, Meaning, Model, real};
 use crate::number::{Real, choose};
 
 crate::choices! {
@@ -117,7 +117,7 @@ crate::model! {
         stribeck_exponent: tunable = STRIBECK_EXPONENT,
         viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
         /// Quadratic friction coefficient; used by PoppStelter.
-        quadratic_coefficient: tunable = real("N.s2/m2", 0.0).at_least(0.0),
+        quadratic_coefficient: tunable = real("N.s2/m2", 0.0).at_least(0.0).means(Meaning::GrowsWithSpeed),
         /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         dissipated_energy: state_output = DISSIPATED_ENERGY,

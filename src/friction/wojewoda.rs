@@ -3,7 +3,7 @@ use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
 use crate::laws::branches;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
+use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::root::first_rise;
@@ -113,7 +113,7 @@ crate::model! {
         mu_s: tunable = MU_S,
         sigma_0: tunable = SIGMA_0,
         /// Steepness of the curves for speeding up and slowing down (default chosen).
-        branch_decay: tunable = real("s/m", 500.0).positive().nominal(500.0),
+        branch_decay: tunable = real("s/m", 500.0).positive().nominal(500.0).means(Meaning::Own),
         slipping: state = SLIPPING,
         bristle_deflection: state = BRISTLE_DEFLECTION,
         dissipated_energy: state_output = DISSIPATED_ENERGY,

@@ -1,5 +1,5 @@
 use crate::host::oscillator::undamped;
-use crate::model::{Derivatives, Law, Model, ModelExchange, ramp, real};
+use crate::model::{Derivatives, Law, Meaning, Model, ModelExchange, ramp, real};
 use crate::number::Real;
 
 crate::model! {
@@ -71,11 +71,11 @@ crate::model! {
         /// Position of the slide.
         position: state_output = real("m", 0.0).nominal(1e-2),
         /// Velocity of the slide.
-        velocity: state_output = real("m/s", 0.0).nominal(0.1),
+        velocity: state_output = real("m/s", 0.0).nominal(0.1).means(Meaning::Velocity),
         /// Force that moves the slide.
         external_force: output = real("N", 0.0),
         /// Sum of the normal forces of the guides.
-        normal_force: output = real("N", 0.0),
+        normal_force: output = real("N", 0.0).means(Meaning::NormalForce),
     }
 }
 

@@ -1,6 +1,6 @@
 use crate::host::oscillator::undamped;
 use crate::host::vertical::GRAVITY;
-use crate::model::{Derivatives, Law, Model, ModelExchange, ramp, real};
+use crate::model::{Derivatives, Law, Meaning, Model, ModelExchange, ramp, real};
 use crate::number::Real;
 
 crate::model! {
@@ -80,11 +80,11 @@ crate::model! {
         /// Velocity of the block.
         block_velocity: state_output = real("m/s", 0.1),
         /// Velocity of the block relative to the belt.
-        velocity: output = real("m/s", 0.0),
+        velocity: output = real("m/s", 0.0).means(Meaning::Velocity),
         /// Spring force and force of inertia on the block, in the frame of the belt.
         external_force: output = real("N", 0.0),
         /// Weight of the block on the belt.
-        normal_force: output = real("N", 0.0),
+        normal_force: output = real("N", 0.0).means(Meaning::NormalForce),
     }
 }
 

@@ -1,6 +1,6 @@
 use crate::host::oscillator::undamped;
 use crate::host::vertical::GRAVITY;
-use crate::model::{Derivatives, Law, Model, ModelExchange, real};
+use crate::model::{Derivatives, Law, Meaning, Model, ModelExchange, real};
 use crate::number::Real;
 
 crate::model! {
@@ -70,13 +70,13 @@ crate::model! {
         /// Velocity of the block.
         block_velocity: state_output = real("m/s", 0.1),
         /// Velocity of the block relative to the belt.
-        velocity: output = real("m/s", 0.0),
+        velocity: output = real("m/s", 0.0).means(Meaning::Velocity),
         /// Spring force on the block.
         external_force: output = real("N", 0.0),
         /// Acceleration of gravity.
         gravity: tunable = real("m/s2", GRAVITY).at_least(0.0),
         /// Weight of the block on the belt.
-        normal_force: output = real("N", 0.0),
+        normal_force: output = real("N", 0.0).means(Meaning::NormalForce),
     }
 }
 

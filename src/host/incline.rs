@@ -2,7 +2,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::host::oscillator::undamped;
 use crate::host::vertical::GRAVITY;
-use crate::model::{Derivatives, Law, Model, ModelExchange, ramp, real};
+use crate::model::{Derivatives, Law, Meaning, Model, ModelExchange, ramp, real};
 use crate::number::Real;
 use crate::number::elementary::cos;
 
@@ -76,11 +76,11 @@ crate::model! {
         /// Position of the block, positive down the slope.
         position: state_output = real("m", 0.0).nominal(1e-2),
         /// Velocity of the block, positive down the slope.
-        velocity: state_output = real("m/s", 0.0).nominal(0.1),
+        velocity: state_output = real("m/s", 0.0).nominal(0.1).means(Meaning::Velocity),
         /// Weight of the block along the plane.
         external_force: output = real("N", 0.0),
         /// Weight of the block across the plane.
-        normal_force: output = real("N", 0.0),
+        normal_force: output = real("N", 0.0).means(Meaning::NormalForce),
     }
 }
 

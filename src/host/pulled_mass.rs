@@ -1,6 +1,6 @@
 use crate::host::oscillator::damped;
 use crate::host::vertical::GRAVITY;
-use crate::model::{Derivatives, Law, Model, ModelExchange, ramp, real};
+use crate::model::{Derivatives, Law, Meaning, Model, ModelExchange, ramp, real};
 use crate::number::Real;
 
 crate::model! {
@@ -80,13 +80,13 @@ crate::model! {
         /// Position of the mass.
         position: state_output = real("m", 0.0).nominal(1e-2),
         /// Velocity of the mass.
-        velocity: state_output = real("m/s", 0.0).nominal(0.1),
+        velocity: state_output = real("m/s", 0.0).nominal(0.1).means(Meaning::Velocity),
         /// Elongation of the spring.
         elongation: state_output = real("m", 0.0).nominal(1e-2),
         /// Force of spring and damper on the mass.
         external_force: output = real("N", 0.0),
         /// Weight of the mass.
-        normal_force: output = real("N", 0.0),
+        normal_force: output = real("N", 0.0).means(Meaning::NormalForce),
     }
 }
 

@@ -1,6 +1,6 @@
 use crate::host::oscillator::undamped;
 use crate::host::vertical::GRAVITY;
-use crate::model::{Derivatives, Law, Model, ModelExchange, ramp, real};
+use crate::model::{Derivatives, Law, Meaning, Model, ModelExchange, ramp, real};
 use crate::number::Real;
 
 crate::model! {
@@ -90,11 +90,11 @@ crate::model! {
         /// Velocity of block 2.
         velocity_2: state_output = real("m/s", 0.0).nominal(0.1),
         /// Velocity of block 1 relative to block 2.
-        velocity: output = real("m/s", 0.0),
+        velocity: output = real("m/s", 0.0).means(Meaning::Velocity),
         /// Force that the contact must carry so that both blocks move together.
         external_force: output = real("N", 0.0),
         /// Weight of block 1 on block 2.
-        normal_force: output = real("N", 0.0),
+        normal_force: output = real("N", 0.0).means(Meaning::NormalForce),
         /// Effective mass of the relative motion.
         effective_mass: output = real("kg", 1.0),
     }

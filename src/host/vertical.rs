@@ -2,7 +2,7 @@
 //!
 //! All heights are deviations from rest, positive up. Axes as in ISO 8855: x forward, y left, z up.
 
-use crate::model::{Fault, real};
+use crate::model::{Fault, Meaning, real};
 use crate::number::{Mask, Scalar};
 
 /// Acceleration of gravity in m/s2, as in the benchmark of the friction models (9.81 N for 1 kg).
@@ -38,7 +38,7 @@ crate::part! {
         /// Length of the strut, eye to eye.
         length: output = real("m", 0.1775).shown_in("mm"),
         /// Rate of the strut's length; positive as it extends.
-        velocity: output = real("m/s", 0.0),
+        velocity: output = real("m/s", 0.0).means(Meaning::Velocity),
         /// Vertical force of the tyre on the ground; 0 while the wheel is off the ground.
         tyre_load: output = real("N", 0.0),
     }

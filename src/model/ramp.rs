@@ -13,7 +13,7 @@
 //! is the slope of the chord to the approximate new value of y.
 
 use crate::model::row::{view, view_mut};
-use crate::model::{Model, Path, Role, Table, Variable, is_for_exchange, row_of, row_of_mut};
+use crate::model::{Meaning, Model, Role, Table, Variable, column_of, is_for_exchange, row_of, row_of_mut};
 use crate::number::elementary::{exp, exp_m1, pow, square};
 
 /// Error allowed in a piece, relative to the larger of the state and its nominal value (chosen). It is the error of a
@@ -58,7 +58,8 @@ const MOST: usize = 2;
 
 /// Whether the variable is a continuous state, the energy excluded.
 const fn is_followed(variable: &Variable) -> bool {
-    variable.is_continuous_state() && !variable.path.is(&Path::root("dissipated_energy"))
+    variable.is_continuous_state()
+        && !(matches!(variable.meaning, Meaning::Energy) && variable.path.segments().len() == 1)
 }
 
 /// Columns of a model used here.
@@ -89,12 +90,12 @@ impl Columns {
             }
             column += 1;
         }
-        let plane = match (named(declared, "velocity_x"), named(declared, "velocity_y")) {
-            (Some(x), Some(y)) => Some([x, y]),
-            _ => None,
+        let [energy, normal_force] = [column_of(declared, Meaning::Energy), column_of(declared, Meaning::NormalForce)];
+        let (velocity, plane) = match (column_of(declared, Meaning::Velocity), column_of(declared, Meaning::VelocityY))
+        {
+            (Some(x), Some(y)) => (None, Some([x, y])),
+            (along, _) => (along, None),
         };
-        let [energy, velocity] = [named(declared, "dissipated_energy"), named(declared, "velocity")];
-        let normal_force = named(declared, "normal_force");
         Columns { table, inputs, states, count, energy, velocity, normal_force, plane }
     }
 
@@ -128,17 +129,6 @@ impl Inputs {
         Of::<M>::COLUMNS.inputs.iter().zip(&mut values).for_each(|(column, value)| *value = row_of(model)[column]);
         Inputs(values)
     }
-}
-
-const fn named(table: &[Variable], name: &'static str) -> Option<usize> {
-    let mut column = 0;
-    while column < table.len() {
-        if table[column].path.is(&Path::root(name)) {
-            return Some(column);
-        }
-        column += 1;
-    }
-    None
 }
 
 /// Equations of a model on its row. What is done with them is not compiled again for each model.

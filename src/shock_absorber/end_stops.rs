@@ -1,4 +1,4 @@
-use crate::model::{Derivatives, Law, Model, ModelExchange, boolean, real};
+use crate::model::{Derivatives, Law, Meaning, Model, ModelExchange, boolean, real};
 use crate::number::{Mask, Scalar};
 
 crate::choices! {
@@ -157,7 +157,7 @@ crate::model! {
         /// Compression from full extension.
         compression: input = real("m", 0.0).shown_in("mm"),
         /// Velocity of extension.
-        velocity: input = real("m/s", 0.0),
+        velocity: input = real("m/s", 0.0).means(Meaning::Velocity),
         /// Bump stop.
         bump: BumpStop,
         /// Rebound stop.

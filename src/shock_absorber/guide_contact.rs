@@ -3,7 +3,7 @@ use std::ops::Range;
 
 use crate::contact::ExchangeOrder;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Model, Width, boolean, choice, real};
+use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Width, boolean, choice, real};
 use crate::number::{Decision, Mask, Scalar};
 use crate::shock_absorber::law::{Answer, ChosenLaw, Evaluate, Given, MOST_EVENTS};
 use crate::shock_absorber::law_list::{FRICTION_MODEL, LUGRE};
@@ -417,11 +417,11 @@ crate::model! {
     /// ```
     GuideContact: "Friction of a rod in its guide, by any law of the catalogue" {
         /// Axial velocity of the rod relative to the guide.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        velocity: input = real("m/s", 0.0).shown_in("mm/s").means(Meaning::Velocity),
         /// Spin of the rod relative to the guide.
         spin_rate: input = real("rad/s", 0.0),
         /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 0.0).at_least(0.0),
+        normal_force: input = real("N", 0.0).at_least(0.0).means(Meaning::NormalForce),
         /// All other axial forces on the rod; only for laws that hold a load at rest.
         external_force: input = real("N", 0.0),
         /// Time derivative of the velocity; only for laws that use it.
@@ -437,7 +437,7 @@ crate::model! {
         /// Has the run begun?
         started: state = boolean(false).hidden(),
         /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0),
+        dissipated_energy: state_output = real("J", 0.0).means(Meaning::Energy),
         /// Axial friction force; has the sign of the velocity when sliding.
         friction_force: output = real("N", 0.0),
         /// Friction torque about the axis; has the sign of the spin rate when sliding.

@@ -1,5 +1,5 @@
 use crate::model::ramp;
-use crate::model::{Column, Derivatives, Fault, Law, Model, ModelExchange, boolean, integer, real};
+use crate::model::{Column, Derivatives, Fault, Law, Meaning, Model, ModelExchange, boolean, integer, real};
 use crate::number::{Dual, Mask, Scalar};
 use crate::numerics::interpolation::Curve;
 use crate::numerics::root;
@@ -289,7 +289,7 @@ crate::model! {
     /// ```
     HydraulicDamper: "Hydraulic damper, linear, degressive or from a table" {
         /// Velocity of extension.
-        velocity: input = real("m/s", 0.0),
+        velocity: input = real("m/s", 0.0).means(Meaning::Velocity),
         /// Characteristic.
         damper: Hydraulics,
         /// Largest internal step (default chosen).
@@ -297,7 +297,7 @@ crate::model! {
         /// Velocity of the piston behind the series stiffness; the velocity itself if there is none.
         piston_velocity: state = real("m/s", 0.0),
         /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0),
+        dissipated_energy: state_output = real("J", 0.0).means(Meaning::Energy),
         /// Force of the damper; positive pushes its ends apart.
         force: output = real("N", 0.0),
         /// Power taken out of the motion.

@@ -3,7 +3,7 @@
 //! They are those models of sliding friction that are scalar, so that a new law can be chosen without any further code.
 
 use crate::friction::{MODELS, TABLES};
-use crate::model::{Enumeration, Item, ModelType, Variable};
+use crate::model::{Enumeration, Item, Meaning, ModelType, Variable, column_of};
 use crate::unit::same;
 
 /// A law with its table as it was declared.
@@ -19,22 +19,19 @@ impl Declared {
     }
 }
 
-/// Whether the law is one of sliding along a line, whose level the contact sets by the coefficient of friction.
-const fn is_scalar(law: Declared) -> bool {
-    column(law, "velocity").is_some() && column(law, "friction_force").is_some() && column(law, "mu_k").is_some()
+/// Whether a contact of the law slides along a line.
+const fn is_along(law: Declared) -> bool {
+    column(law, Meaning::Velocity).is_some() && column(law, Meaning::VelocityY).is_none()
 }
 
-/// Column named `name`, not within a part.
-pub(super) const fn column(law: Declared, name: &str) -> Option<usize> {
-    let mut at = 0;
-    while at < law.table.len() {
-        let segments = law.table[at].path.segments();
-        if segments.len() == 1 && same(segments[0].name, name) {
-            return Some(at);
-        }
-        at += 1;
-    }
-    None
+/// Whether the law is one of sliding along a line, whose level the contact sets by the coefficient of friction.
+const fn is_scalar(law: Declared) -> bool {
+    is_along(law) && column(law, Meaning::FrictionForce).is_some() && column(law, Meaning::KineticLevel).is_some()
+}
+
+/// Column that plays a part, not within a part of the law.
+pub(super) const fn column(law: Declared, meaning: Meaning) -> Option<usize> {
+    column_of(law.table, meaning)
 }
 
 /// Number of laws.
@@ -98,18 +95,25 @@ pub(super) const fn position(name: &str) -> usize {
 }
 
 /// Columns that a contact provides to its law, in the order of [`Given::values`](super::law::Given::values).
-const GIVEN: [&str; 8] =
-    ["velocity", "normal_force", "mu_k", "mu_s", "mass", "exchange", "external_force", "acceleration"];
+const GIVEN: [Meaning; 8] = [
+    Meaning::Velocity,
+    Meaning::NormalForce,
+    Meaning::KineticLevel,
+    Meaning::StaticLevel,
+    Meaning::Mass,
+    Meaning::Exchange,
+    Meaning::ExternalForce,
+    Meaning::Acceleration,
+];
 
 /// Number of columns that a contact provides.
 pub(super) const GIVENS: usize = GIVEN.len();
 
 /// Which of the quantities of a contact the variable is, if it is one.
 pub(super) const fn given(variable: &Variable) -> Option<usize> {
-    let segments = variable.path.segments();
     let mut at = 0;
     while at < GIVENS {
-        if segments.len() == 1 && same(segments[0].name, GIVEN[at]) {
+        if variable.path.segments().len() == 1 && variable.meaning as u8 == GIVEN[at] as u8 {
             return Some(at);
         }
         at += 1;

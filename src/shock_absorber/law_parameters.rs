@@ -1,8 +1,7 @@
 //! Parameters of all friction laws, as offered by a contact.
 
-use crate::model::{Columns, Path, Segment, Variable, Width};
+use crate::model::{Columns, Meaning, Path, Segment, Variable, Width};
 use crate::shock_absorber::law_list::{COUNT, Declared, LAWS, WIDEST, given, position};
-use crate::unit::same;
 
 /// Largest number of Maxwell-slip elements of a law here.
 const ELEMENTS: u16 = 16;
@@ -74,10 +73,10 @@ impl<const LAWS: usize> Merged<LAWS> {
         if self.is_own(variable) {
             offered.path = variable.path.within(Segment { name: law, index: 0 });
         }
-        if same(variable.path.segments()[0].name, "element_count") {
+        if matches!(variable.meaning, Meaning::ElementCount) {
             offered.bound = variable.bound.up_to(ELEMENTS as f64);
         }
-        if same(variable.path.segments()[0].name, "stribeck_velocity") {
+        if matches!(variable.meaning, Meaning::FallSpeed) {
             offered.help = STRIBECK_VELOCITY;
         }
         offered
@@ -88,7 +87,7 @@ impl<const LAWS: usize> Merged<LAWS> {
     const fn is_own(&self, variable: &Variable) -> bool {
         let shared = self.find(&variable.path);
         shared < self.count && self.variables[shared].start != variable.start
-            || same(variable.path.segments()[0].name, "variant")
+            || matches!(variable.meaning, Meaning::Variant)
     }
 
     /// Place of a name; the number of names if it is not there.
@@ -154,19 +153,19 @@ mod tests {
         /// A law that no one has thought of, behind all others.
         Newcomer: "Law of a later version" {
             /// Velocity.
-            velocity: input = real("m/s", 0.0),
+            velocity: input = real("m/s", 0.0).means(Meaning::Velocity),
             /// Stiffness, with a start value of its own.
-            sigma_0: tunable = real("N/m", 7.0),
+            sigma_0: tunable = real("N/m", 7.0).means(Meaning::Stiffness),
             /// Parameter that no law has.
-            novelty: tunable = real("1", 0.5),
+            novelty: tunable = real("1", 0.5).means(Meaning::Own),
             /// More numbers than any law remembers.
             past: [state; 200] = [real("N", 0.0).discrete(); 200],
             /// Dissipated energy.
-            dissipated_energy: state_output = real("J", 0.0),
+            dissipated_energy: state_output = real("J", 0.0).means(Meaning::Energy),
             /// Friction force.
-            friction_force: output = real("N", 0.0),
+            friction_force: output = real("N", 0.0).means(Meaning::FrictionForce),
             /// Is the contact sticking?
-            sticking: output = crate::model::boolean(false),
+            sticking: output = crate::model::boolean(false).means(Meaning::Sticking),
         }
     }
 

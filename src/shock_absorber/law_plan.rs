@@ -1,13 +1,13 @@
 //! Where the columns of a law's row come from: worked out for each law while the library is compiled.
 
-use crate::model::{Column, Kind, ModelType, Variable, real};
+use crate::model::{Column, Kind, Meaning, ModelType, Variable, real};
 use crate::shock_absorber::law_list::{COUNT, Declared, GIVENS, LAWS, WIDEST, column, given};
 use crate::shock_absorber::law_parameters::place_of;
 use crate::unit::same;
 
 /// Whether the variable is a state of the law. The energy is summed by the contact.
 const fn is_remembered(variable: &Variable) -> bool {
-    variable.role.is_state() && !same(variable.path.segments()[0].name, "dissipated_energy")
+    variable.role.is_state() && !matches!(variable.meaning, Meaning::Energy)
 }
 
 /// Whether an importer that integrates the states itself integrates this one.
@@ -245,22 +245,22 @@ const fn plan(at: usize, firsts: [u16; KINDS + 1]) -> Plan {
         memory: Links(firsts[1], firsts[2]),
         starts: Links(firsts[2], firsts[3]),
         elements: Links(firsts[3], firsts[4]),
-        friction_force: named(law, "friction_force"),
-        sticking: named(law, "sticking"),
-        dissipated_energy: named(law, "dissipated_energy"),
+        friction_force: named(law, Meaning::FrictionForce),
+        sticking: named(law, Meaning::Sticking),
+        dissipated_energy: named(law, Meaning::Energy),
         viscous: viscous(at),
         carrier: carrier(law),
         memory_in_use,
     }
 }
 
-const fn named(law: Declared, name: &str) -> usize {
-    column(law, name).expect("every law has a force, says whether it sticks and counts its energy")
+const fn named(law: Declared, meaning: Meaning) -> usize {
+    column(law, meaning).expect("every law has a force, says whether it sticks and counts its energy")
 }
 
 /// Place of the viscous coefficient of a law.
 const fn viscous(law: usize) -> Option<usize> {
-    match column(LAWS[law], "viscous_coefficient") {
+    match column(LAWS[law], Meaning::Viscous) {
         Some(at) => match SOURCES[law][at] {
             Source::Parameter(place) => Some(place as usize),
             _ => None,
@@ -283,11 +283,11 @@ const fn carrier(law: Declared) -> Carrier {
     while at < law.table.len() {
         if is_carried_force(&law.table[at]) {
             let is_element = law.table[at].path.segments()[0].index > 0;
-            return if is_element { Carrier::Elements(column(law, "hysteresis_strength")) } else { Carrier::Force(at) };
+            return if is_element { Carrier::Elements(column(law, Meaning::Strength)) } else { Carrier::Force(at) };
         }
         at += 1;
     }
-    match (column(law, "bristle_deflection"), column(law, "sigma_0")) {
+    match (column(law, Meaning::Deflection), column(law, Meaning::Stiffness)) {
         (Some(deflection), Some(stiffness)) => Carrier::Deflection(deflection, stiffness),
         _ => Carrier::Share,
     }

@@ -1,7 +1,7 @@
 //! Everything on which the forces of a strut depend, except its states, and the quantities derived from it at an
 //! instant.
 
-use crate::model::real;
+use crate::model::{Meaning, real};
 use crate::number::{Mask, Scalar};
 use crate::shock_absorber::coil_spring::Coil;
 use crate::shock_absorber::damper_temperature::Heating;
@@ -105,7 +105,7 @@ crate::part! {
         /// Distance of the eyes, or travel of the host: see adapter.
         length: input = real("m", 0.1775).shown_in("mm"),
         /// Time derivative of the length; positive in extension.
-        velocity: input = real("m/s", 0.0),
+        velocity: input = real("m/s", 0.0).means(Meaning::Velocity),
         /// Load across the axis.
         load: (SideLoad),
         /// Spin of the rod relative to the tube, about the axis from tube to rod.

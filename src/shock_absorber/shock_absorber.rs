@@ -2,7 +2,7 @@ use std::mem::offset_of;
 use std::ops::Range;
 
 use crate::model::ramp;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, boolean, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, boolean, real};
 use crate::number::Mask;
 use crate::shock_absorber::guide_contact::Touch;
 use crate::shock_absorber::law::{Answer, Evaluate, MOST_EVENTS};
@@ -164,7 +164,7 @@ crate::model! {
         /// Temperature of the damper.
         temperature: state_output = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
         /// Energy taken out of the motion by friction and damper since the start.
-        dissipated_energy: state_output = real("J", 0.0),
+        dissipated_energy: state_output = real("J", 0.0).means(Meaning::Energy),
         /// Force of the strut; positive pushes the eyes apart.
         force: output = real("N", 0.0),
         /// The same with the opposite sign: positive pulls the eyes together.

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use super::{BaseType, Bound, Computed, Enumeration, Kind, Path, Role, Segment, Variable};
+use super::{BaseType, Bound, Computed, Enumeration, Kind, Meaning, Path, Role, Segment, Variable};
 use crate::unit::{self, UNITS};
 
 /// The table of a model.
@@ -31,6 +31,7 @@ pub struct Packed {
     role: Role,
     kind: Tag,
     flags: u8,
+    meaning: Meaning,
 }
 
 /// A [`Kind`]; units and choices by their places.
@@ -60,6 +61,7 @@ impl Packed {
         role: Role::Output,
         kind: Tag::Integer,
         flags: 0,
+        meaning: Meaning::Undeclared,
     };
 }
 
@@ -76,7 +78,7 @@ impl Table {
 
     /// The variable of a column. Panics beyond the last one.
     pub const fn at(&self, column: usize) -> Variable {
-        let Packed { names, indices, help, display, numbers, depth, role, kind, flags } = self.columns[column];
+        let Packed { names, indices, help, display, numbers, depth, role, kind, flags, meaning } = self.columns[column];
         let mut path = Path { depth: depth as usize, ..Path::NONE };
         let mut at = 0;
         while at < path.depth {
@@ -104,6 +106,7 @@ impl Table {
             is_advice: flags & ADVICE != 0,
             is_hidden: flags & HIDDEN != 0,
             is_odd: flags & ODD != 0,
+            meaning,
             help: self.text(help),
         }
     }
@@ -146,6 +149,11 @@ impl Table {
             Tag::Integer | Tag::Enumeration(_) => BaseType::Integer,
             Tag::Boolean => BaseType::Boolean,
         }
+    }
+
+    /// The column that plays a part in a law of friction, not within one of its parts.
+    pub fn of(&self, meaning: Meaning) -> Option<usize> {
+        self.columns.iter().position(|column| column.meaning == meaning && column.depth == 1)
     }
 
     /// Outputs that must be computed before a column can be read.
@@ -271,7 +279,7 @@ impl<const COLUMNS: usize> Pool<COLUMNS> {
 
     const fn pack(&mut self, variable: &Variable) -> Packed {
         let Variable { path, role, kind, start, bound, nominal, help, .. } = *variable;
-        let mut packed = Packed { role, depth: path.depth as u8, ..Packed::BLANK };
+        let mut packed = Packed { role, meaning: variable.meaning, depth: path.depth as u8, ..Packed::BLANK };
         let segments = path.segments();
         let mut at = 0;
         while at < segments.len() {

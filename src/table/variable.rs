@@ -1,6 +1,6 @@
 //! Columns of a model and their properties: role, kind, start value, bound.
 
-use super::{Bound, Brief, Fault, Path};
+use super::{Bound, Brief, Fault, Meaning, Path};
 use crate::unit::{self, Unit};
 
 /// Who writes a column, and when.
@@ -111,6 +111,7 @@ pub struct Column {
     is_advice: bool,
     is_hidden: bool,
     is_odd: bool,
+    meaning: Meaning,
     help: &'static str,
 }
 
@@ -128,6 +129,7 @@ impl Column {
             is_advice: false,
             is_hidden: false,
             is_odd: false,
+            meaning: Meaning::Undeclared,
             help: "",
         }
     }
@@ -194,6 +196,12 @@ impl Column {
         self
     }
 
+    /// The part that it plays in a law of friction.
+    pub const fn means(mut self, meaning: Meaning) -> Column {
+        self.meaning = meaning;
+        self
+    }
+
     /// Another start value.
     pub const fn start(mut self, start: f64) -> Column {
         self.start = start;
@@ -224,6 +232,7 @@ impl Column {
             is_advice: self.is_advice,
             is_hidden: self.is_hidden,
             is_odd: self.is_odd,
+            meaning: self.meaning,
             help: if help.is_empty() { self.help.trim_ascii() } else { help.trim_ascii() },
         }
     }
@@ -279,6 +288,8 @@ pub struct Variable {
     pub is_hidden: bool,
     /// Whether it changes its sign when the motion is mirrored.
     pub is_odd: bool,
+    /// The part that it plays in a law of friction.
+    pub meaning: Meaning,
     /// Description: one line of ASCII text.
     pub help: &'static str,
 }
@@ -361,4 +372,30 @@ impl Computed {
             _ => Computed::Nothing,
         }
     }
+}
+
+/// The column that plays a part, not within a part of the model.
+pub const fn column_of(table: &[Variable], meaning: Meaning) -> Option<usize> {
+    let mut column = 0;
+    while column < table.len() {
+        if table[column].meaning as u8 == meaning as u8 && table[column].path.segments().len() == 1 {
+            return Some(column);
+        }
+        column += 1;
+    }
+    None
+}
+
+/// Whether each number among the parameters says what it is for.
+pub const fn is_declared(table: &[Variable]) -> bool {
+    let mut column = 0;
+    while column < table.len() {
+        let Variable { role, kind, meaning, .. } = &table[column];
+        let is_parameter = matches!(role, Role::Fixed | Role::Tunable) && matches!(kind, Kind::Real(_) | Kind::Integer);
+        if is_parameter && matches!(meaning, Meaning::Undeclared) {
+            return false;
+        }
+        column += 1;
+    }
+    true
 }

@@ -440,7 +440,7 @@ function motion({ input, unit, properties }: Moving): Group {
       minimum: name === "amplitude" || name === "frequency" ? 0 : null,
       maximum: null,
       help: `${name} of the signal ${input}.`,
-      choices: [],
+      choices: [], meaning: "Own",
     },
   });
   return { part: `motion of ${input.split(".").at(-1)}`, settings: properties.map(setting) };

@@ -415,9 +415,9 @@ export class FitView {
   private estimates({ estimates }: FittedLaw, truth: Record<string, number> | undefined): HTMLElement {
     const head = ["Parameter", "Value", "95 % interval", "From repetitions", ...(truth ? ["Truth"] : []), "Verdict"];
     const ends = (pair: [number, number] | null) => (pair ? `${short(pair[0])} to ${short(pair[1])}` : "");
-    const row = ({ name, unit, value, interval, repeated, verdict }: FittedLaw["estimates"][number]) => {
+    const row = ({ name, unit, value, interval, repeated, verdict, difference_of }: FittedLaw["estimates"][number]) => {
       const of = unitText(unit);
-      const known = truth && (name === "mu_s - mu_k" ? truth.mu_s! - truth.mu_k! : truth[name]);
+      const known = truth && (difference_of ? truth[difference_of[0]]! - truth[difference_of[1]]! : truth[name]);
       const cells = [
         value === null ? "" : `${short(value)} ${of}`,
         ends(interval),

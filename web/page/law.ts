@@ -108,7 +108,7 @@ export class LawView {
   private groups(model: Model, text: Text): Group[] {
     const setting = (part: string) => (variable: Variable): Setting => ({ name: `${part}.${variable.name}`, variable, start: variable.start });
     const parameters = model.variables.filter(({ role }) => role === "Fixed" || role === "Tunable");
-    const inputs = model.variables.filter(({ name }) => ["normal_force", "external_force"].includes(name));
+    const inputs = model.variables.filter(isHeld);
     const { velocity, stroke, speed } = usual(text);
     return [
       { part: "friction", settings: parameters.map(setting("friction")), models: [model] },
@@ -130,9 +130,8 @@ export class LawView {
     const known = new Set(model.variables.map(({ name }) => name));
     const parameters = ofPart(state, "friction");
     const held: Record<string, number> = {};
-    for (const name of ["normal_force", "external_force"]) {
-      const variable = model.variables.find((variable) => variable.name === name);
-      if (variable) held[name] = this.number(`held.${name}`, variable, variable.start);
+    for (const variable of model.variables.filter(isHeld)) {
+      held[variable.name] = this.number(`held.${variable.name}`, variable, variable.start);
     }
     const usually = usual(text);
     const motion = (name: keyof typeof usually, unit: string) =>
@@ -267,6 +266,9 @@ export class LawView {
   }
 }
 
+/** Whether it is an input that does not move. */
+const isHeld = ({ role, meaning }: Variable) => role === "Input" && (meaning === "NormalForce" || meaning === "ExternalForce");
+
 /** A number with all its bits. */
 const written = (value: number) => (Object.is(value, -0) ? "-0" : String(value));
 
@@ -279,7 +281,7 @@ function usual({ velocity, stroke }: Text): { velocity: number; stroke: number; 
 /** A positive quantity of the motion as a variable. */
 function length(name: string, unit: string, start: number, help: string): Variable {
   const bound = "> 0";
-  return { name, role: "Tunable", kind: "real", unit, start, nominal: start, bound, minimum: 1e-300, maximum: null, help, choices: [] };
+  return { name, role: "Tunable", kind: "real", unit, start, nominal: start, bound, minimum: 1e-300, maximum: null, help, choices: [], meaning: "Own" };
 }
 
 /** Tables that are wider than the page scroll by themselves. */

@@ -290,7 +290,11 @@ export type Preset = { name: string, source: string,
  */
 values: Record<string, string>, };
 
-export type Variable = { name: string, role: string, kind: "real" | "integer" | "boolean" | "choice", unit: string, start: number, nominal: number, bound: string, minimum: number | null, maximum: number | null, help: string, choices: Array<Named>, };
+export type Variable = { name: string, role: string, kind: "real" | "integer" | "boolean" | "choice", unit: string, start: number, nominal: number, bound: string, minimum: number | null, maximum: number | null, help: string, choices: Array<Named>, 
+/**
+ * The part that it plays in a law of friction.
+ */
+meaning: string, };
 
 export type Choice = { 
 /**
@@ -433,6 +437,10 @@ name: string,
  * Its unit.
  */
 unit: string, 
+/**
+ * The two parameters whose difference it is, if it is one.
+ */
+difference_of: [string, string] | null, 
 /**
  * `determined`, or why there is no value.
  */

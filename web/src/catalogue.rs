@@ -116,6 +116,8 @@ pub struct Described {
     maximum: Option<f64>,
     help: String,
     choices: Vec<Named>,
+    /// The part that it plays in a law of friction.
+    meaning: String,
 }
 
 /// Models by family, systems and solvers.
@@ -192,5 +194,6 @@ fn variable_of(variable: &Variable) -> Described {
         maximum: Some(variable.bound.max()).filter(|high| *high < f64::MAX),
         help: variable.help.to_string(),
         choices: named.collect(),
+        meaning: format!("{:?}", variable.meaning),
     }
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use serde_json::json;
+use stribeck::model::Meaning;
 use stribeck_solve::job::literal;
 use stribeck_solve::system::Fault;
 use ts_rs::TS;
@@ -50,9 +51,11 @@ pub struct Loop {
 
 /// Names of the inputs that move, and of the result.
 struct Names {
-    velocity: &'static str,
-    force: &'static str,
-    has_acceleration: bool,
+    velocity: String,
+    force: String,
+    acceleration: Option<String>,
+    /// Whether it slides along a line.
+    is_along: bool,
 }
 
 impl Strokes {
@@ -63,11 +66,16 @@ impl Strokes {
 
     fn names(&self) -> Result<Names, Fault> {
         let model = self.series(BTreeMap::new(), "").model()?;
-        let has = |name: &str| model.find(name).is_some();
+        let name = |meaning| model.table.of(meaning).map(|column| model.table.at(column).path.to_string());
+        let known = |meaning| {
+            let none = || Fault::value(format_args!("{}: has no {meaning:?}: it is no law of friction", model.name));
+            name(meaning).ok_or_else(none)
+        };
         Ok(Names {
-            velocity: if has("velocity") { "velocity" } else { "velocity_x" },
-            force: if has("friction_force") { "friction_force" } else { "friction_force_x" },
-            has_acceleration: has("acceleration"),
+            velocity: known(Meaning::Velocity)?,
+            force: known(Meaning::FrictionForce)?,
+            acceleration: name(Meaning::Acceleration),
+            is_along: name(Meaning::VelocityY).is_none(),
         })
     }
 
@@ -88,11 +96,9 @@ impl Strokes {
         let names = self.names()?;
         let mut inputs: BTreeMap<String, Vec<f64>> =
             self.held()?.into_iter().map(|(name, value)| (name, vec![value])).collect();
-        inputs.insert(names.velocity.to_owned(), velocity);
-        if names.has_acceleration {
-            inputs.insert("acceleration".to_owned(), acceleration);
-        }
-        Ok(self.series(inputs, names.force))
+        inputs.insert(names.velocity, velocity);
+        inputs.extend(names.acceleration.map(|name| (name, acceleration)));
+        Ok(self.series(inputs, &names.force))
     }
 
     /// Velocities of the curve, closer together near 0.
@@ -154,18 +160,18 @@ impl Strokes {
         );
         let slope = format!("speed / ({QUARTER} * dt)");
         let acceleration = format!("acceleration = numpy.where(k // {QUARTER} % 3 == 0, {slope}, -{slope})\n");
-        let [acceleration, lead] =
-            if names.has_acceleration { [&acceleration, ", acceleration=acceleration"] } else { ["", ""] };
+        let lead = names.acceleration.as_ref().map_or(String::new(), |name| format!(", {name}=acceleration"));
+        let acceleration = if lead.is_empty() { "" } else { &acceleration };
         Ok(self.filled(
             include_str!("strokes.py"),
             &[
                 ("given", &given),
-                ("curve", if names.velocity == "velocity" { &curve } else { "" }),
+                ("curve", if names.is_along { &curve } else { "" }),
                 ("speed", &speed),
                 ("acceleration", acceleration),
-                ("lead", lead),
-                ("velocity", names.velocity),
-                ("force", names.force),
+                ("lead", &lead),
+                ("velocity", &names.velocity),
+                ("force", &names.force),
             ],
         ))
     }
@@ -183,14 +189,14 @@ impl Strokes {
             .chain(set)
             .map(|(name, value)| format!("    check(stribeck_set_by_name(law, \"{name}\", {value:?}), law);\n"));
         let find = |name: &str, place: &str| format!("    check(stribeck_find(law, \"{name}\", {place}), law);\n");
-        let acceleration = if names.has_acceleration { find("acceleration", "&in[1]") } else { String::new() };
-        let places = find(names.velocity, "&in[0]") + &acceleration + &find(names.force, "&out");
+        let acceleration = names.acceleration.as_ref().map_or(String::new(), |name| find(name, "&in[1]"));
+        let places = find(&names.velocity, "&in[0]") + &acceleration + &find(&names.force, "&out");
         let text = self.filled(
             include_str!("strokes.c"),
             &[
                 ("values", &values.collect::<String>()),
                 ("places", &places),
-                ("inputs", if names.has_acceleration { "2" } else { "1" }),
+                ("inputs", if names.acceleration.is_some() { "2" } else { "1" }),
                 ("speed", &speed),
             ],
         );

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use anyhow::{Context, Result};
 use stribeck::instance::Instance;
-use stribeck::model::{ModelType, Preset};
+use stribeck::model::{Meaning, ModelType, Preset};
 
 /// Number of velocities on each side of a curve.
 const POINTS: i32 = 300;
@@ -54,16 +54,15 @@ struct Settled {
 impl Law {
     /// The law of a model; along x if it has several directions.
     pub fn new(model: &'static ModelType, preset: Option<&'static Preset>) -> Result<Law> {
-        let find = |name: &str| model.find(name).or_else(|| model.find(&format!("{name}_x")));
-        let known = |name: &str| find(name).with_context(|| format!("{} has no variable {name}", model.name));
-        let (velocity, force) = (known("velocity")?, known("friction_force")?);
+        let known = |meaning| model.table.of(meaning).with_context(|| format!("{} has no {meaning:?}", model.name));
+        let (velocity, force) = (known(Meaning::Velocity)?, known(Meaning::FrictionForce)?);
         Ok(Law {
             model,
             preset,
             velocity,
             force,
-            external_force: find("external_force"),
-            acceleration: find("acceleration"),
+            external_force: model.table.of(Meaning::ExternalForce),
+            acceleration: model.table.of(Meaning::Acceleration),
         })
     }
 
@@ -380,11 +379,11 @@ mod tests {
             /// A force that follows a smooth law with a delay in time.
             Sluggish: "Sluggish" {
                 /// Velocity.
-                velocity: input = real("m/s", 0.0),
+                velocity: input = real("m/s", 0.0).means(stribeck::model::Meaning::Velocity),
                 /// Force.
                 force: state = real("N", 0.0),
                 /// Force.
-                friction_force: output = real("N", 0.0),
+                friction_force: output = real("N", 0.0).means(stribeck::model::Meaning::FrictionForce),
             }
         }
 
@@ -407,11 +406,11 @@ mod tests {
             /// Dry friction in the plane.
             Planar: "Planar" {
                 /// Velocity.
-                velocity_x: input = real("m/s", 0.0),
+                velocity_x: input = real("m/s", 0.0).means(stribeck::model::Meaning::Velocity),
                 /// Velocity.
-                velocity_y: input = real("m/s", 0.0),
+                velocity_y: input = real("m/s", 0.0).means(stribeck::model::Meaning::VelocityY),
                 /// Force.
-                friction_force_x: output = real("N", 0.0),
+                friction_force_x: output = real("N", 0.0).means(stribeck::model::Meaning::FrictionForce),
                 /// Force.
                 friction_force_y: output = real("N", 0.0),
             }

@@ -29,6 +29,8 @@ use stribeck::series::{Between, Course, Input, Times, follow};
 
 use stribeck_solve::system::Fault;
 
+use crate::identify::Ports;
+
 /// A rig and what it drags.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VirtualRig {
@@ -150,12 +152,12 @@ impl VirtualRig {
             law.find(name)
                 .ok_or_else(|| Fault::unknown(format!("{}: variable", law.name), name, all.iter().map(String::as_str)))
         };
-        let [velocity, load, force] = ["velocity", "normal_force", "friction_force"].map(find);
-        let [velocity, load, force] = [velocity?, load?, force?];
+        let refused = |reason: &dyn std::fmt::Display| Fault::value(format_args!("{}: {reason}", law.name));
+        let one_way = || refused(&"only laws of one sliding direction have a rig");
+        let Ports { velocity, load, force, .. } = Ports::of(law).ok_or_else(one_way)?;
         let mut instance = Instance::new(law);
         let values: Result<Vec<(usize, f64)>, Fault> =
             self.values.iter().map(|(name, value)| Ok((find(name)?, *value))).collect();
-        let refused = |reason: &dyn std::fmt::Display| Fault::value(format_args!("{}: {reason}", law.name));
         instance.set_all(Phase::Setup, values?.into_iter()).map_err(|reason| refused(&reason))?;
         instance.check().map_err(|reason| refused(&reason))?;
         let samples = (count - 1) * FINER + 1;

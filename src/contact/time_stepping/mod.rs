@@ -8,7 +8,7 @@ mod phase;
 mod two_levels;
 
 use crate::model::ramp;
-use crate::model::{Fault, Fit, Model, Numbers, either, real};
+use crate::model::{Fault, Fit, Meaning, Model, Numbers, either, real};
 use crate::number::{Mask, Real, choose};
 
 pub(crate) use on_curve::{Curve, EVENTS_ON_CURVE, Lift, OnCurve, memoryless};
@@ -29,9 +29,9 @@ crate::part! {
     /// Columns of a law that can hold a body of known mass.
     TimeStepping {
         /// Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
-        mass: tunable = real("kg", 0.0).at_least(0.0),
+        mass: tunable = real("kg", 0.0).at_least(0.0).means(Meaning::Mass),
         /// Order in which the master exchanges values; used with mass > 0.
-        exchange: fixed = ExchangeOrder::Sequential.start(),
+        exchange: fixed = ExchangeOrder::Sequential.start().means(Meaning::Exchange),
         /// Length of the last step; 0 before the first one.
         step_size: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").discrete(),
         /// Step for which a parallel exchange plans: the longest recent one.

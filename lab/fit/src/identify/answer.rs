@@ -79,6 +79,8 @@ pub struct FittedParameter {
     pub name: String,
     /// Its unit.
     pub unit: &'static str,
+    /// The two parameters whose difference it is, if it is one.
+    pub difference_of: Option<[String; 2]>,
     /// `determined`, or why there is no value.
     pub verdict: String,
     /// Its value.
@@ -134,6 +136,7 @@ fn parameter(one: &Estimate, searches: Searches) -> FittedParameter {
     FittedParameter {
         name: one.name.clone(),
         unit: one.unit,
+        difference_of: one.difference_of().map(|names| names.map(str::to_owned)),
         verdict: one.verdict.to_string(),
         value: is_told.then_some(one.value),
         interval: (is_told && searches != Searches::Ended).then(|| one.interval()),

@@ -14,9 +14,10 @@
 //! the residuals do not show it, since they are few or since an unknown makes up for it.
 
 use nalgebra::DMatrix;
+use stribeck::model::Meaning;
 
-use super::Experiment;
 use super::problem::{Problem, dot};
+use super::{Experiment, Target};
 use crate::measured::correlation_of_slopes;
 
 /// Error of the velocity, as a part of the speed at which friction falls, from which parameters are biased (chosen: a
@@ -26,11 +27,12 @@ pub(super) const BLURRED: f64 = 0.01;
 
 /// The speed at which friction falls, with its name: as it is known to be, held, or the start value; None for a law that
 /// has none.
-pub(super) fn speed_of_fall(problem: &Problem, known: impl Fn(&str) -> Option<f64>) -> Option<(&'static str, f64)> {
-    ["stribeck_velocity", "transition_velocity"].into_iter().find_map(|name| {
-        let column = problem.law.find(name)?;
+pub(super) fn speed_of_fall(problem: &Problem, known: impl Fn(Target) -> Option<f64>) -> Option<(String, f64)> {
+    [Meaning::FallSpeed, Meaning::TransitionSpeed].into_iter().find_map(|meaning| {
+        let column = problem.law.table.of(meaning)?;
+        let variable = problem.law.table.at(column);
         let held = || problem.held.iter().find(|(held, _)| *held == column).map(|(_, value)| *value);
-        Some((name, known(name).or_else(held).unwrap_or(problem.law.table.at(column).start)))
+        Some((variable.path.to_string(), known(Target::Column(column)).or_else(held).unwrap_or(variable.start)))
     })
 }
 

@@ -1,5 +1,6 @@
 //! The unknowns after a fit, with their intervals.
 
+use stribeck::model::Meaning;
 use stribeck::number::Real;
 
 use super::interval::{Ended, quantiles};
@@ -13,6 +14,10 @@ pub struct Estimate {
     pub name: String,
     /// Unit.
     pub unit: &'static str,
+    /// Quantity that it stands for.
+    pub target: Target,
+    /// The part that it plays in the law.
+    pub meaning: Meaning,
     /// Best value. Not to be shown unless the verdict is [`Verdict::Determined`].
     pub value: f64,
     /// Standard deviation.
@@ -32,6 +37,12 @@ impl Estimate {
     pub fn interval(&self) -> [f64; 2] {
         let [low, high] = self.linear;
         self.profile.map_or(self.linear, |profile| [low.min(profile[0]), high.max(profile[1])])
+    }
+
+    /// Names of the two parameters whose difference it is, if it is one.
+    pub fn difference_of(&self) -> Option<[&str; 2]> {
+        let is_excess = matches!(self.target, Target::Excess { .. });
+        self.name.split_once(" - ").filter(|_| is_excess).map(|(of, over)| [of, over])
     }
 
     /// Width of the interval.
@@ -92,6 +103,8 @@ impl Ended<'_> {
         let estimate = Estimate {
             name: unknown.name.clone(),
             unit: unknown.unit,
+            target: unknown.target,
+            meaning: unknown.meaning,
             value,
             deviation,
             linear: around(value, deviation + self.problem.doubt_of_mass(unknown) * value / WIDTH),
@@ -111,8 +124,8 @@ impl Ended<'_> {
         repeated: &Repeated,
     ) -> Option<Estimate> {
         let unknowns = &self.problem.unknowns;
-        let (excess, over) = unknowns.iter().enumerate().find_map(|(number, unknown)| match unknown.target {
-            Target::Excess { over, .. } => Some((number, over)),
+        let (excess, of, over) = unknowns.iter().enumerate().find_map(|(number, unknown)| match unknown.target {
+            Target::Excess { of, over } => Some((number, of, over)),
             _ => None,
         })?;
         let kinetic = unknowns.iter().position(|unknown| unknown.target == Target::Column(over));
@@ -124,8 +137,10 @@ impl Ended<'_> {
         let value = sum(values);
         let of_kinetic = kinetic.map_or(&Verdict::Determined, |kinetic| &known[kinetic].verdict);
         let level = Estimate {
-            name: "mu_s".to_owned(),
+            name: self.problem.law.table.at(of).path.to_string(),
             unit: unknowns[excess].unit,
+            target: Target::Column(of),
+            meaning: Meaning::StaticLevel,
             value,
             deviation,
             verdict: match (&known[excess].verdict, of_kinetic) {
@@ -162,6 +177,8 @@ mod tests {
         let one = |low: f64, verdict: Verdict| Estimate {
             name: "mu_k".into(),
             unit: "1",
+            target: Target::Column(0),
+            meaning: Meaning::KineticLevel,
             value: 0.175,
             deviation: 0.05,
             verdict,
@@ -177,7 +194,14 @@ mod tests {
     /// 0.4 of a large change times 1.96: half a width of 0.784 for a logarithm, of 0.392 in a range of 1.
     #[test]
     fn an_interval_is_open_from_the_limit_of_what_is_determined() {
-        let unknown = |scale| Unknown { name: "x".into(), unit: "1", target: Target::Offset, range: [0.0, 1.0], scale };
+        let unknown = |scale| Unknown {
+            name: "x".into(),
+            unit: "1",
+            target: Target::Offset,
+            meaning: Meaning::Undeclared,
+            range: [0.0, 1.0],
+            scale,
+        };
         let logarithmic = unknown(Scale::Logarithmic);
         assert!(!is_open(&logarithmic, 2.0, [1.0, 4.7]) && is_open(&logarithmic, 2.0, [1.0, 4.9]));
         let linear = unknown(Scale::Linear);

@@ -308,7 +308,7 @@ mod tests {
     use super::super::search::Searches;
     use super::super::tests::{estimate, fitted, measured, quick, standard, white_noise, whole_problem};
     use super::super::trust::{residuals, trust};
-    use super::super::unknown::Unknown;
+    use super::super::unknown::{Target, Unknown};
     use super::super::{Experiment, Task, Verdict, doubted, judge};
     use super::*;
 
@@ -316,8 +316,11 @@ mod tests {
     fn places(problem: &Problem, others: &[(&str, f64)]) -> Vec<f64> {
         let start = |name: &str| problem.law.table.at(problem.law.find(name).unwrap()).start;
         let of = |unknown: &Unknown| {
-            let usual =
-                if unknown.name == "mu_s - mu_k" { start("mu_s") - start("mu_k") } else { start(&unknown.name) };
+            let usual = if let Target::Excess { .. } = unknown.target {
+                start("mu_s") - start("mu_k")
+            } else {
+                start(&unknown.name)
+            };
             unknown.place(others.iter().find(|(name, _)| *name == unknown.name).map_or(usual, |(_, value)| *value))
         };
         problem.unknowns.iter().map(of).collect()

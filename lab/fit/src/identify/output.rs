@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use ssp::parameter_set::ParameterSet;
 use stribeck::instance::Instance;
-use stribeck::model::ModelType;
+use stribeck::model::{Meaning, ModelType};
 
 use super::response::{Ports, forces};
 use super::trust::{digits, digits_within};
@@ -117,8 +117,10 @@ impl Fit {
     fn least_static(&self) -> Option<f64> {
         let values = self.values();
         let value = |name: &str| values.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
-        let start = self.law.table.at(self.law.find("mu_s")?).start;
-        value("mu_k").filter(|kinetic| value("mu_s").is_none() && start < *kinetic)
+        let [level, kinetic] = [Meaning::StaticLevel, Meaning::KineticLevel].map(|meaning| self.law.table.of(meaning));
+        let [level, kinetic] = [self.law.table.at(level?), self.law.table.at(kinetic?)];
+        let is_open = value(&level.path.to_string()).is_none();
+        value(&kinetic.path.to_string()).filter(|kinetic| is_open && level.start < *kinetic)
     }
 
     /// Says so.
@@ -132,7 +134,8 @@ impl Fit {
 
     /// The values, with the kinetic level for the static one where the law refuses its start value.
     pub(super) fn accepted(&self) -> Vec<(String, f64)> {
-        let least = self.least_static().map(|level| ("mu_s".to_owned(), level));
+        let name = || self.law.table.of(Meaning::StaticLevel).map(|column| self.name_of(column));
+        let least = self.least_static().and_then(|level| Some((name()?, level)));
         self.values().into_iter().chain(least).collect()
     }
 
@@ -227,7 +230,7 @@ pub(super) fn told(one: &Estimate, searches: Searches) -> String {
 }
 
 fn compared(one: &Estimate, reference: Option<&Reference>) -> String {
-    let Some(known) = reference.and_then(|reference| known(reference, &one.name)) else { return String::new() };
+    let Some(known) = reference.and_then(|reference| known(reference, one)) else { return String::new() };
     if one.verdict != Verdict::Determined {
         return format!("; reference {}", digits(known));
     }
@@ -239,10 +242,10 @@ fn compared(one: &Estimate, reference: Option<&Reference>) -> String {
 }
 
 /// Reference value of a fitted parameter; that of the excess `mu_s - mu_k` is the difference of two.
-pub fn known(reference: &Reference, name: &str) -> Option<f64> {
-    match name {
-        "mu_s - mu_k" => Some(reference.get("mu_s")? - reference.get("mu_k")?),
-        _ => reference.get(name).copied(),
+pub fn known(reference: &Reference, one: &Estimate) -> Option<f64> {
+    match one.difference_of() {
+        Some([of, over]) => Some(reference.get(of)? - reference.get(over)?),
+        None => reference.get(&one.name).copied(),
     }
 }
 

@@ -5,17 +5,20 @@
 //! begins at rest begins with the start values of the law, such as unloaded bristles.
 
 use stribeck::instance::{Instance, Phase, Refused};
-use stribeck::model::{InLanes, Law, Model, ModelType, Steps, Visitor, model_in};
+use stribeck::model::{InLanes, Law, Meaning, Model, ModelType, Steps, Visitor, model_in};
 use stribeck::number::Dual;
 
 use super::Experiment;
 
 /// Columns of a law that a rig drives and reads.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ports {
-    velocity: usize,
-    load: usize,
-    force: usize,
+pub struct Ports {
+    /// Input: velocity.
+    pub velocity: usize,
+    /// Input: normal force.
+    pub load: usize,
+    /// Output: friction force.
+    pub force: usize,
     /// Input of the laws that differ as the contact speeds up or slows down.
     pub acceleration: Option<usize>,
 }
@@ -23,8 +26,13 @@ pub(super) struct Ports {
 impl Ports {
     /// None for a law of a contact that slides in two directions.
     pub fn of(law: &ModelType) -> Option<Ports> {
-        let [velocity, load, force] = ["velocity", "normal_force", "friction_force"].map(|name| law.find(name));
-        Some(Ports { velocity: velocity?, load: load?, force: force?, acceleration: law.find("acceleration") })
+        let of = |meaning| law.table.of(meaning);
+        if of(Meaning::VelocityY).is_some() {
+            return None;
+        }
+        let [velocity, load, force] = [Meaning::Velocity, Meaning::NormalForce, Meaning::FrictionForce].map(of);
+        let acceleration = of(Meaning::Acceleration);
+        Some(Ports { velocity: velocity?, load: load?, force: force?, acceleration })
     }
 }
 

@@ -16,9 +16,10 @@
 //! adds up over contacts (stiffness, damping), so that without side load both together are the fitted law.
 
 use ssp::parameter_set::{ParameterSet, choice};
-use stribeck::model::{Kind, ModelType};
+use stribeck::model::{Meaning, ModelType, Variable};
 
-use super::{Estimate, Experiment, Fit, Task, Verdict, Watch, Wishes, fit};
+use super::unknown::is_level;
+use super::{Estimate, Experiment, Fit, Target, Task, Verdict, Watch, Wishes, fit};
 use crate::dyno::{Damper, Options, Stroke, Test, find_damper, shock_absorber, slow_strokes};
 use stribeck_solve::system::Fault;
 
@@ -43,8 +44,11 @@ const CONTACTS: [&str; 2] = ["c1", "c2"];
 /// Part of the level, and of what adds up over contacts, that each of them gets.
 const SHARE: f64 = 1.0 / CONTACTS.len() as f64;
 
-/// Parameters of laws that are viscous.
-pub(super) const VISCOUS: [&str; 3] = ["viscous_coefficient", "quadratic_coefficient", "mu_v"];
+/// Names of the parameters of a law that are viscous.
+pub(super) fn viscous(law: &ModelType) -> Vec<String> {
+    let is_viscous = |one: &Variable| [Meaning::Viscous, Meaning::GrowsWithSpeed].contains(&one.meaning);
+    law.table.iter().filter(is_viscous).map(|one| one.path.to_string()).collect()
+}
 
 /// Stribeck velocities above which friction no longer falls with speed: the rest is below exp(-9) (chosen).
 const FALLEN: f64 = 3.0;
@@ -60,7 +64,7 @@ pub fn strut_friction(
 ) -> Result<StrutFriction, Fault> {
     let once = |options: &Options| strut_friction_once(law, test, options, task, watch);
     let first = once(options)?;
-    let falling = first.fit.estimates.iter().find(|one| one.name == "stribeck_velocity");
+    let falling = first.fit.estimates.iter().find(|one| one.meaning == Meaning::FallSpeed);
     match falling.filter(is_told) {
         Some(one) if FALLEN * one.value < options.low_speed => {
             once(&Options { falling: FALLEN * one.value, ..*options })
@@ -87,9 +91,8 @@ fn strut_friction_once(
     let asymmetry = friction.asymmetry.unwrap_or(0.0);
     let strokes = slow_strokes(test, options, &damper).map_err(Fault::value)?;
     let experiments: Vec<Experiment> = strokes.iter().map(|stroke| experiment(stroke, load, asymmetry)).collect();
-    let viscous = VISCOUS.iter().filter(|name| law.find(name).is_some());
     let mut wishes = Wishes { fitted: vec!["offset".to_owned()], ..task.wishes.clone() };
-    wishes.fixed.extend(viscous.map(|name| ((*name).to_owned(), 0.0)));
+    wishes.fixed.extend(viscous(law).into_iter().map(|name| (name, 0.0)));
     let fit = fit(law, &experiments, &Task { wishes, mass: 0.0, ..task.clone() }, watch)?;
     let values = vec![("friction.model".to_owned(), chosen)];
     let mut found = StrutFriction { damper, values, left: Vec::new(), fit, load };
@@ -125,15 +128,19 @@ impl StrutFriction {
     /// Translates the fit into values of the strut.
     pub(super) fn transfer(&mut self, strut: &'static ModelType, mu: f64) -> Result<(), Fault> {
         let law = self.fit.law;
-        let told = |name: &str| self.fit.estimates.iter().find(|one| one.name == name);
-        let Some(kinetic) = told("mu_k").filter(is_told).map(|one| one.value) else {
-            let reason = told("mu_k").map_or("the law has none".to_owned(), |one| one.verdict.to_string());
+        let told = |meaning: Meaning| {
+            let is_it = |one: &&Estimate| one.meaning == meaning && matches!(one.target, Target::Column(_));
+            self.fit.estimates.iter().find(is_it)
+        };
+        let kinetic = told(Meaning::KineticLevel);
+        let Some(kinetic) = kinetic.filter(is_told).map(|one| one.value) else {
+            let reason = kinetic.map_or("the law has none".to_owned(), |one| one.verdict.to_string());
             return Err(Fault::value(format_args!("{}: mu_k, on which all levels depend: {reason}", law.name)));
         };
         let level = kinetic * self.load * SHARE;
         let starts = ["c1.preload_k", "c1.preload_s"];
         let starts = ParameterSet::starts(strut, starts).map_err(Fault::value)?;
-        let ratio = match told("mu_s") {
+        let ratio = match told(Meaning::StaticLevel) {
             Some(one) if is_told(&one) => one.value / kinetic,
             // Not seen: as for a test that has no slow strokes.
             _ => starts[1] / starts[0],
@@ -143,8 +150,8 @@ impl StrutFriction {
             self.values.push((format!("{contact}.preload_s"), ratio * level));
         }
         self.others(strut, kinetic, mu);
-        for name in VISCOUS.iter().filter(|name| law.find(name).is_some()) {
-            self.values.extend(in_strut(strut, law.name, name).map(|name| (name, 0.0)));
+        for name in viscous(law) {
+            self.values.extend(in_strut(strut, law.name, &name).map(|name| (name, 0.0)));
         }
         Ok(())
     }
@@ -153,16 +160,15 @@ impl StrutFriction {
     fn others(&mut self, strut: &'static ModelType, kinetic: f64, mu: f64) {
         let law = self.fit.law;
         for one in &self.fit.estimates {
-            match (one.name.as_str(), law.find(&one.name)) {
-                ("mu_k" | "mass" | "offset" | "mu_s - mu_k", _) | (_, None) => {}
-                ("mu_s", _) if is_told(&one) => {}
-                (_, Some(column)) if is_told(&one) => {
-                    let variable = law.table.at(column);
-                    let unit = if let Kind::Real(unit) = variable.kind { unit.name } else { "" };
+            match (one.target, one.meaning) {
+                (_, Meaning::KineticLevel) => {}
+                (Target::Column(_), Meaning::StaticLevel) if is_told(&one) => {}
+                (Target::Column(_), _) if is_told(&one) => {
+                    let unit = one.unit;
                     let factor = match unit {
                         // The strut has its own mu and a load that gives the same level.
                         "N" => kinetic / mu * SHARE,
-                        _ if one.name.starts_with("mu") => mu / kinetic,
+                        _ if is_level(one.meaning) => mu / kinetic,
                         // Stiffness, damping, rates of a force: they add up over the contacts.
                         _ if unit.starts_with("N/") || unit.starts_with("N.") => SHARE,
                         _ => 1.0,
@@ -173,7 +179,8 @@ impl StrutFriction {
                         None => self.left.push(one.name.clone()),
                     }
                 }
-                (name, _) => self.left.push(name.to_owned()),
+                (Target::Column(_), _) => self.left.push(one.name.clone()),
+                _ => {}
             }
         }
     }

@@ -5,9 +5,9 @@ use std::sync::atomic::AtomicBool;
 use stribeck::catalogue::by_name;
 use stribeck::instance::{Instance, Phase};
 
-use stribeck::model::{Kind, ModelType};
+use stribeck::model::{Kind, ModelType, Variable};
 
-use super::strut::VISCOUS;
+use super::strut::viscous;
 use super::*;
 use crate::dyno::{Options, Test};
 
@@ -161,15 +161,17 @@ fn changed(law: &'static ModelType) -> Vec<Estimate> {
     let parameters = law.variables().filter(|(_, variable)| {
         variable.role.is_parameter() && matches!(variable.kind, Kind::Real(_)) && !variable.is_hidden
     });
-    let estimate = |(name, start): (String, f64)| Estimate {
-        value: match name.as_str() {
-            name if VISCOUS.contains(&name) => 0.0,
+    let estimate = |(column, variable): (usize, Variable)| Estimate {
+        value: match variable.path.to_string().as_str() {
+            name if viscous(law).iter().any(|one| one == name) => 0.0,
             // Shares of elements add up.
-            name if name.contains('[') => start,
-            _ => 1.2 * start,
+            name if name.contains('[') => variable.start,
+            _ => 1.2 * variable.start,
         },
-        name,
-        unit: "",
+        name: variable.path.to_string(),
+        unit: if let Kind::Real(unit) = variable.kind { unit.name } else { "" },
+        target: Target::Column(column),
+        meaning: variable.meaning,
         deviation: 0.0,
         verdict: Verdict::Determined,
         linear: [0.0; 2],
@@ -177,8 +179,7 @@ fn changed(law: &'static ModelType) -> Vec<Estimate> {
         repeated: None,
     };
     parameters
-        .map(|(_, variable)| (variable.path.to_string(), variable.start))
-        .filter(|(name, _)| !["mass", "external_force"].contains(&name.as_str()))
+        .filter(|(_, variable)| !["mass", "external_force"].contains(&variable.path.to_string().as_str()))
         .map(estimate)
         .filter(|one| law.table.at(law.find(&one.name).unwrap()).admits(one.value))
         .collect()

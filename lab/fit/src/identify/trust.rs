@@ -23,12 +23,13 @@
 use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
+use stribeck::model::Meaning;
 
 use super::blur;
 use super::loss::Loss;
 use super::problem::Found;
 use super::problem::{Problem, dot};
-use super::unknown::{Target, Unknown};
+use super::unknown::{Target, Unknown, is_level};
 
 /// Part of a large change up to which the data must know an unknown.
 pub const DETERMINED: f64 = 0.4;
@@ -229,9 +230,9 @@ fn is_lost(problem: &Problem, values: &[f64], number: usize, error: f64) -> bool
 
 /// Whether an unknown is the damping of bristles, and the error of the velocity hides it.
 fn hides_damping(problem: &Problem, values: &[f64], number: usize, error: f64) -> bool {
-    let known = |name: &str| problem.unknowns.iter().position(|one| one.name == name).map(|at| values[at]);
-    let is_slow = |(_, speed): (&str, f64)| error > blur::BLURRED * speed;
-    problem.unknowns[number].name == "sigma_1" && blur::speed_of_fall(problem, known).is_some_and(is_slow)
+    let known = |target: Target| problem.unknowns.iter().position(|one| one.target == target).map(|at| values[at]);
+    let is_slow = |(_, speed): (String, f64)| error > blur::BLURRED * speed;
+    problem.unknowns[number].meaning == Meaning::Damping && blur::speed_of_fall(problem, known).is_some_and(is_slow)
 }
 
 /// The other unknown with which the data tell an unknown only together.
@@ -468,17 +469,20 @@ fn verdict(unknown: &Unknown, one: &Known, partner: Option<&str>, is_smooth: boo
 
 /// The experiment that would determine an unknown.
 fn remedy(unknown: &Unknown) -> &'static str {
-    match (unknown.name.as_str(), unknown.unit) {
-        ("mu_s - mu_k", _) => "move more slowly around rest, and break away from rest",
-        (name, "1") if name.starts_with("mu") => "slide longer at several speeds",
-        ("sigma_1", _) => "reverse faster, and sample the reversals more often",
-        ("viscous_coefficient" | "mu_v", _) => "slide faster",
-        (_, "N/m" | "m") => "reverse often, with strokes shorter than the pre-sliding displacement",
-        (_, "m/s" | "s/m") => "move more slowly around rest",
-        ("delay", _) => "move with several frequencies",
-        (_, "s") => "let it rest for different times, and change the speed quickly",
-        (_, "N") => "add runs with other normal forces",
-        ("mass", _) => "accelerate more",
+    match (unknown.target, unknown.meaning) {
+        (Target::Excess { .. }, _) => return "move more slowly around rest, and break away from rest",
+        (Target::Delay, _) => return "move with several frequencies",
+        (Target::Mass, _) => return "accelerate more",
+        (_, meaning) if is_level(meaning) => return "slide longer at several speeds",
+        (_, Meaning::Damping) => return "reverse faster, and sample the reversals more often",
+        (_, Meaning::Viscous | Meaning::GrowsWithSpeed) => return "slide faster",
+        _ => {}
+    }
+    match unknown.unit {
+        "N/m" | "m" => "reverse often, with strokes shorter than the pre-sliding displacement",
+        "m/s" | "s/m" => "move more slowly around rest",
+        "s" => "let it rest for different times, and change the speed quickly",
+        "N" => "add runs with other normal forces",
         _ => "excite it more",
     }
 }

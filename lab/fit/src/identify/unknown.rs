@@ -1,6 +1,6 @@
 //! Unknowns of a fit: what they are in the law, and the scale on which they are searched.
 
-use stribeck::model::{Kind, ModelType, Role, Variable};
+use stribeck::model::{Kind, Meaning, ModelType, Role, Variable};
 use stribeck::number::Real;
 
 use super::Experiment;
@@ -65,12 +65,14 @@ impl Scale {
 /// An unknown of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unknown {
-    /// Name: that of the variable, or `mu_s - mu_k`, `mass`, `offset`.
+    /// Name: that of the variable, or of the excess of a static level `mu_s - mu_k`, `mass`, `offset`, `delay`.
     pub name: String,
     /// Unit.
     pub unit: &'static str,
     /// Quantity that it stands for.
     pub target: Target,
+    /// The part that it plays in the law.
+    pub meaning: Meaning,
     /// Range in which it is searched.
     pub range: [f64; 2],
     /// Scale on which it is searched.
@@ -146,7 +148,7 @@ impl Magnitudes {
         // Strokes within the pre-sliding displacement may start anywhere on the way to sliding.
         let yields = if dissipated < ELASTIC { 0.05 } else { 2.0 };
         let (range, scale) = match unit {
-            "1" if variable.path.to_string().starts_with("mu") => ([0.0, 2.0 * force / load], Scale::Linear),
+            "1" if is_level(variable.meaning) => ([0.0, 2.0 * force / load], Scale::Linear),
             "m/s" => ([1e-4 * speed, speed], Scale::Logarithmic),
             "m" => ([1e-5 * travel, 0.5 * travel], Scale::Logarithmic),
             "N/m" => ([yields * force / travel, 1e5 * force / travel], Scale::Logarithmic),
@@ -170,14 +172,17 @@ impl Magnitudes {
 /// Whether a variable is fitted unless it is named: a real parameter of the contact, no exponent, no share of an
 /// element, no option that is off at its start value.
 fn is_usual(variable: &Variable) -> bool {
-    let name = variable.path.to_string();
     let is_off = variable.start == 0.0 && matches!(variable.kind, Kind::Real(unit) if unit.name == "m/s");
-    let is_shape = name == "alpha" || name.ends_with("exponent") || name.contains('[') || name == "eta";
-    is_parameter(variable) && !is_off && !is_shape
+    is_parameter(variable) && !is_off && variable.meaning != Meaning::Shape
+}
+
+/// Whether it is the coefficient of a level of friction.
+pub(super) fn is_level(meaning: Meaning) -> bool {
+    [Meaning::KineticLevel, Meaning::StaticLevel, Meaning::Level].contains(&meaning)
 }
 
 fn is_parameter(variable: &Variable) -> bool {
-    let is_of_contact = !["mass", "external_force"].contains(&variable.path.to_string().as_str());
+    let is_of_contact = ![Meaning::Mass, Meaning::ExternalForce].contains(&variable.meaning);
     variable.role.is_parameter() && matches!(variable.kind, Kind::Real(_)) && !variable.is_hidden && is_of_contact
 }
 
@@ -221,6 +226,17 @@ fn known(law: &ModelType) -> Vec<(usize, Variable)> {
     all
 }
 
+/// Name of the excess of a static level over a kinetic one.
+fn excess_name(law: &ModelType, of: usize, over: usize) -> String {
+    format!("{} - {}", law.table.at(of).path, law.table.at(over).path)
+}
+
+/// Name of the excess that a law has.
+fn excess(law: &ModelType) -> Option<String> {
+    let [of, over] = [Meaning::StaticLevel, Meaning::KineticLevel].map(|meaning| law.table.of(meaning));
+    Some(excess_name(law, of?, over?))
+}
+
 /// The unknowns of a fit, in the order of the table, then those of the rig.
 pub(super) fn unknowns(law: &ModelType, experiments: &[Experiment], wishes: &Wishes) -> Result<Vec<Unknown>, Fault> {
     let known = known(law);
@@ -228,7 +244,6 @@ pub(super) fn unknowns(law: &ModelType, experiments: &[Experiment], wishes: &Wis
     let is_fixed = |name: &str| wishes.fixed.iter().any(|(fixed, _)| fixed == name);
     let is_fitted = |name: &str| wishes.fitted.iter().any(|fitted| fitted == name);
     let magnitudes = Magnitudes::of(experiments);
-    let of = |name: &str| law.find(name);
     let mut list = Vec::new();
     for (column, variable) in &known {
         let name = variable.path.to_string();
@@ -237,12 +252,13 @@ pub(super) fn unknowns(law: &ModelType, experiments: &[Experiment], wishes: &Wis
         }
         let Kind::Real(unit) = variable.kind else { continue };
         let (range, scale) = magnitudes.range(variable, unit.name);
-        let excess = (name == "mu_s").then(|| of("mu_k")).flatten();
-        let (name, target) = match excess {
-            Some(over) => ("mu_s - mu_k".to_owned(), Target::Excess { of: *column, over }),
-            None => (name, Target::Column(*column)),
+        let (name, target) = match law.table.of(Meaning::KineticLevel) {
+            Some(over) if variable.meaning == Meaning::StaticLevel => {
+                (excess_name(law, *column, over), Target::Excess { of: *column, over })
+            }
+            _ => (name, Target::Column(*column)),
         };
-        list.push(Unknown { name, unit: unit.name, target, range, scale });
+        list.push(Unknown { name, unit: unit.name, target, meaning: variable.meaning, range, scale });
     }
     list.extend(of_rig(experiments, wishes, &magnitudes)?);
     narrow(&mut list, law, wishes)?;
@@ -278,6 +294,11 @@ fn doubted(experiments: &[Experiment]) -> Result<Option<[f64; 2]>, Fault> {
     Ok(first.delay_range)
 }
 
+fn of_rig_linear(name: &str, unit: &'static str, target: Target, range: [f64; 2]) -> Unknown {
+    let (name, meaning, scale) = (name.to_owned(), Meaning::Undeclared, Scale::Linear);
+    Unknown { name, unit, target, meaning, range, scale }
+}
+
 /// The unknowns of the rig.
 fn of_rig(experiments: &[Experiment], wishes: &Wishes, magnitudes: &Magnitudes) -> Result<Vec<Unknown>, Fault> {
     let is_fixed = |name: &str| wishes.fixed.iter().any(|(fixed, _)| fixed == name);
@@ -288,20 +309,21 @@ fn of_rig(experiments: &[Experiment], wishes: &Wishes, magnitudes: &Magnitudes) 
             name: "mass".into(),
             unit: "kg",
             target: Target::Mass,
+            meaning: Meaning::Undeclared,
             range: [0.0, 1e4],
             scale: Scale::Mixed(1.0),
         });
     }
     if is_fitted("offset") {
         let range = [-magnitudes.force, magnitudes.force];
-        list.push(Unknown { name: "offset".into(), unit: "N", target: Target::Offset, range, scale: Scale::Linear });
+        list.push(of_rig_linear("offset", "N", Target::Offset, range));
     }
     let doubted = doubted(experiments)?;
     if doubted.is_none() && is_fixed("delay") {
         return Err(Fault::value("delay: is held only where it is looked for; otherwise give it with the record"));
     }
     if let Some(range) = doubted.filter(|_| !is_fixed("delay")) {
-        list.push(Unknown { name: "delay".into(), unit: "s", target: Target::Delay, range, scale: Scale::Linear });
+        list.push(of_rig_linear("delay", "s", Target::Delay, range));
     } else if is_fitted("delay") {
         return Err(Fault::value("delay: can be fitted only if it is looked for in the motion of a single record"));
     }
@@ -311,7 +333,8 @@ fn of_rig(experiments: &[Experiment], wishes: &Wishes, magnitudes: &Magnitudes) 
 fn check_names(law: &ModelType, known: &[(usize, Variable)], wishes: &Wishes) -> Result<(), Fault> {
     let names: Vec<String> = known.iter().map(|(_, variable)| variable.path.to_string()).collect();
     let named = wishes.fixed.iter().map(|(name, _)| name).chain(&wishes.fitted);
-    let named = named.chain(wishes.ranges.iter().map(|(name, _)| name).filter(|name| *name != "mu_s - mu_k"));
+    let excess = excess(law);
+    let named = named.chain(wishes.ranges.iter().map(|(name, _)| name).filter(|name| Some(*name) != excess.as_ref()));
     for name in named {
         if !names.contains(name) && !OF_RIG.contains(&name.as_str()) {
             let all = names.iter().map(String::as_str).chain(OF_RIG);
@@ -337,7 +360,9 @@ fn check_names(law: &ModelType, known: &[(usize, Variable)], wishes: &Wishes) ->
 fn narrow(list: &mut [Unknown], law: &ModelType, wishes: &Wishes) -> Result<(), Fault> {
     for (name, [low, high]) in &wishes.ranges {
         let Some(unknown) = list.iter_mut().find(|unknown| unknown.name == *name) else {
-            let how = if name == "mu_s" { "; it is fitted as 'mu_s - mu_k'" } else { "" };
+            let static_level = law.table.of(Meaning::StaticLevel).map(|column| law.table.at(column).path.to_string());
+            let excess = excess(law).filter(|_| Some(name) == static_level.as_ref());
+            let how = excess.map_or(String::new(), |excess| format!("; it is fitted as '{excess}'"));
             return Err(Fault::value(format_args!("{}: {name} has a range and is not fitted{how}", law.name)));
         };
         let is_ordered = low < high && low.is_finite() && high.is_finite();

@@ -1,12 +1,14 @@
 //! What a fit warns of.
 
+use stribeck::model::Meaning;
+
 use super::blur::{self, BLURRED};
 use super::experiment::UNKNOWN_DIRECTION;
 use super::problem::Problem;
 use super::refine::SHIFT;
 use super::search::Searches;
 use super::trust::{Residuals, Verdict, digits};
-use super::{Estimate, Experiment, SYSTEMATIC};
+use super::{Estimate, Experiment, SYSTEMATIC, Target};
 
 /// Correlation of neighbours from which it is not noise that is left, although it swings so often that few samples count
 /// as one (chosen).
@@ -70,7 +72,8 @@ fn relaxed(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
         return None;
     }
     let value = |is_it: &dyn Fn(&Estimate) -> bool| estimates.iter().find(|one| is_it(one)).map(|one| one.value);
-    let [stiffness, level] = [value(&|one| one.unit == "N/m")?, value(&|one| one.name == "mu_k")?];
+    let [stiffness, level] =
+        [value(&|one| one.meaning == Meaning::Stiffness)?, value(&|one| one.meaning == Meaning::KineticLevel)?];
     let load = experiment.normal_force.iter().fold(0.0, |most: f64, load| most.max(*load));
     let yields = level * load / stiffness;
     let is_at_rest = |at: usize| experiment.velocity[at].abs() < UNKNOWN_DIRECTION * error;
@@ -90,10 +93,11 @@ fn relaxed(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
 /// Warns of a velocity that is not known well enough where friction falls with it: the static level then looks lower
 /// and the Stribeck velocity higher than they are, while the residuals look fine.
 fn blurred(problem: &Problem, experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
-    let known = |name: &str| estimates.iter().find(|one| one.name == name).map(|one| one.value);
+    let known = |target: Target| estimates.iter().find(|one| one.target == target).map(|one| one.value);
     let (name, speed) = blur::speed_of_fall(problem, known)?;
     let error = experiment.velocity_error;
-    let damping = if estimates.iter().any(|one| one.name == "sigma_1") { ", sigma_1 gets no number" } else { "" };
+    let damping = estimates.iter().find(|one| one.meaning == Meaning::Damping);
+    let damping = damping.map_or(String::new(), |one| format!(", {} gets no number", one.name));
     (error > BLURRED * speed).then(|| {
         format!(
             "{}: the velocity around rest is known to {error:.1e} m/s only, with {} = {:.1e} m/s: the static level is \

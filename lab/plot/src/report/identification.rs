@@ -70,7 +70,7 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
         let ends = |[low, high]: [f64; 2]| format!("{} to {}", precise(low), precise(high));
         let Estimate { name, unit, value, verdict, repeated, .. } = one;
         let is_told = *verdict == Verdict::Determined;
-        let known = reference.and_then(|reference| known(reference, name));
+        let known = reference.and_then(|reference| known(reference, one));
         let apart = known.filter(|known| is_told && *known != 0.0).map(|known| difference(*value, known));
         let percent = |of: fn(Difference) -> f64| apart.map_or(String::new(), |apart| format!("{:.1}", of(apart)));
         let told = |text: String| if is_told { text } else { String::new() };

@@ -8,6 +8,7 @@
 //! of a part of the half step they lie in.
 
 use stribeck::instance::Snapshot;
+use stribeck::model::Meaning;
 use stribeck::number::elementary::pow;
 
 use super::train::{Recorded, Train};
@@ -438,7 +439,11 @@ impl<'a> Coupling<'a> {
 fn compared(train: &Train, back: &[Wire]) -> Vec<WireSource> {
     let mut sources: Vec<WireSource> = train.states().into_iter().map(WireSource::Variable).collect();
     for (part, made) in train.system.parts.iter().enumerate() {
-        let force = made.model.find("friction_force").filter(|column| made.model.table.at(*column).role.is_computed());
+        let force = made
+            .model
+            .table
+            .of(Meaning::FrictionForce)
+            .filter(|column| made.model.table.at(*column).role.is_computed());
         let force = force.map(|column| WireSource::Variable(Place { part, column }));
         sources.extend(force.filter(|source| back.iter().all(|wire| wire.from != *source)));
     }

@@ -1,7 +1,7 @@
 //! Laws in a system: how the variables of any friction law meet those of a contact along one line.
 
 use stribeck::catalogue::{self, Family};
-use stribeck::model::ModelType;
+use stribeck::model::{Meaning, ModelType};
 
 use super::Fault;
 
@@ -36,5 +36,5 @@ pub(super) fn across(name: &str) -> Option<f64> {
 }
 
 fn gives_friction(model: &ModelType) -> bool {
-    model.find("friction_force").is_some_and(|column| model.table.at(column).role.is_output())
+    model.table.of(Meaning::FrictionForce).is_some_and(|column| model.table.at(column).role.is_output())
 }

@@ -2,8 +2,9 @@
 //!
 //! A job is a struct of plain data. What was not given is empty, None or false in it, and is left out of its texts.
 
+mod typed;
+
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::fmt::{Formatter, Write};
 use std::marker::PhantomData;
 use std::path::PathBuf;
@@ -14,6 +15,8 @@ use serde::de::{DeserializeOwned, Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use toml::{Table, Value};
 use ts_rs::TS;
+
+pub use typed::of_texts;
 
 use crate::system::Fault;
 
@@ -115,7 +118,7 @@ impl<'de, T: Deserialize<'de> + From<String>> Visitor<'de> for OneOrMore<T> {
 
 /// Names of which a single one needs no list, for `#[serde(deserialize_with)]`.
 pub fn names<'de, T: Deserialize<'de> + From<String>, D: Deserializer<'de>>(from: D) -> Result<Vec<T>, D::Error> {
-    from.deserialize_any(OneOrMore(PhantomData))
+    from.deserialize_seq(OneOrMore(PhantomData))
 }
 
 /// An option of a job.
@@ -144,31 +147,6 @@ pub fn options<T: clap::Args>() -> Vec<Choice> {
         }
     };
     T::augment_args(clap::Command::new("job")).get_arguments().map(option).collect()
-}
-
-/// The job of options as texts: `true` or `false` for those without a value, several values separated by commas.
-pub fn of_texts<T: clap::Args>(texts: &BTreeMap<String, String>) -> Result<T, Fault> {
-    let command = T::augment_args(clap::Command::new("job").no_binary_name(true));
-    let mut words = Vec::new();
-    for (name, text) in texts {
-        let known = || command.get_arguments().map(|option| option.get_id().as_str());
-        let option = command.get_arguments().find(|option| option.get_id() == name.as_str());
-        let option = option.ok_or_else(|| Fault::unknown("option", name, known()))?;
-        let word = format!("--{}", name.replace('_', "-"));
-        match (option.get_action(), text.as_str()) {
-            (clap::ArgAction::SetTrue, "true") => words.push(word),
-            (clap::ArgAction::SetTrue, "false") => {}
-            (clap::ArgAction::Append, text) => {
-                words.extend(text.split(',').map(|one| format!("{word}={}", one.trim())));
-            }
-            (_, text) => words.push(format!("{word}={}", text.trim())),
-        }
-    }
-    let wrong = |error: clap::Error| {
-        let text = error.to_string();
-        Fault::value(text.lines().next().unwrap_or_default().trim_start_matches("error: "))
-    };
-    T::from_arg_matches(&command.try_get_matches_from(words).map_err(wrong)?).map_err(wrong)
 }
 
 /// The job that a value describes; an error names the entry.
@@ -298,16 +276,16 @@ mod tests {
 
     #[derive(Debug, Default, Deserialize, PartialEq, Serialize)]
     #[serde(default, deny_unknown_fields)]
-    struct Job {
+    pub(super) struct Job {
         #[serde(deserialize_with = "names")]
-        law: Vec<String>,
+        pub law: Vec<String>,
         #[serde(with = "table")]
-        fix: Vec<Entry<f64>>,
+        pub fix: Vec<Entry<f64>>,
         #[serde(with = "table")]
-        range: Vec<Entry<[f64; 2]>>,
-        tol: Option<f64>,
-        seed: Option<u64>,
-        axis: bool,
+        pub range: Vec<Entry<[f64; 2]>>,
+        pub tol: Option<f64>,
+        pub seed: Option<u64>,
+        pub axis: bool,
     }
 
     fn job(text: &str) -> Job {

@@ -1,0 +1,63 @@
+//! What a variable is for, whatever it is called.
+
+/// The part that a variable plays in a law of friction. What is read of it elsewhere (by a strut, in ramps of the inputs, in
+/// a fit, on a page) is found by this, not by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Meaning {
+    /// Nothing was declared.
+    Undeclared,
+    /// A quantity that only the law itself knows; others know its unit.
+    Own,
+
+    /// Input: sliding velocity; in the plane and in space its component along x.
+    Velocity,
+    /// Input: component of the velocity along y.
+    VelocityY,
+    /// Input: force that presses the surfaces together.
+    NormalForce,
+    /// Input: resultant of all other tangential forces.
+    ExternalForce,
+    /// Input: acceleration, for laws that differ as the contact speeds up or slows down.
+    Acceleration,
+    /// Mass of the body that is held at rest.
+    Mass,
+    /// Order in which a master exchanges values.
+    Exchange,
+
+    /// Coefficient of the kinetic level of friction.
+    KineticLevel,
+    /// Coefficient of the static level of friction.
+    StaticLevel,
+    /// Coefficient of another level of friction.
+    Level,
+    /// Viscous coefficient: force by velocity.
+    Viscous,
+    /// Coefficient of another part that grows with speed.
+    GrowsWithSpeed,
+    /// Speed at which friction falls from the static to the kinetic level.
+    FallSpeed,
+    /// Speed that sets the width of a regularised band around rest.
+    TransitionSpeed,
+    /// Exponent, order or share: a shape of the law, which a fit holds unless it is asked to fit it.
+    Shape,
+    /// Stiffness of the contact.
+    Stiffness,
+    /// Damping of the contact.
+    Damping,
+    /// Total strength of the elements, as a multiple of the static level.
+    Strength,
+    /// Number of elements.
+    ElementCount,
+    /// Variant of the law.
+    Variant,
+
+    /// State: mean elastic deflection of the contact, whose force is carried.
+    Deflection,
+    /// State: energy taken out of the motion.
+    Energy,
+    /// Output: friction force; in the plane and in space its component along x.
+    FrictionForce,
+    /// Output: whether the contact sticks.
+    Sticking,
+}
