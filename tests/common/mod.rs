@@ -8,9 +8,9 @@ pub mod thesis;
 
 use std::ptr::null_mut;
 
-use stribeck::catalogue;
+use stribeck::catalogue::{self, Family};
 use stribeck::instance::Instance;
-use stribeck::model::ModelType;
+use stribeck::model::{Meaning, ModelType};
 use stribeck_ffi::fmi2::types::{fmi2CallbackFunctions, fmi2EventInfo, fmi2False};
 
 /// A struct that an importer passes to be filled in by an event.
@@ -31,6 +31,21 @@ pub const NO_CALLBACKS: fmi2CallbackFunctions = fmi2CallbackFunctions {
     stepFinished: None,
     componentEnvironment: null_mut(),
 };
+
+/// Laws of sliding along a line.
+pub fn scalar_laws() -> impl Iterator<Item = &'static ModelType> {
+    let slides =
+        |law: &&ModelType| law.table.of(Meaning::KineticLevel).is_some() && law.table.of(Meaning::VelocityY).is_none();
+    catalogue::documented(Family::Friction).map(|(law, _)| law).filter(slides)
+}
+
+/// Laws that know the mass of a body and hold it at rest, without a band in which it creeps.
+pub fn holding_laws() -> impl Iterator<Item = &'static str> {
+    let holds = |law: &&'static ModelType| {
+        law.table.of(Meaning::Mass).is_some() && law.check_without_events(Instance::new(law).row()).is_err()
+    };
+    scalar_laws().filter(holds).map(|law| law.name)
+}
 
 /// A live model, driven by names.
 pub struct Bench {
@@ -76,6 +91,12 @@ impl Bench {
             true => self.set("lever_arm", coefficient * 0.3),
             false => self.set("mu_k", coefficient),
         }
+    }
+
+    /// The value of the variable that plays a part, if there is one.
+    pub fn of_meaning(&mut self, meaning: Meaning) -> Option<f64> {
+        let column = self.instance.model().table.of(meaning)?;
+        Some(self.instance.get_column(column).unwrap_or_else(|refused| panic!("{refused}")))
     }
 
     pub fn get(&mut self, name: &str) -> f64 {

@@ -1,6 +1,6 @@
 //! The belt benchmark in co-simulation, compared with the closed form of stick-slip and with reference solutions.
 
-use crate::common::{Bench, Exchange, Sample, belt, belt_of_master, extrema};
+use crate::common::{Bench, Exchange, Sample, belt, belt_of_master, extrema, holding_laws};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use stribeck::catalogue;
 
@@ -152,7 +152,7 @@ fn a_stuck_block_rests_under_slopes_as_without_them() {
 /// A block stays at rest far better with the slope of the force that it holds than without.
 #[test]
 fn the_slope_of_the_load_holds_a_block() {
-    for model in ["Coulomb", "CoulombStiction", "CoulombViscous", "Stribeck", "Karnopp"] {
+    for model in holding_laws() {
         for exchange in [Exchange::Sequential, Exchange::Parallel] {
             let samples = belt_of_master(&mut holding(model, exchange), 1e-3, 4.0, exchange, &[VELOCITY, FORCE]);
             let fastest = samples.iter().filter(|s| s.time > 0.2).map(|s| s.velocity.abs()).fold(0.0, f64::max);
@@ -210,7 +210,7 @@ fn with_mass_a_ramp_is_used_by_its_initial_velocity_and_its_mean_forces() {
 #[test]
 fn a_block_sticks_even_if_the_step_keeps_changing() {
     let steps = [1e-4, 1e-2, 9e-4, 1.1e-3, 1e-4, 1e-4, 5e-3];
-    for model in ["CoulombStiction", "Karnopp", "Coulomb", "Stribeck"] {
+    for model in holding_laws() {
         for exchange in [Exchange::Sequential, Exchange::Parallel] {
             let mut law = holding(model, exchange);
             let mut rig = Bench::new("BeltRig", &[]);

@@ -7,7 +7,7 @@ use crate::common::random::Random;
 use approx::abs_diff_eq;
 use stribeck::catalogue::{self, Family};
 use stribeck::instance::Instance;
-use stribeck::model::{Kind, ModelType};
+use stribeck::model::{Kind, Meaning, ModelType, Role, Variable};
 
 fn friction_models() -> impl Iterator<Item = &'static ModelType> {
     catalogue::documented(Family::Friction).map(|(model, _)| model)
@@ -20,14 +20,20 @@ fn axis(bench: &Bench) -> (&'static str, &'static str) {
 
 // ---- Rest
 
-/// Laws whose memory lives in time and not in the path: of these a rest changes the force, as their pages say.
-const IN_TIME: &[&str] = &["Gonthier", "Armstrong", "FrictionalLag", "SpeckerDynamic", "Wojewoda", "NonReversible"];
+/// Whether the memory of a law lives in time and not in the path, since it has a time or knows the acceleration: a rest
+/// changes the force, as its page says.
+fn is_in_time(law: &ModelType) -> bool {
+    let is_time = |one: &Variable| {
+        matches!(one.role, Role::Fixed | Role::Tunable) && matches!(one.kind, Kind::Real(unit) if unit.name == "s")
+    };
+    law.table.of(Meaning::Acceleration).is_some() || law.table.iter().any(|one| is_time(&one))
+}
 
 /// Time that a dwell takes counts for nothing where the path is all that counts: the force of the rest, and the future
 /// after it, are those without it. Forwards and backwards, bonded and sliding, and for both zeros.
 #[test]
 fn a_dwell_leaves_a_law_of_the_path_as_it_is() {
-    for model in friction_models().filter(|model| !IN_TIME.contains(&model.name)) {
+    for model in friction_models().filter(|model| !is_in_time(model)) {
         for (zero, seed) in [(0.0, 3), (-0.0, 5), (0.0, 7), (-0.0, 11)] {
             // Maxwell-slip elements follow a level that falls with the speed in time.
             let levels: &[(&str, f64)] = if model.name == "MaxwellSlip" { &[("mu_s", 0.1)] } else { &[] };

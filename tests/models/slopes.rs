@@ -1,9 +1,9 @@
 //! Inputs that move within a step: contacts that hold a mass, in the strut and in a guide.
 
 use crate::common::random::Random;
-use crate::common::{Bench, Exchange};
+use crate::common::{Bench, Exchange, holding_laws, scalar_laws};
 use stribeck::catalogue;
-use stribeck::model::{Kind, ModelType, Role};
+use stribeck::model::{Kind, Meaning, ModelType, Role};
 
 const MASS: f64 = 20.0;
 const STEP: f64 = 1e-3;
@@ -68,12 +68,8 @@ fn slope(bench: &mut Bench, name: &str, slope: f64) {
 
 /// Laws of sliding that know the mass of the body: those of a strut.
 fn laws_with_mass() -> impl Iterator<Item = &'static str> {
-    let slides = |model: &&ModelType| model.find("planned_force").is_some() && model.find("mu_k").is_some();
-    catalogue::models().filter(slides).map(|model| model.name)
+    scalar_laws().filter(|law| law.table.of(Meaning::Mass).is_some()).map(|law| law.name)
 }
-
-/// Laws that hold a load at rest, without a band in which they creep.
-const HOLDING: [&str; 5] = ["Coulomb", "CoulombStiction", "CoulombViscous", "Stribeck", "Karnopp"];
 
 /// Friction alone of a strut: levels of 10 N and 14 N kinetic, 12 N and 18 N static.
 fn strut(law: &str, exchange: Exchange) -> Bench {
@@ -109,7 +105,7 @@ fn strut(law: &str, exchange: Exchange) -> Bench {
 #[test]
 fn a_strut_that_knows_the_acceleration_holds_its_mass() {
     for exchange in [Exchange::Sequential, Exchange::Parallel] {
-        for law in HOLDING {
+        for law in holding_laws() {
             for knows_the_load in [false, true] {
                 let mut strut = strut(law, exchange);
                 strut.set("num.input_mode", 2.0);
@@ -135,7 +131,7 @@ fn a_strut_that_knows_the_acceleration_holds_its_mass() {
 #[test]
 fn a_guide_that_knows_the_slopes_holds_its_mass() {
     for exchange in [Exchange::Sequential, Exchange::Parallel] {
-        for law in HOLDING {
+        for law in holding_laws() {
             let mut guide = Bench::new("GuideContact", &[("levels.preload_s", 0.0), ("levels.preload_k", 0.0)]);
             choose(&mut guide, law);
             guide.set("friction.mass", MASS);

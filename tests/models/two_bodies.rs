@@ -2,7 +2,7 @@
 //! of the mass, and several contacts on one body. Bodies that stick move as one body, which is integrated here for
 //! comparison, and slide with the acceleration given by Newton's law.
 
-use crate::common::Bench;
+use crate::common::{Bench, holding_laws};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 
 /// Communication step in s.
@@ -10,9 +10,6 @@ const STEP: f64 = 1e-3;
 
 const SEQUENTIAL: f64 = 1.0;
 const PARALLEL: f64 = 2.0;
-
-/// Laws that hold a body at rest exactly.
-const HOLDING: [&str; 5] = ["Coulomb", "CoulombStiction", "CoulombViscous", "Stribeck", "Karnopp"];
 
 /// The friction force that the host applies over a step: that of this step, or in a parallel exchange that of the last
 /// one.
@@ -75,7 +72,7 @@ impl Pair {
 /// force on body 1 alone the law holds a load that does not exist.
 #[test]
 fn a_pair_of_moving_bodies_sticks_by_the_reduced_force() {
-    for model in HOLDING {
+    for model in holding_laws() {
         for exchange in [SEQUENTIAL, PARALLEL] {
             let pair = Pair { model, exchange, scale: 1.0 };
             let Motion { slip, end: [velocity, as_one] } = pair.run(reduced);
@@ -124,7 +121,7 @@ fn a_block_moves_along_with_a_base_that_accelerates() {
         }
         slip
     };
-    for model in HOLDING {
+    for model in holding_laws() {
         for exchange in [SEQUENTIAL, PARALLEL] {
             // The acceleration changes by up to 3.6e-3 m/s^2 within a step.
             let (right, wrong) = (run(model, exchange, 1.0), run(model, exchange, 0.0));
@@ -137,7 +134,7 @@ fn a_block_moves_along_with_a_base_that_accelerates() {
 /// Newton's iteration with a wrong derivative: the error is multiplied by 1 - scale in a step.
 #[test]
 fn a_wrong_mass_holds_up_to_twice_the_correct_one() {
-    for model in HOLDING {
+    for model in holding_laws() {
         for exchange in [SEQUENTIAL, PARALLEL] {
             for scale in [0.3, 0.5, 1.5, 1.9] {
                 let slip = Pair { model, exchange, scale }.run(reduced).slip;
@@ -234,7 +231,7 @@ fn gentle_pull(time: f64) -> f64 {
 /// half the mass and one force for two steps they converge. With the full mass three blocks chatter.
 #[test]
 fn contacts_on_one_body_hold_in_turn_or_with_half_the_mass() {
-    for model in HOLDING {
+    for model in holding_laws() {
         for blocks in [2, 3, 5] {
             let slip = |order, exchange, scale| Stack { blocks, order, exchange, scale }.run(model, gentle_pull)[0];
             let in_turn = slip(Order::InTurn, SEQUENTIAL, 1.0);

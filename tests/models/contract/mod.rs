@@ -14,7 +14,7 @@ mod tables;
 use crate::common::Bench;
 use crate::common::random::Random;
 use stribeck::catalogue::{self, Family};
-use stribeck::model::{Kind, ModelType, Variable};
+use stribeck::model::{Kind, Meaning, ModelType, Variable};
 
 fn friction_models() -> impl Iterator<Item = &'static ModelType> {
     catalogue::documented(Family::Friction).map(|(model, _)| model)
@@ -112,12 +112,14 @@ fn force(bench: &mut Bench) -> f64 {
 fn limit(bench: &mut Bench, velocity: f64) -> f64 {
     let value = |bench: &mut Bench, name: &str| if bench.has(name) { bench.get(name) } else { 0.0 };
     let rolling = if bench.has("lever_arm") { bench.get("lever_arm") / bench.get("wheel_radius") } else { 0.0 };
-    let mu = rolling.max(value(bench, "mu_s")).max(value(bench, "mu_k"));
+    let levels = [Meaning::StaticLevel, Meaning::KineticLevel].map(|level| bench.of_meaning(level).unwrap_or(0.0));
+    let mu = rolling.max(levels[0]).max(levels[1]);
     let (load, speed) = (bench.get("normal_force"), velocity.abs());
     // Specker's law passes through the static level and has its maximum, at most 11 % higher, beyond.
     let overshoot = if bench.has("peak_velocity") { 1.11 } else { 1.0 };
     let power = if value(bench, "variant") == 2.0 { value(bench, "viscous_exponent") } else { 0.0 };
-    let viscous = value(bench, "viscous_coefficient") * if power > 0.0 { speed.powf(power) } else { speed };
+    let viscous =
+        bench.of_meaning(Meaning::Viscous).unwrap_or(0.0) * if power > 0.0 { speed.powf(power) } else { speed };
     let quadratic = value(bench, "quadratic_coefficient") * speed * speed;
     overshoot * mu * load + viscous + quadratic + value(bench, "mu_v") * load * speed
 }
