@@ -68,7 +68,7 @@ LAWS_OF_BENCHMARK = [
 # The parts of the library that contain code.
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
 RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "python", "ssp", "web", "examples"]
-PYTHON_FOLDERS = ["tasks.py", "benches", "examples", "fuzz", "python", "tests", "web/tests"]
+PYTHON_FOLDERS = ["tasks.py", "benches", "examples", "fuzz", "python", "tests", "web/tests", "web/write_types.py"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "tests/platforms", "benches"]
 
 
@@ -344,6 +344,13 @@ def setup_page() -> None:
         need("rustup", f"this task needs Rust's standard library for {WASM}, which the Rust of https://rustup.rs has")
         run("rustup", "target", "add", WASM)
     run(shutil.which("npm"), "ci", "--prefix", "web", "--ignore-scripts", "--no-audit", "--no-fund")
+
+
+def types() -> None:
+    """Writes the types of the page's questions and answers, as the library declares them, into web/page/types.ts."""
+    setup()
+    run("cargo", "build", "--package", "stribeck-page")
+    run(PYTHON, "web/write_types.py")
 
 
 def write_page() -> Path:
@@ -629,6 +636,7 @@ TASKS = {
     wheels: "build the Python package for Linux, Windows and macOS, five files, run that for ARM under qemu; as root "
     "it installs what it needs with apt: 20 to 40 minutes",
     page: "build the page as one file into dist/ and test it in Chromium: 3 to 6 minutes",
+    types: "write the types of the page's questions and answers, after these have changed: about a minute",
     setup: "install the Python packages of requirements.txt into .venv: about a minute",
     clean: "remove .venv, dist, out and target",
     trust: "run everything in docs/trust.md and print the figures: many hours",

@@ -35,7 +35,7 @@ impl<C: Check> Visitor for EveryLaw<C> {
 fn for_every_law(check: impl Check) {
     let mut all = EveryLaw(check, 0);
     catalogue::visit(&mut all);
-    assert_eq!(all.1, 24);
+    assert!(all.1 >= 24, "{}", all.1);
 }
 
 fn time_step(random: &mut Random) -> f64 {

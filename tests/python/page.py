@@ -7,8 +7,8 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from coupling import PROJECT
 
+PROJECT = Path(__file__).resolve().parents[2]
 NAMES = {"win32": "stribeck_page.dll", "darwin": "libstribeck_page.dylib"}
 
 

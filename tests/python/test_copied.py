@@ -124,8 +124,8 @@ def test_strokes_are_the_same_elsewhere(ask, tmp_path, number):
 def test_an_identification_is_the_same_elsewhere(ask, tmp_path, monkeypatch, number):
     draw = random.Random(number)
     has_camera = number % 3 == 0
-    rig = {"law": draw.choice(["Coulomb", "Dahl"]), "mass": 2.0, "normal_force": 20.0, "duration": 1.0}
-    files, _ = ask({"ask": "rig", **rig, "faults": has_camera, "seed": number})
+    rig = {"law": draw.choice(["Coulomb", "Dahl"]), "mass": "2", "normal_force": "20", "duration": "1"}
+    files, _ = ask({"ask": "rig", "rig": {**rig, "faults": str(has_camera).lower(), "seed": str(number)}})
     inquiry = {
         "records": ["force.csv"],
         "law": draw.sample(["Coulomb", "CoulombViscous", "Dahl"], draw.choice([1, 1, 2])),

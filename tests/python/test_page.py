@@ -6,6 +6,7 @@ import random
 import numpy as np
 import pytest
 import stribeck
+from page import PROJECT
 
 
 @pytest.mark.parametrize(
@@ -40,9 +41,14 @@ def test_curves_and_strokes_are_those_of_the_package(ask):
     assert np.array_equal(force, loop["friction_force"])
 
 
+def test_types_of_the_page_are_those_of_the_library(ask):
+    written = (PROJECT / "web" / "page" / "types.ts").read_text(encoding="utf-8")
+    assert written == ask({"ask": "types"})[0]["text"], "run `python3 tasks.py types`"
+
+
 def test_fits_are_those_of_the_package(ask, tmp_path):
-    rig = {"law": "Dahl", "mass": 2.0, "normal_force": 20.0, "duration": 1.0, "faults": False, "seed": 5}
-    files, _ = ask({"ask": "rig", **rig})
+    rig = {"law": "Dahl", "mass": "2", "normal_force": "20", "duration": "1", "faults": "false", "seed": "5"}
+    files, _ = ask({"ask": "rig", "rig": rig})
     inquiry = {"records": ["force.csv"], "law": ["Dahl"], "mass": 2.0, "normal_force": 20.0}
     question = {
         "fit": {"inquiry": inquiry, "options": {"budget": "100", "repetitions": "0"}},

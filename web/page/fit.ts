@@ -234,11 +234,10 @@ export class FitView {
 
   private async virtual(): Promise<void> {
     try {
-      const [law, faults] = [this.value("law"), this.value("faults") === "true"];
-      const [mass, load, duration, seed] = ["mass", "normal_force", "duration", "seed"].map((name) => this.number(name));
-      const { answer } = await this.questions.ask<Files>({ ask: "rig", law, mass: mass!, normal_force: load!, duration: duration!, faults, seed: seed! });
+      const rig = Object.fromEntries(Object.keys(RIG).map((name) => [name, this.value(name)]));
+      const { answer } = await this.questions.ask<Files>({ ask: "rig", rig });
       const motion = answer.camera === null ? {} : { motion: answer.camera };
-      await this.take({ name: `virtual rig with ${law}`, table: answer.force, truth: answer.truth, ...motion });
+      await this.take({ name: `virtual rig with ${this.value("law")}`, table: answer.force, truth: answer.truth, ...motion });
     } catch (fault) {
       if (!(fault instanceof Superseded)) this.page.fault(faultText(fault));
     }
@@ -252,10 +251,10 @@ export class FitView {
 
   /** The identification. */
   private asked(data: Data): Fit {
-    const known = { mass: this.number("mass"), normal_force: this.number("normal_force") };
     const camera: Fit["inquiry"] = data.motion === undefined ? {} : { motion: "motion.csv", delay: "find" };
+    const known = ["mass", "normal_force"].map((name) => [name, this.value(name)]);
     const given = this.options.map(({ name }) => [name, this.state.set[`fit.${name}`]]).filter(([, text]) => text !== undefined);
-    return { inquiry: { records: ["force.csv"], law: [...this.state.laws], ...camera, ...known }, options: Object.fromEntries(given) };
+    return { inquiry: { records: ["force.csv"], law: [...this.state.laws], ...camera }, options: Object.fromEntries([...known, ...given]) };
   }
 
   /** Looks at the record. */

@@ -1,8 +1,8 @@
-/** What the library is asked and what it answers. Written by `cargo run -p stribeck-page --example types`. */
+/** What the library is asked and what it answers. Written by `python3 tasks.py types`. */
 
 export type Value = number | string | boolean;
 
-export type Question = { "ask": "catalogue" } | { "ask": "system", 
+export type Question = { "ask": "catalogue" } | { "ask": "types" } | { "ask": "system", 
 /**
  * The run.
  */
@@ -42,7 +42,11 @@ model: string,
 /**
  * Values of its parameters.
  */
-set: Record<string, Value>, } | { "ask": "rig" } & Virtual | { "ask": "quality", 
+set: Record<string, Value>, } | { "ask": "rig", 
+/**
+ * The rig, as a user types it.
+ */
+rig: Record<string, string>, } | { "ask": "quality", 
 /**
  * The identification.
  */
@@ -121,12 +125,6 @@ vary?: string,
  * Values of variables.
  */
 set?: Record<string, Value>, };
-
-export type Virtual = { law: string, set?: Record<string, number>, mass: number, normal_force: number, duration: number, 
-/**
- * Whether it has all faults, not noise alone.
- */
-faults: boolean, seed: number, };
 
 export type Fit = { inquiry: Partial<Inquiry>, 
 /**

@@ -18,12 +18,11 @@ mod series;
 mod solution;
 mod strokes;
 mod system;
+#[cfg(not(target_family = "wasm"))]
 mod types;
 mod values;
 
 use std::cell::RefCell;
-
-pub use types::types;
 
 thread_local! {
     /// Buffers of the host and the last answer.

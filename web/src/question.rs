@@ -7,9 +7,11 @@ use stribeck_solve::run::Configuration;
 use ts_rs::TS;
 
 use crate::answer::Answer;
+#[cfg(not(target_family = "wasm"))]
+use crate::answer::Text;
 use crate::copied::{self, Job};
 use crate::progress::progress;
-use crate::rig::{Asked, Texts, Virtual};
+use crate::rig::{Asked, Texts};
 use crate::strokes::Strokes;
 use crate::values::described;
 use crate::{catalogue, parameters, program, rig, solution, system};
@@ -20,6 +22,9 @@ use crate::{catalogue, parameters, program, rig, solution, system};
 pub enum Question {
     /// All models, systems and solvers.
     Catalogue,
+    /// Questions and answers as types of TypeScript, for those who build the page.
+    #[cfg(not(target_family = "wasm"))]
+    Types,
     /// The parts of a system with one law and their present values.
     System {
         /// The run.
@@ -76,7 +81,11 @@ pub enum Question {
         set: BTreeMap<String, toml::Value>,
     },
     /// Records of a virtual rig.
-    Rig(Virtual),
+    Rig {
+        /// The rig, as a user types it.
+        #[ts(type = "Record<string, string>")]
+        rig: BTreeMap<String, String>,
+    },
     /// Quality of a record.
     Quality {
         /// The identification.
@@ -111,6 +120,8 @@ pub fn answer(text: &[u8]) -> Answer {
     };
     let answer = match question {
         Question::Catalogue => catalogue::catalogue(),
+        #[cfg(not(target_family = "wasm"))]
+        Question::Types => Ok(Answer::plain(Text { text: crate::types::types() })),
         Question::System { run } => system::parts(&run),
         Question::Solve { run, law } => solution::solve(&run, law.as_deref()),
         Question::Csv { run, law } => solution::csv(&run, law.as_deref()),
@@ -120,7 +131,7 @@ pub fn answer(text: &[u8]) -> Answer {
         Question::Strokes(strokes) => strokes.strokes(),
         Question::StrokesC(strokes) => strokes.c(),
         Question::Ssv { model, set } => parameters::ssv(&model, &set),
-        Question::Rig(given) => rig::record(&given),
+        Question::Rig { rig } => rig::record(&rig),
         Question::Quality { fit, files } => rig::quality(&fit, &files),
         Question::Fit { fit, files } => rig::fit(&fit, &files, &progress),
         Question::Command { job } => copied::command(&job),

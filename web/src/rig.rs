@@ -11,21 +11,20 @@ use stribeck_fit::identify::{self, EARLY, Inquiry, Source, Watch};
 use stribeck_fit::measured::average;
 use stribeck_fit::rig::{Faults, VirtualRig};
 use stribeck_fit::sheet::{Sheet, SheetError};
-use stribeck_solve::job;
+use stribeck_solve::job::{self, Entry};
 use stribeck_solve::system::Fault;
 use ts_rs::TS;
 
 use crate::answer::Answer;
-use crate::values::{described, numbers};
+use crate::values::described;
 
 /// A virtual rig.
-#[derive(Debug, Deserialize, TS)]
+#[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Virtual {
+struct Virtual {
     law: String,
-    #[serde(default)]
-    #[ts(type = "Record<string, number>", optional)]
-    set: BTreeMap<String, f64>,
+    #[serde(default, with = "job::table")]
+    set: Vec<Entry<f64>>,
     mass: f64,
     normal_force: f64,
     duration: f64,
@@ -118,11 +117,12 @@ fn law(name: &str) -> Result<&'static ModelType, Fault> {
 }
 
 /// The files of a virtual rig, and the values of its law.
-pub fn record(given: &Virtual) -> Result<Answer, Fault> {
+pub fn record(rig: &BTreeMap<String, String>) -> Result<Answer, Fault> {
+    let given: Virtual = job::of_texts(rig)?;
     let law = law(&given.law)?;
-    let values = numbers(&given.set);
+    let values: Vec<(String, f64)> = given.set.iter().map(|Entry(name, value)| (name.clone(), *value)).collect();
     let faults = if given.faults { Faults::ALL } else { Faults::NOISE };
-    let Virtual { mass, normal_force, duration, seed, .. } = *given;
+    let Virtual { mass, normal_force, duration, seed, .. } = given;
     let rig = VirtualRig { law, values: values.clone(), mass, normal_force, duration, faults, seed };
     let files = rig.record()?;
     let starts = law.variables().filter(|(_, variable)| variable.role.is_parameter());

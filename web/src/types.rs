@@ -20,7 +20,7 @@ macro_rules! declared {
 
 /// The text of a file with all of them.
 pub fn types() -> String {
-    "/** What the library is asked and what it answers. Written by `cargo run -p stribeck-page --example types`. */\n\n\
+    "/** What the library is asked and what it answers. Written by `python3 tasks.py types`. */\n\n\
      export type Value = number | string | boolean;\n"
         .to_owned()
         + &questions()
@@ -32,7 +32,6 @@ fn questions() -> String {
     declared!(
         question::Question,
         run::Configuration,
-        rig::Virtual,
         rig::Asked,
         rig::Texts,
         identify::Inquiry,

@@ -12,11 +12,6 @@ pub fn texts(set: &BTreeMap<String, toml::Value>) -> impl Iterator<Item = (Strin
     set.iter().map(move |(name, value)| (name.clone(), plain(value)))
 }
 
-/// Names and numbers.
-pub fn numbers(set: &BTreeMap<String, f64>) -> Vec<(String, f64)> {
-    set.iter().map(|(name, value)| (name.clone(), *value)).collect()
-}
-
 /// The description of a job, for `#[serde(deserialize_with)]`; an error names the entry.
 pub fn described<'de, T: DeserializeOwned, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
     job::of_value(toml::Value::deserialize(from)?).map_err(D::Error::custom)

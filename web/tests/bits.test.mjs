@@ -80,12 +80,13 @@ test("curves, strokes, records and fits have the same bits", { timeout: 600_000 
     const strokes = { model: name, held, velocity: 0.02, stroke: 1e-4, speed: 0.02 };
     questions.push({ ask: "strokes", ...strokes }, { ask: "curve", ...strokes });
   }
-  const rig = { ask: "rig", law: "LuGre", mass: 2, normal_force: 20, duration: 1.5, faults: true, seed: 3 };
+  const rig = (duration, faults) => ({ ask: "rig", rig: { law: "LuGre", mass: "2", normal_force: "20", duration, faults, seed: "3" } });
   const asked = ({ force, camera }, law = [], options = {}) => {
     const inquiry = { records: ["force"], law, mass: 2, normal_force: 20, ...(camera === null ? {} : { motion: "camera", delay: "find:0.05" }) };
     return { fit: { inquiry, options }, files: { force, ...(camera === null ? {} : { camera }) } };
   };
-  questions.push(rig, { ask: "quality", ...asked(ask(rig).answer) });
+  const measured = rig("1.5", "true");
+  questions.push(measured, { ask: "quality", ...asked(ask(measured).answer) });
   const answers = questions.map(ask);
   // Forces that keep fluctuating are refused.
   const refused = answers.filter(({ answer }) => answer.refused).map(({ answer }) => answer.refused);
@@ -93,7 +94,7 @@ test("curves, strokes, records and fits have the same bits", { timeout: 600_000 
   assert.ok(fitted.length > 25);
   await agree(questions, answers);
   console.log(`figure: curves and strokes of ${laws.length} laws and a record: ${values(answers)} values with the same bits`);
-  const short = ask({ ...rig, duration: 0.6, faults: false }).answer;
+  const short = ask(rig("0.6", "false")).answer;
   const fits = [["Coulomb", "LuGre"], ["Stribeck", "Dahl", "MaxwellSlip"]].map((laws) => ({ ask: "fit", ...asked(short, laws, { budget: "100", repetitions: "2" }) }));
   const found = fits.map(ask);
   await agree(fits, found);

@@ -1,0 +1,10 @@
+"""Writes the types of the page's questions and answers, as the library for this machine tells them."""
+
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "tests" / "python"))
+from page import page_library
+
+answer, _ = page_library()({"ask": "types"})
+(Path(__file__).parent / "page" / "types.ts").write_text(answer["text"], encoding="utf-8")
