@@ -6,5 +6,4 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests" / "python"))
 from page import page_library
 
-answer, _ = page_library()({"ask": "types"})
-(Path(__file__).parent / "page" / "types.ts").write_text(answer["text"], encoding="utf-8")
+(Path(__file__).parent / "page" / "types.ts").write_text(page_library().types(), encoding="utf-8")

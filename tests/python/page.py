@@ -21,10 +21,14 @@ def page_library():
     library.stribeck_ask.restype = ctypes.c_size_t
     library.stribeck_answer.restype = ctypes.c_void_p
 
+    library.stribeck_types.restype = ctypes.c_size_t
+
     def put(question):
         text = question if isinstance(question, bytes) else json.dumps(question).encode()
         ctypes.memmove(library.stribeck_alloc(len(text)), text, len(text))
-        length = library.stribeck_ask()
+        return taken(library.stribeck_ask())
+
+    def taken(length):
         answer = ctypes.string_at(library.stribeck_answer(), length)
         end = 8 + int.from_bytes(answer[:4], "little")
         told = json.loads(answer[8:end])
@@ -32,4 +36,5 @@ def page_library():
         assert len(numbers) == sum(told["lengths"]) == int.from_bytes(answer[4:8], "little")
         return told["answer"], np.split(numbers, np.cumsum(told["lengths"])[:-1])
 
+    put.types = lambda: taken(library.stribeck_types())[0]["text"]
     return put

@@ -43,7 +43,7 @@ def test_curves_and_strokes_are_those_of_the_package(ask):
 
 def test_types_of_the_page_are_those_of_the_library(ask):
     written = (PROJECT / "web" / "page" / "types.ts").read_text(encoding="utf-8")
-    assert written == ask({"ask": "types"})[0]["text"], "run `python3 tasks.py types`"
+    assert written == ask.types(), "run `python3 tasks.py types`"
 
 
 def test_fits_are_those_of_the_package(ask, tmp_path):

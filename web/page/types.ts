@@ -2,7 +2,7 @@
 
 export type Value = number | string | boolean;
 
-export type Question = { "ask": "catalogue" } | { "ask": "types" } | { "ask": "system", 
+export type Question = { "ask": "catalogue" } | { "ask": "system", 
 /**
  * The run.
  */

@@ -48,9 +48,22 @@ pub extern "C" fn stribeck_alloc(length: usize) -> *mut u8 {
 #[unsafe(no_mangle)]
 pub extern "C" fn stribeck_ask() -> usize {
     let question = DESK.with_borrow_mut(|desk| std::mem::take(&mut desk.question));
-    let answer = question::answer(&question).packed();
+    laid(question::answer(&question))
+}
+
+/// As [`stribeck_ask`]; the answer is the text of all questions and answers as types of TypeScript, for those who build
+/// the page.
+#[cfg(not(target_family = "wasm"))]
+#[unsafe(no_mangle)]
+pub extern "C" fn stribeck_types() -> usize {
+    laid(answer::Answer::plain(answer::Text { text: types::types() }))
+}
+
+/// Keeps an answer for the host; returns its length in bytes.
+fn laid(answer: answer::Answer) -> usize {
+    let packed = answer.packed();
     DESK.with_borrow_mut(|desk| {
-        desk.answer = answer;
+        desk.answer = packed;
         8 * desk.answer.len()
     })
 }

@@ -7,8 +7,6 @@ use stribeck_solve::run::Configuration;
 use ts_rs::TS;
 
 use crate::answer::Answer;
-#[cfg(not(target_family = "wasm"))]
-use crate::answer::Text;
 use crate::copied::{self, Job};
 use crate::progress::progress;
 use crate::rig::{Asked, Texts};
@@ -22,9 +20,6 @@ use crate::{catalogue, parameters, program, rig, solution, system};
 pub enum Question {
     /// All models, systems and solvers.
     Catalogue,
-    /// Questions and answers as types of TypeScript, for those who build the page.
-    #[cfg(not(target_family = "wasm"))]
-    Types,
     /// The parts of a system with one law and their present values.
     System {
         /// The run.
@@ -120,8 +115,6 @@ pub fn answer(text: &[u8]) -> Answer {
     };
     let answer = match question {
         Question::Catalogue => catalogue::catalogue(),
-        #[cfg(not(target_family = "wasm"))]
-        Question::Types => Ok(Answer::plain(Text { text: crate::types::types() })),
         Question::System { run } => system::parts(&run),
         Question::Solve { run, law } => solution::solve(&run, law.as_deref()),
         Question::Csv { run, law } => solution::csv(&run, law.as_deref()),
