@@ -1,26 +1,7 @@
 #!/usr/bin/env python3
 """The project's tasks. Needs Python 3.11 and Rust; the first task that needs more installs it into .venv.
 
-    python3 tasks.py demo     pack the FMUs, run each of them from Python, draw the results, compare solvers
-    python3 tasks.py test     every check and test of the project
-    python3 tasks.py bench    the benchmarks
-    python3 tasks.py pack     the FMUs into dist/
-    python3 tasks.py wheel    the Python package into dist/, from the packed FMUs
-    python3 tasks.py page     the page for a browser, one file, into dist/, and its tests; needs Node and npm
-    python3 tasks.py setup    .venv with the Python packages
-    python3 tasks.py clean    remove the output of the other tasks
-
-    python3 tasks.py trust    everything in docs/trust.md, with its figures: the tasks below, one after another
-    python3 tasks.py faults   importers and faults of the host, in full
-    python3 tasks.py platforms  the FMUs for Linux, Windows and macOS, run under wine and qemu
-    python3 tasks.py wheels   the Python package for Linux, Windows and macOS into dist/wheels/, run under qemu
-    python3 tasks.py fuzz     new inputs for interfaces and file readers, two minutes for each target
-    python3 tasks.py coverage the branches covered by the tests
-    python3 tasks.py broken   deliberately broken copies, and the tests that fail
-    python3 tasks.py mutants  many small changes to the laws, and how many of them the tests catch
-    python3 tasks.py identified  how often intervals of identified parameters hold the truth
-    python3 tasks.py formats  binary measurements against the Python programs for them
-    python3 tasks.py supply   licences, sources and known vulnerabilities of the crates, with cargo-deny
+    python3 tasks.py demo
 
 On Windows: py tasks.py demo
 """
@@ -37,7 +18,9 @@ import shlex
 import shutil
 import subprocess
 import sys
+import textwrap
 import tomllib
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -103,6 +86,27 @@ PLATFORM_PROGRAMS = {
     "aarch64-linux-gnu-gcc": "gcc-aarch64-linux-gnu libc6-dev-arm64-cross",
     "qemu-aarch64-static": "qemu-user-static",
 }
+
+
+# Tasks by name, with how long each takes.
+TASKS: dict[str, tuple[Callable[[], None], str]] = {}
+
+
+def task(duration: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Declares a task of the command line; its docstring says what it does."""
+
+    def declare(work: Callable[..., None]) -> Callable[..., None]:
+        TASKS[work.__name__] = (work, duration)
+        return work
+
+    return declare
+
+
+def described(name: str) -> str:
+    """A task, what it does and how long it takes, on a line."""
+    work, duration = TASKS[name]
+    text = " ".join((work.__doc__ or "").split())
+    return f"{name}: {text.rstrip('.')} ({duration})"
 
 
 class TaskError(Exception):
@@ -185,6 +189,7 @@ def files(folders: list[str], *endings: str) -> list[Path]:
     return found
 
 
+@task("about a minute")
 def setup() -> None:
     """Creates .venv, again only if the packages to install or the Python version have changed."""
     if sys.version_info < (3, 11):  # noqa: UP036 - the user may have an older one
@@ -260,6 +265,7 @@ def pack_for_all(project: Path, fmus: Path) -> None:
     )
 
 
+@task("15 to 30 minutes")
 def platforms() -> None:
     """Packs the FMUs for all platforms, twice in different folders, and runs those that this machine can run."""
     need_rust()
@@ -287,6 +293,7 @@ def test_registers_of_arm() -> None:
     )
 
 
+@task("1 to 2 minutes")
 def pack(*fmu_build: str | Path) -> None:
     """Builds the library and packs every model as an FMU into dist/, and the four-post rig as an SSP package."""
     need_rust()
@@ -312,6 +319,7 @@ def package(fmus: bool = True) -> None:
         run(PYTHON, "python/fmus.py", "dist", folder / "fmus")
 
 
+@task("4 to 8 minutes")
 def wheel() -> None:
     """Builds the Python package from the packed FMUs into dist/, as one file, and tests it by itself."""
     need_rust()
@@ -324,6 +332,7 @@ def wheel() -> None:
     run(PYTHON, "-m", "pytest", "tests/wheel")
 
 
+@task("20 to 40 minutes")
 def wheels() -> None:
     """Builds the Python package for all platforms into dist/wheels/, and examines and runs what can be run here."""
     need_rust()
@@ -346,6 +355,7 @@ def setup_page() -> None:
     run(shutil.which("npm"), "ci", "--prefix", "web", "--ignore-scripts", "--no-audit", "--no-fund")
 
 
+@task("about a minute")
 def types() -> None:
     """Writes the types of the page's questions and answers, as the library declares them, into web/page/types.ts."""
     setup()
@@ -366,6 +376,7 @@ def write_page() -> Path:
     return library
 
 
+@task("3 to 6 minutes")
 def page() -> None:
     """Builds the page into dist/, as one file, and tests it in Chromium, and against the library for this machine, the
     command line, Python and C."""
@@ -394,6 +405,7 @@ def page() -> None:
     )
 
 
+@task("10 to 16 minutes, then about 3")
 def demo() -> None:
     """Packs the FMUs and runs each of them from Python, identifies a law, and compares solvers on the belt of the
     thesis."""
@@ -416,6 +428,7 @@ def check_style() -> None:
     run("cargo", "clippy", "--workspace", "--all-targets", "--", "--deny", "warnings")
 
 
+@task("15 to 25 minutes, then about 12")
 def test() -> None:
     """Every check and test, the fast ones first."""
     need_rust()
@@ -475,6 +488,7 @@ def summarise(commands: list[list[str | Path]], **environment: str) -> None:
         raise TaskError("; ".join(failed))
 
 
+@task("10 to 20 minutes")
 def faults() -> None:
     """Tests with importers and faults of the host, in full, with the figures at the end."""
     need_rust()
@@ -503,6 +517,7 @@ def faults() -> None:
     )
 
 
+@task("hours")
 def identified() -> None:
     """How often the intervals of an identification hold the truth: 200 seeds of every law; how fast its search is, and
     what a camera does to it; takes hours. The intervals that were counted are kept for as long as the sources are the
@@ -518,6 +533,7 @@ def identified() -> None:
     run("cargo", "bench", "--package", "stribeck-fit", "--bench", "identify", IDENTIFIED=str(kept))
 
 
+@task("3 to 6 minutes")
 def formats() -> None:
     """MDF 4 and MAT 5 files against asammdf and scipy, channel by channel, and damaged files."""
     need_rust()
@@ -531,9 +547,24 @@ def formats() -> None:
     run(*test, "--", "--nocapture", FORMATS=str(folder / "files"), RUST_BACKTRACE="0")
 
 
+@task("many hours")
 def trust() -> None:
     """Everything in docs/trust.md, one task after another, with the figures at the end."""
-    parts = [wheel, wheels, page, faults, platforms, fuzz, coverage, broken, mutants, identified, formats, supply]
+    parts = [
+        wheel,
+        wheels,
+        page,
+        faults,
+        platforms,
+        fuzz,
+        coverage,
+        broken,
+        newcomer,
+        mutants,
+        identified,
+        formats,
+        supply,
+    ]
     summarise([[sys.executable, "tasks.py", part.__name__] for part in parts])
 
 
@@ -543,6 +574,7 @@ def setup_tool(tool: str) -> dict[str, str]:
     return {"PATH": f"{TOOLS / 'bin'}{os.pathsep}{os.environ['PATH']}"}
 
 
+@task("5 to 10 minutes, then seconds")
 def supply() -> None:
     """The rules of deny.toml for the crates of the library and of the workspace; then known vulnerabilities, including
     those of crates that only tests use."""
@@ -572,6 +604,7 @@ def supply() -> None:
     print("figure: no known vulnerability in a crate", flush=True)
 
 
+@task("8 to 15 minutes")
 def coverage() -> None:
     """Branches covered by the tests."""
     if platform.system() != "Linux":
@@ -588,6 +621,7 @@ def coverage() -> None:
     run(sys.executable, "tests/coverage.py")
 
 
+@task("5 to 10 minutes")
 def broken() -> None:
     """Deliberately broken copies of the library, and the tests that fail."""
     need_rust()
@@ -595,6 +629,16 @@ def broken() -> None:
     run(sys.executable, "tests/broken/patches.py")
 
 
+@task("15 to 30 minutes")
+def newcomer() -> None:
+    """A law that is added to a copy, as a contributor would, and everything that must take it."""
+    need_rust()
+    need("git", "it lists what to copy")
+    setup()
+    run(PYTHON, "tests/newcomer/run.py")
+
+
+@task("10 to 20 minutes")
 def mutants() -> None:
     """Many small changes to the laws, and how many of them the tests catch."""
     need_rust()
@@ -604,6 +648,7 @@ def mutants() -> None:
     run(sys.executable, "tests/broken/mutants.py", **setup_tool(MUTATION_TOOL))
 
 
+@task("10 to 20 minutes")
 def fuzz() -> None:
     """Coverage-guided fuzzing under the address sanitizer. Findings are in target/fuzz/found."""
     need_rust()
@@ -612,12 +657,14 @@ def fuzz() -> None:
     run(sys.executable, "fuzz/run.py", "--long", "120", CARGO_PROFILE_RELEASE_DEBUG="line-tables-only")
 
 
+@task("3 to 7 minutes")
 def bench() -> None:
     """The benchmarks."""
     need_rust()
     run("cargo", "bench")
 
 
+@task("seconds")
 def clean() -> None:
     """Removes all output of the tasks."""
     for folder in (VENV, ROOT / "dist", ROOT / "out", ROOT / "target"):
@@ -626,51 +673,25 @@ def clean() -> None:
 
 
 # Description of each task, printed when it starts. The times are those of a first run on two cores.
-TASKS = {
-    demo: "install the Python packages, build and pack the FMUs, run each of them, draw the results, identify "
-    "a law, compare solvers: 10 to 16 minutes, then about 3",
-    test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 12",
-    bench: "build and run the benchmarks: 3 to 7 minutes",
-    pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
-    wheel: "pack the FMUs, build the Python package into dist/ as one file, test it with numpy alone: 4 to 8 minutes",
-    wheels: "build the Python package for Linux, Windows and macOS, five files, run that for ARM under qemu; as root "
-    "it installs what it needs with apt: 20 to 40 minutes",
-    page: "build the page as one file into dist/ and test it in Chromium: 3 to 6 minutes",
-    types: "write the types of the page's questions and answers, after these have changed: about a minute",
-    setup: "install the Python packages of requirements.txt into .venv: about a minute",
-    clean: "remove .venv, dist, out and target",
-    trust: "run everything in docs/trust.md and print the figures: many hours",
-    faults: "test the library with importers and faults of the host, in full, and print the figures: 10 to 20 minutes",
-    platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "
-    "it needs with apt: 15 to 30 minutes",
-    fuzz: "try new inputs for interfaces and file readers, two minutes for each of eight targets: 10 to 20 minutes",
-    coverage: "install cargo-llvm-cov, run the Rust and C tests with counters, print the covered branches: "
-    "8 to 15 minutes",
-    broken: "deliberately break copies of the library and show which tests fail: 5 to 10 minutes",
-    mutants: "install cargo-mutants, change the friction laws in more than 200 small ways, one at a time, and count "
-    "how many the tests catch: 10 to 20 minutes",
-    identified: "identify the laws in records of a virtual rig and count how often the intervals hold the truth: hours",
-    formats: "compare the readers of MDF 4 and MAT 5 with asammdf and scipy: 3 to 6 minutes",
-    supply: "check licences, bans and sources of the crates, and known vulnerabilities if github.com is reachable: "
-    "5 to 10 minutes, then seconds",
-}
-
-
 def main() -> int:
-    tasks = {task.__name__: task for task in TASKS}
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("task", choices=tasks)
-    task = tasks[parser.parse_args().task]
-    print(f"{task.__name__}: {TASKS[task]}.", flush=True)
+    lines = [textwrap.fill(described(name), 110, initial_indent="  ", subsequent_indent="      ") for name in TASKS]
+    parser = argparse.ArgumentParser(
+        description=__doc__,
+        epilog="\n".join(["tasks:", *lines]),
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("task", choices=TASKS, metavar="task", help="one of those below")
+    name = parser.parse_args().task
+    print(described(name), flush=True)
     try:
-        task()
+        TASKS[name][0]()
     except TaskError as error:
-        print(f"\n{task.__name__} failed: {error}", file=sys.stderr)
+        print(f"\n{name} failed: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print(f"\n{task.__name__} interrupted", file=sys.stderr)
+        print(f"\n{name} interrupted", file=sys.stderr)
         return 130
-    print(f"\n{task.__name__}: done, in {processor_time() / 60:.1f} minutes of processor time.")
+    print(f"\n{name}: done, in {processor_time() / 60:.1f} minutes of processor time.")
     return 0
 
 
