@@ -142,7 +142,7 @@ pub fn identify<'py>(
         Ok::<_, Fault>((answer, ranking.best().clone(), data.experiments))
     })?;
     let (told, best, experiments) = outcome.map_err(refused)?;
-    let found = best.explained.into_iter().zip(best.fitted);
+    let found = best.predicted.into_iter().zip(best.fitted);
     let arrays = experiments.into_iter().zip(found).map(|(one, found)| Ok((one.name.clone(), table(py, one, found)?)));
     Ok((told, arrays.collect::<PyResult<_>>()?))
 }
@@ -163,7 +163,7 @@ pub fn identify_options() -> String {
 fn table(
     py: Python<'_>,
     experiment: Experiment,
-    (explained, fitted): (Vec<f64>, Vec<bool>),
+    (predicted, fitted): (Vec<f64>, Vec<bool>),
 ) -> PyResult<Bound<'_, PyDict>> {
     let table = PyDict::new(py);
     for (name, values) in [
@@ -171,7 +171,7 @@ fn table(
         ("velocity", experiment.velocity),
         ("normal_force", experiment.normal_force),
         ("force", experiment.force),
-        ("explained", explained),
+        ("predicted", predicted),
     ] {
         table.set_item(name, PyArray1::from_vec(py, values))?;
     }

@@ -85,7 +85,7 @@ class Identification:
         """For each record what is to be known of it: first how it is taken to begin (`taken to begin at rest, with the
         contact unloaded`, or `in steady sliding`), then which columns were taken, what is missing or doubtful."""
         self.records = records
-        """For each record the arrays `time`, `velocity`, `normal_force`, `force`, `explained` by the best law, and
+        """For each record the arrays `time`, `velocity`, `normal_force`, `force`, `predicted` by the best law, and
         whether each sample was `fitted`: those at rest and at the ends are not. With `axis=True` they are averages, one
         every half window of the filter. Arrays are called `record 1` and so on, files by their names."""
 

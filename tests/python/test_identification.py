@@ -31,13 +31,13 @@ def test_identify_gives_the_numbers_of_the_command_line(rig):
     low, high = found.best.estimates["mu_k"].interval
     assert low < 0.2 < high
     record = found.records["force"]
-    rest = (record["force"] - record["explained"])[record["fitted"]]
+    rest = (record["force"] - record["predicted"])[record["fitted"]]
     assert 0 < rest.size < record["force"].size
     assert numpy.sqrt(numpy.sum(rest**2) / (rest.size - 2)) == pytest.approx(found.best.rms, rel=1e-12)
     again = stribeck.simulate("Dahl", velocity=record["velocity"], normal_force=20.0, dt=1e-3, **found.best.values)
     acceleration = numpy.gradient(record["velocity"], 1e-3)
     # The window of the filter and the differences of the second order; at the ends the filter has one side only.
-    apart = again["friction_force"] + 2.0 * acceleration - record["explained"]
+    apart = again["friction_force"] + 2.0 * acceleration - record["predicted"]
     assert numpy.abs(apart[record["fitted"]]).max() < 0.05
     text = found.best.estimates["mu_k"].text
     assert text.startswith(f"{found.best.values['mu_k']:.5f} (95 %: {low:.5f} to {high:.5f}; repeated ")

@@ -12,7 +12,7 @@ import { type State, toHash } from "./link";
 import { Cursor, LoopPlot, type Plot, TimePlot } from "./plot";
 import { TakeAway } from "./take";
 import { dashes, onTheme } from "./theme";
-import type { Choice, Files, Fit, Fitted, FittedLaw, Quality } from "./types";
+import { type Choice, type Files, type Fit, type Fitted, type FittedLaw, IDENTIFICATION, type Quality } from "./types";
 
 /** Largest file that is read, in bytes (chosen). */
 const LARGEST = 64e6;
@@ -27,6 +27,7 @@ const RIG: Record<string, string> = {
 };
 /** Options that have places of their own on the page, or files. */
 const ELSEWHERE = ["records", "motion", "law", "mass", "normal_force", "hold_out"];
+const OPTIONS = IDENTIFICATION.filter(({ name }) => !ELSEWHERE.includes(name));
 
 const FORCE: Label = { name: "Friction force", unit: "N" };
 
@@ -117,10 +118,6 @@ export class FitView {
     this.page.changed(true);
   }
 
-  private get options(): Choice[] {
-    return this.page.catalogue.identification.filter(({ name }) => !ELSEWHERE.includes(name));
-  }
-
   private setOption(name: string, text: string): void {
     if (text === "" || text === "false") delete this.state.set[`fit.${name}`];
     else this.state.set[`fit.${name}`] = text;
@@ -135,7 +132,7 @@ export class FitView {
   }
 
   async show(): Promise<void> {
-    const names = [...Object.keys(RIG).map((name) => `rig.${name}`), ...this.options.map(({ name }) => `fit.${name}`)];
+    const names = [...Object.keys(RIG).map((name) => `rig.${name}`), ...OPTIONS.map(({ name }) => `fit.${name}`)];
     const unknown = Object.keys(this.state.set).find((name) => !names.includes(name));
     if (unknown !== undefined) this.page.fault(`'${unknown}' is unknown`);
     const stranger = this.state.laws.find((law) => !this.page.catalogue.fitted.includes(law));
@@ -155,7 +152,7 @@ export class FitView {
     this.known.replaceChildren(
       number("Mass", "mass", "kg", again),
       number("Normal force", "normal_force", "N", again),
-      h("details", { class: "solver" }, h("summary", {}, "Options"), ...this.options.map((option) => this.option(option))),
+      h("details", { class: "solver" }, h("summary", {}, "Options"), ...OPTIONS.map((option) => this.option(option))),
     );
     const laws = this.page.catalogue.fitted.map((name) => ({ name, text: name }));
     const faults = h("input", { type: "checkbox", id: "rig-faults" });
@@ -253,7 +250,7 @@ export class FitView {
   private asked(data: Data): Fit {
     const camera: Fit["inquiry"] = data.motion === undefined ? {} : { motion: "motion.csv", delay: "find" };
     const known = ["mass", "normal_force"].map((name) => [name, this.value(name)]);
-    const given = this.options.map(({ name }) => [name, this.state.set[`fit.${name}`]]).filter(([, text]) => text !== undefined);
+    const given = OPTIONS.map(({ name }) => [name, this.state.set[`fit.${name}`]]).filter(([, text]) => text !== undefined);
     return { inquiry: { records: ["force.csv"], law: [...this.state.laws], ...camera }, options: Object.fromEntries([...known, ...given]) };
   }
 

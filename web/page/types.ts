@@ -260,11 +260,7 @@ export type Catalogue = { version: string, laws: Array<Model>, shock_absorber: A
 /**
  * Laws that can be fitted.
  */
-fitted: Array<string>, 
-/**
- * Options of an identification.
- */
-identification: Array<Choice>, thesis: Thesis, palette: Palette, };
+fitted: Array<string>, thesis: Thesis, palette: Palette, };
 
 export type Thesis = { classes: [string, string, string, string], times: Array<[string, [number | null, number | null, number | null, number | null]]>, };
 
@@ -469,3 +465,144 @@ law: string,
  * Why.
  */
 reason: string, };
+
+export const IDENTIFICATION: Choice[] = [
+  {
+    "name": "records",
+    "help": "Records: tables with time, force, and displacement or velocity, perhaps normal_force; units in brackets",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "column",
+    "help": "Name of a column in the records: force=Kraft_1; in binary files (.mf4, .mat) that of a channel or variable",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "scale",
+    "help": "Factor of a column: force=35.15 if it has volts of an amplifier with 35.15 N/V, displacement=-1 if it is reversed",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "motion",
+    "help": "Table of the motion on its own clock (a camera), for a single record",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "law",
+    "help": "Friction laws; several, or `all`, are ranked (default: none; for an axis CoulombViscous)",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "axis",
+    "help": "The records are of an axis, M a = F - f - offset: fit mass and offset too, with Coulomb and viscous friction unless a law is given, at a normal force of 1 N unless one is known",
+    "choices": [],
+    "is_flag": true
+  },
+  {
+    "name": "mass",
+    "help": "Mass between load cell and contact in kg (default: 0)",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "normal_force",
+    "help": "Normal force in N, if the record has none",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "window",
+    "help": "Window in s for smoothing and differentiating the motion, 0 for the shortest (default: 5 to 391 samples, at most a tenth of the record, with the least error of velocity and acceleration; for an axis 9 to 191 samples, force and motion alike)",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "delay",
+    "help": "Delay of the motion behind the force in s; or `find`, or `find:LONGEST` (default: 0; for an axis that of a controller, up to two samples, is found)",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "skip",
+    "help": "Seconds at the start of the records that are skipped (default: 0)",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "rest",
+    "help": "Speed in m/s below which samples are left out (default: three times the error of the velocity, and for Coulomb and viscous friction of an axis a twentieth of the highest speed; 0 for none)",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "fix",
+    "help": "Parameter that is held, in those of several laws that have it: sigma_1=0; also mass and offset of the rig",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "fit",
+    "help": "Additional parameter to fit: an exponent, mass, offset",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "range",
+    "help": "Range of a parameter instead of the one that follows from the data",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "method",
+    "help": "Search over the whole range (default: evolution)",
+    "choices": [
+      "evolution",
+      "genetic"
+    ],
+    "is_flag": false
+  },
+  {
+    "name": "loss",
+    "help": "Cost of a residual: squares, or less for outliers (default: squares)",
+    "choices": [
+      "squares",
+      "robust"
+    ],
+    "is_flag": false
+  },
+  {
+    "name": "hold_out",
+    "help": "Validation records, which are not fitted: the laws are held against them",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "folds",
+    "help": "Cross-validation: fit all parts of the records but one, in turn, and hold the law against that part (default: none)",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "budget",
+    "help": "Evaluations of the law in a search over the whole range, before least squares; at least those of its first generations are made, 48 or 16 for each parameter, 62 by the genetic algorithm (default: 3000)",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "seed",
+    "help": "Seed of the search and of the repetitions (default: 1)",
+    "choices": [],
+    "is_flag": false
+  },
+  {
+    "name": "repetitions",
+    "help": "Repetitions with blocks of residuals (default: 40)",
+    "choices": [],
+    "is_flag": false
+  }
+];

@@ -7,10 +7,8 @@ use serde::Serialize;
 use ssp::parameter_set::text_of;
 use stribeck::catalogue::{Family, documented};
 use stribeck::model::{Kind, ModelType, Variable};
-use stribeck_fit::identify::Inquiry;
 use stribeck_fit::thesis::{CLASSES, TABLE_6_5};
 use stribeck_plot::palette::{self, DARK, DASHES, LIGHT};
-use stribeck_solve::job;
 use stribeck_solve::run::Solver;
 use stribeck_solve::system::{BUILT_IN, Description, Fault};
 use ts_rs::TS;
@@ -28,8 +26,6 @@ pub struct Catalogue {
     solvers: Vec<Named>,
     /// Laws that can be fitted.
     fitted: Vec<&'static str>,
-    /// Options of an identification.
-    identification: Vec<job::Choice>,
     thesis: Thesis,
     palette: Palette,
 }
@@ -135,7 +131,6 @@ pub fn catalogue() -> Result<Answer, Fault> {
         systems: BUILT_IN.iter().map(|(name, text)| system(name, text)).collect::<Result<_, Fault>>()?,
         solvers: Solver::value_variants().iter().filter_map(ValueEnum::to_possible_value).map(solver).collect(),
         fitted: stribeck_fit::identify::laws().map(|law| law.name).collect(),
-        identification: job::options::<Inquiry>(),
         thesis: Thesis { classes: CLASSES, times: TABLE_6_5 },
         palette: Palette { light: colours(&LIGHT), dark: colours(&DARK), dashes: DASHES },
     }))

@@ -164,7 +164,7 @@ pub fn quality(asked: &Asked, files: &Texts) -> Result<Answer, Fault> {
     Ok(Answer::with(told, arrays))
 }
 
-/// Fits laws; `progress` hears of what is not explained so far, in N, and returns whether the search is to end with it.
+/// Fits laws; `progress` hears of what is not predicted so far, in N, and returns whether the search is to end with it.
 pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)) -> Result<Answer, Fault> {
     let inquiry = asked.inquiry()?;
     let data = inquiry.data(files)?;
@@ -174,7 +174,7 @@ pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)
     };
     let ranking = inquiry.fits(&data, &mut |_| {}, Watch { cancel: &cancel, progress: &heard })?;
     let best = ranking.best();
-    let fitted = best.explained_in(&best.seen(&data.records[0].1), 0);
+    let fitted = best.predicted_in(&best.seen(&data.records[0].1), 0);
     let cycle = average(&fitted).map(|cycle| cycle.friction_force);
     let arrays = std::iter::once(fitted.friction_force).chain(cycle).collect();
     let told = Fitted {

@@ -25,6 +25,13 @@ pub fn types() -> String {
         .to_owned()
         + &questions()
         + &answers()
+        + &options()
+}
+
+/// The options of an identification, which the page shows as fields.
+fn options() -> String {
+    let all = serde_json::to_string_pretty(&job::options::<identify::Inquiry>());
+    all.map_or_else(|fault| fault.to_string(), |all| format!("\nexport const IDENTIFICATION: Choice[] = {all};\n"))
 }
 
 /// What the page asks.

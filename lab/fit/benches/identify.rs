@@ -1,7 +1,7 @@
 //! How far identification can be trusted, in figures. `cargo bench --package stribeck-fit --bench identify -- PART ...`:
 //!
 //! * `trust [SEEDS [RANKED [LAWS]]]`: for each law and seed (200) a record of the virtual rig with 1 % noise; for each
-//!   unknown to which the fit gives an interval or an upper limit, whether that holds the truth. Then the records of some
+//!   parameter to which the fit gives an interval or an upper limit, whether that holds the truth. Then the records of some
 //!   laws (all) against all laws. What is found is kept in the file that `IDENTIFIED` names, if it does, and not computed again:
 //!   hours of work can be spread over days.
 //! * `ranking`: time to rank all laws by a record of 10,001 samples.
@@ -24,7 +24,7 @@ use cpu_time::ProcessTime;
 use stribeck::catalogue::by_name;
 use stribeck::model::ModelType;
 use stribeck_fit::identify::{
-    Estimate, Experiment, Fit, Method, Rank, Searches, Task, Verdict, Watch, fit, fit_all, laws,
+    Estimate, Experiment, Fit, Method, Rank, Searches, Settings, Verdict, Watch, fit, fit_all, laws,
 };
 use stribeck_fit::measured::{Delay, Record, Rig};
 use stribeck_fit::rig::{Faults, VirtualRig};
@@ -57,7 +57,7 @@ fn trust(arguments: &[String]) {
     let chosen: Vec<&'static ModelType> =
         laws().filter(|law| named.is_empty() || named.iter().any(|name| name == law.name)).collect();
     let found = Kept::open().collect(&chosen, seeds);
-    println!("{:<18} {:<22} {:>9} {:>6} {:>6} {:>8}", "law", "unknown", "intervals", "limits", "held", "share, %");
+    println!("{:<18} {:<22} {:>9} {:>6} {:>6} {:>8}", "law", "parameter", "intervals", "limits", "held", "share, %");
     let (mut all, mut held) = (0, 0);
     for ((law, name), Counts { intervals, limits, held: hits }) in in_order(&found) {
         let told = intervals + limits;
@@ -132,15 +132,15 @@ fn methods() {
         // Fewer samples than a search thins out.
         let rig = slider(1.9, Faults::NOISE, seed);
         let experiment = read(&rig, None);
-        let task = Task { seed, profiles: false, repetitions: 0, mass: MASS, ..Task::default() };
+        let task = Settings { seed, profiles: false, repetitions: 0, mass: MASS, ..Settings::default() };
         let (best, log) = logged(rig.law, &experiment, &task);
         let count = best.samples as f64;
-        let floor = best.residuals.rms * ((count - best.unknowns() as f64) / count).sqrt();
+        let floor = best.residuals.rms * ((count - best.parameters() as f64) / count).sqrt();
         let reached = |log: &[(u64, f64)]| log.iter().find(|(_, rms)| *rms <= FOUND * floor).map(|(count, _)| *count);
         let searches = log.len().max(1) as u64;
         // Where the search stops before, least squares go on: their evaluations count too.
         let found = log.iter().filter_map(|log| reached(log)).min().unwrap_or(best.evaluations / searches);
-        let other = Task { method: Method::Genetic, budget: GENEROUS, ..task };
+        let other = Settings { method: Method::Genetic, budget: GENEROUS, ..task };
         let (worse, log) = logged(rig.law, &experiment, &other);
         let needed = log.iter().filter_map(|log| reached(log)).min();
         let shown = needed.map_or("not reached".to_owned(), |count| count.to_string());
@@ -157,7 +157,7 @@ fn methods() {
 }
 
 /// A fit, and for each search the evaluations and what was left at its best place.
-fn logged(law: &'static ModelType, experiment: &Experiment, task: &Task) -> (Fit, Vec<Vec<(u64, f64)>>) {
+fn logged(law: &'static ModelType, experiment: &Experiment, task: &Settings) -> (Fit, Vec<Vec<(u64, f64)>>) {
     let never = AtomicBool::new(false);
     let log: Mutex<HashMap<ThreadId, Vec<(u64, f64)>>> = Mutex::default();
     let progress = |rms: f64, evaluations: u64| {
@@ -174,12 +174,12 @@ fn camera() {
     let faults = Faults { camera: true, ..Faults::NOISE };
     println!(
         "{:<8} {:>4} {:<22} {:>10} {:>10} {:>10} {:>10}",
-        "motion", "seed", "unknown", "truth", "found", "low", "high"
+        "motion", "seed", "parameter", "truth", "found", "low", "high"
     );
     let (mut held, mut told, mut warned, mut runs) = (0, 0, 0, 0);
     for seed in 1..=3 {
         for (name, rig) in [("encoder", slider(4.0, Faults::NOISE, seed)), ("camera", slider(4.0, faults, seed))] {
-            let task = Task { repetitions: 0, mass: MASS, ..Task::default() };
+            let task = Settings { repetitions: 0, mass: MASS, ..Settings::default() };
             let delay = if rig.faults.camera { Some(Delay::Find(0.05)) } else { None };
             let (fit, _) = logged(rig.law, &read(&rig, delay), &task);
             let is_warned = fit.warnings.iter().any(|text| text.contains("found too low"));
@@ -205,7 +205,7 @@ fn blur() {
         rig.values.retain(|(name, _)| name != "stribeck_velocity");
         rig.values.push(("stribeck_velocity".to_owned(), speed));
         let experiment = read(&rig, Some(Delay::Find(0.05)));
-        let task = Task { repetitions: 0, profiles: false, mass: MASS, ..Task::default() };
+        let task = Settings { repetitions: 0, profiles: false, mass: MASS, ..Settings::default() };
         let (fit, _) = logged(rig.law, &experiment, &task);
         let off = |name: &str, truth: f64| {
             let one = fit.estimates.iter().find(|one| one.name == name);
@@ -260,8 +260,8 @@ fn experiment(law: &'static ModelType, seed: u64) -> Experiment {
     read(&rig, None)
 }
 
-fn task(profiles: bool) -> Task {
-    Task { mass: MASS, profiles, repetitions: 0, ..Task::default() }
+fn task(profiles: bool) -> Settings {
+    Settings { mass: MASS, profiles, repetitions: 0, ..Settings::default() }
 }
 
 fn fitted(law: &'static ModelType, experiment: &Experiment) -> Option<Fit> {
@@ -270,7 +270,7 @@ fn fitted(law: &'static ModelType, experiment: &Experiment) -> Option<Fit> {
     fit(law, slice::from_ref(experiment), &task(true), watch).ok()
 }
 
-/// An unknown in a fit to a record: law, seed of the record, name; whether it was given an interval or an upper limit,
+/// A parameter in a fit to a record: law, seed of the record, name; whether it was given an interval or an upper limit,
 /// and whether that held the truth.
 #[derive(Clone)]
 struct Seen {
@@ -328,7 +328,7 @@ impl Seen {
     }
 }
 
-/// The unknowns of a law in a fit to a record of it; one without a name if it cannot be fitted.
+/// The parameters of a law in a fit to a record of it; one without a name if it cannot be fitted.
 fn look(law: &'static ModelType, seed: u64) -> Vec<Seen> {
     let start = |name: &str| law.find(name).map(|column| law.table.at(column).start);
     let truth = |name: &str| match name {
@@ -360,7 +360,7 @@ fn look(law: &'static ModelType, seed: u64) -> Vec<Seen> {
     fit.estimates.iter().map(seen).collect()
 }
 
-/// How often an unknown was given an interval or an upper limit, and how often that held the truth.
+/// How often a parameter was given an interval or an upper limit, and how often that held the truth.
 #[derive(Default)]
 struct Counts {
     intervals: u32,
@@ -368,7 +368,7 @@ struct Counts {
     held: u32,
 }
 
-/// Counts for each unknown of each law.
+/// Counts for each parameter of each law.
 fn in_order(found: &[Seen]) -> BTreeMap<(&str, &str), Counts> {
     let mut all = BTreeMap::new();
     for one in found.iter().filter(|one| !one.name.is_empty()) {

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use stribeck::catalogue::by_name;
 use stribeck_fit::identify::tyre::{Axes, TyreTest};
-use stribeck_fit::identify::{Experiment, Task, Watch, fit};
+use stribeck_fit::identify::{Experiment, Settings, Watch, fit};
 use stribeck_fit::measured::{Delay, Record, Rig, average};
 use stribeck_fit::rig::{Faults, VirtualRig};
 use stribeck_fit::sheet::Sheet;
@@ -112,12 +112,12 @@ fn attempt(record: &Record, is_fitted: bool) {
         return;
     }
     let never = AtomicBool::new(false);
-    let task = Task { budget: 60, profiles: false, repetitions: 0, ..Task::default() };
+    let task = Settings { budget: 60, profiles: false, repetitions: 0, ..Settings::default() };
     let experiments = [Experiment::new("record", record)];
     let found = fit(by_name("Dahl").unwrap(), &experiments, &task, Watch { cancel: &never, progress: &|_, _| {} });
     if let Ok(fit) = found {
         assert!(fit.values().iter().all(|(_, value)| value.is_finite()), "{:?}", fit.values());
-        assert!(fit.explained[0].iter().all(|force| force.is_finite()));
+        assert!(fit.predicted[0].iter().all(|force| force.is_finite()));
     }
 }
 

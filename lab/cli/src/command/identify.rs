@@ -6,8 +6,8 @@ use clap::Args;
 use ssp::parameter_set::ParameterSet;
 use stribeck::model::ModelType;
 use stribeck_fit::identify::{
-    Answer, Data, Experiment, Files, Fit, Inquiry, Ranking, Reference, Searches, Task, Unseen, Verdict, Watch, fit,
-    of_law, preset,
+    Answer, Data, Experiment, Files, Fit, Inquiry, Ranking, Reference, Searches, Settings, Validation, Verdict, Watch,
+    fit, of_law, preset,
 };
 use stribeck_fit::measured::{Record, average};
 use stribeck_plot::report::{Identification, identification};
@@ -217,8 +217,8 @@ fn worth(name: &str, record: &Record) -> String {
 }
 
 /// Says what the data can determine, without a number.
-fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Task) -> Result<Ending, Failure> {
-    let task = Task { budget: CHECK.min(task.budget), profiles: false, repetitions: 0, ..task.clone() };
+fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Settings) -> Result<Ending, Failure> {
+    let task = Settings { budget: CHECK.min(task.budget), profiles: false, repetitions: 0, ..task.clone() };
     let is_ended = || CANCELLED.load(std::sync::atomic::Ordering::Relaxed);
     for law in laws.iter().filter(|_| !is_ended()) {
         let bar = Best::new();
@@ -249,7 +249,7 @@ fn table(ranking: &Ranking) -> String {
         return String::new();
     }
     let mut text = "\n  law                  RMS residual parameters     dBIC".to_owned();
-    let is_held_out = ranking.fits.iter().any(|fit| !fit.unseen.is_empty());
+    let is_held_out = ranking.fits.iter().any(|fit| !fit.validation.is_empty());
     text += if is_held_out { "  validation RMS\n" } else { "\n" };
     for (number, place) in ranking.ranks.iter().enumerate() {
         let fit = &ranking.fits[place.fit];
@@ -260,9 +260,9 @@ fn table(ranking: &Ranking) -> String {
             "  {:<20} {:>10.3e} N {:>10} {:>8.1}{}{note}\n",
             fit.law.name,
             fit.residuals.rms,
-            fit.unknowns(),
+            fit.parameters(),
             place.delta_bic,
-            worst(&fit.unseen).map_or(String::new(), |rms| format!("  {rms:>12.3e} N"))
+            worst(&fit.validation).map_or(String::new(), |rms| format!("  {rms:>12.3e} N"))
         );
     }
     ranking.refused.iter().for_each(|(_, reason)| text += &format!("  {reason}\n"));
@@ -270,8 +270,8 @@ fn table(ranking: &Ranking) -> String {
 }
 
 /// The largest root mean square of the validation records.
-fn worst(unseen: &[Unseen]) -> Option<f64> {
-    unseen.iter().map(|one| one.rms).reduce(f64::max)
+fn worst(validation: &[Validation]) -> Option<f64> {
+    validation.iter().map(|one| one.rms).reduce(f64::max)
 }
 
 fn save(arguments: &Arguments, best: &Fit) -> Result<(), Failure> {

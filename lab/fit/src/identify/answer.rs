@@ -116,7 +116,7 @@ fn law(fit: &Fit, place: &Rank) -> FittedLaw {
         tied: place.is_tied,
         rms: fit.residuals.rms,
         noise: fit.residuals.noise,
-        validation: fit.unseen.iter().map(|one| (one.name.clone(), one.rms)).collect(),
+        validation: fit.validation.iter().map(|one| (one.name.clone(), one.rms)).collect(),
         samples: fit.samples,
         correlation: fit.residuals.correlation,
         repeatable: fit.searches == Searches::Agree,

@@ -1,7 +1,7 @@
 //! Quantities fitted to the records of an axis, M a = F - f - offset (the model `Axis`).
 
 use super::experiment::UNKNOWN_DIRECTION;
-use super::{Experiment, Fault, ModelType, Wishes};
+use super::{Experiment, Fault, ModelType, Selection};
 use crate::measured::SLOW;
 
 /// Law of its guides, unless another one is given.
@@ -16,15 +16,15 @@ pub(super) fn load(experiments: &[Experiment]) -> Option<f64> {
     experiments.iter().all(is_of_axis).then_some(load)
 }
 
-/// Adds mass and offset to the unknowns, unless they are held; a mass that is known, other than 0 kg, is.
-pub fn fitted(wishes: &mut Wishes, mass: f64) {
+/// Adds mass and offset to the parameters, unless they are held; a mass that is known, other than 0 kg, is.
+pub fn fitted(selection: &mut Selection, mass: f64) {
     for name in ["mass", "offset"] {
         let is_known = name == "mass" && mass != 0.0;
         if !is_known
-            && wishes.fixed.iter().all(|(held, _)| held != name)
-            && wishes.fitted.iter().all(|known| known != name)
+            && selection.fixed.iter().all(|(held, _)| held != name)
+            && selection.fitted.iter().all(|known| known != name)
         {
-            wishes.fitted.push(name.to_owned());
+            selection.fitted.push(name.to_owned());
         }
     }
 }

@@ -28,8 +28,8 @@ fn mass_friction_and_offset_of_an_axis_are_found_within_half_a_percent() {
     for (at, force) in data.force.iter_mut().enumerate() {
         *force += mass * data.acceleration[at] - 3.1648 + 0.5 * noise[at];
     }
-    let wishes = Wishes { fitted: vec!["mass".into(), "offset".into()], ..Wishes::default() };
-    let fit = fitted("CoulombViscous", &[data], &Task { wishes, ..quick() });
+    let selection = Selection { fitted: vec!["mass".into(), "offset".into()], ..Selection::default() };
+    let fit = fitted("CoulombViscous", &[data], &Settings { selection, ..quick() });
     for (name, truth) in [("mass", mass), ("mu_k", 20.3935), ("viscous_coefficient", 203.5034), ("offset", -3.1648)] {
         let one = estimate(&fit, name);
         assert!((one.value / truth - 1.0).abs() < 5e-3 || (one.value - truth).abs() < 0.05, "{one:?}");
@@ -55,10 +55,10 @@ fn a_record_of_the_axis_gives_back_its_parameters() {
     let sheet = Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
     let rig = Rig { normal_force: Some(axis::NORMAL_FORCE), is_axis: true, ..Rig::default() };
     let record = Record::of(&sheet, None, &rig).unwrap();
-    let mut wishes = Wishes::default();
-    axis::fitted(&mut wishes, 0.0);
+    let mut selection = Selection::default();
+    axis::fitted(&mut selection, 0.0);
     let experiment = axis::in_motion(Experiment::new("axis", &record), &[]).unwrap();
-    let fit = fitted(axis::LAW, &[experiment], &Task { wishes, ..quick() });
+    let fit = fitted(axis::LAW, &[experiment], &Settings { selection, ..quick() });
     for (name, truth) in [("mass", 95.1089), ("mu_k", 20.3935), ("viscous_coefficient", 203.5034), ("offset", -3.1648)]
     {
         let one = estimate(&fit, name);
@@ -68,13 +68,13 @@ fn a_record_of_the_axis_gives_back_its_parameters() {
     }
     // What pictures show: the force without inertia and offset.
     let seen = fit.seen(&record);
-    let explained = fit.explained_in(&seen, 0);
+    let predicted = fit.predicted_in(&seen, 0);
     let fastest = seen.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     let fast: Vec<usize> = (0..seen.time.len()).filter(|at| seen.velocity[*at].abs() > 0.2 * fastest).collect();
     assert!(fast.len() > 100);
     for at in fast {
         let friction = 20.3935 * seen.velocity[at].signum() + 203.5034 * seen.velocity[at];
-        assert!((explained.friction_force[at] - friction).abs() < 0.2, "{at} {friction}");
+        assert!((predicted.friction_force[at] - friction).abs() < 0.2, "{at} {friction}");
         assert!((seen.friction_force[at] - friction).abs() < 1.5, "{at} {friction} {}", seen.friction_force[at]);
     }
 }
@@ -82,9 +82,9 @@ fn a_record_of_the_axis_gives_back_its_parameters() {
 #[test]
 fn a_mass_that_is_known_is_not_fitted() {
     let fitted = |mass: f64| {
-        let mut wishes = Wishes::default();
-        axis::fitted(&mut wishes, mass);
-        wishes.fitted
+        let mut selection = Selection::default();
+        axis::fitted(&mut selection, mass);
+        selection.fitted
     };
     assert_eq!(fitted(0.0), ["mass", "offset"]);
     assert_eq!(fitted(35.0), ["offset"]);
@@ -100,9 +100,9 @@ fn delays_of_several_records_are_not_taken_for_one() {
     let law = by_name("Coulomb").unwrap();
     let text = fit(law, &[one("first"), one("second")], &quick(), quiet()).unwrap_err().to_string();
     assert!(text.starts_with("second: its delay is another one than that of first"), "{text}");
-    let wishes = Wishes { fixed: vec![("delay".into(), 0.01)], ..Wishes::default() };
+    let selection = Selection { fixed: vec![("delay".into(), 0.01)], ..Selection::default() };
     let known = Experiment { delay_range: None, ..one("known") };
-    let text = fit(law, &[known], &Task { wishes, ..quick() }, quiet()).unwrap_err().to_string();
+    let text = fit(law, &[known], &Settings { selection, ..quick() }, quiet()).unwrap_err().to_string();
     assert!(text.contains("held only where it is looked for"), "{text}");
 }
 
@@ -147,16 +147,16 @@ fn held(force: impl Fn(f64) -> f64) -> Sheet {
 }
 
 fn fit_of_axis(sheet: &Sheet, delay: Delay) -> Fit {
-    fit_with(sheet, delay, Wishes::default())
+    fit_with(sheet, delay, Selection::default())
 }
 
-fn fit_with(sheet: &Sheet, delay: Delay, mut wishes: Wishes) -> Fit {
+fn fit_with(sheet: &Sheet, delay: Delay, mut selection: Selection) -> Fit {
     let rig = Rig { normal_force: Some(axis::NORMAL_FORCE), is_axis: true, delay, ..Rig::default() };
     let record = Record::of(sheet, None, &rig).unwrap();
     let law = by_name(axis::LAW).unwrap();
     let experiment = axis::in_motion(Experiment::new("axis", &record), &[law]).unwrap();
-    axis::fitted(&mut wishes, 0.0);
-    fitted(axis::LAW, &[experiment], &Task { wishes, ..quick() })
+    axis::fitted(&mut selection, 0.0);
+    fitted(axis::LAW, &[experiment], &Settings { selection, ..quick() })
 }
 
 /// Between samples 10 ms apart the axis goes on to accelerate: a filter of the motion alone, or a delay of 0, would shift
@@ -254,9 +254,9 @@ fn a_mass_behind_a_load_cell_is_weighed_with_all_of_its_acceleration() {
     let sheet = Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
     let record = Record::of(&sheet, None, &Rig { normal_force: Some(20.0), ..Rig::default() }).unwrap();
     assert!((0.003..0.01).contains(&record.acceleration_lost), "{}", record.acceleration_lost);
-    let wishes = Wishes { fitted: vec!["mass".into()], ..Wishes::default() };
+    let selection = Selection { fitted: vec!["mass".into()], ..Selection::default() };
     let experiments = [Experiment::new("fast", &record)];
-    let fit = fitted("CoulombViscous", &experiments, &Task { wishes, ..quick() });
+    let fit = fitted("CoulombViscous", &experiments, &Settings { selection, ..quick() });
     let one = estimate(&fit, "mass");
     assert!((one.value - 2.0).abs() < 3e-3 && is_open_or_true(one, 2.0), "{one:?}");
     // The same but for the degrees of freedom.
@@ -306,8 +306,8 @@ fn a_constant_acceleration_tells_no_mass() {
         ("displacement", time.iter().zip(&shaken).map(|(t, noise)| 0.02 * t + 0.025 * t * t + 1e-7 * noise).collect()),
     ];
     let sheet = Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
-    let wishes = Wishes { fixed: vec![("offset".into(), offset)], ..Wishes::default() };
-    let fit = fit_with(&sheet, Delay::OfController, wishes);
+    let selection = Selection { fixed: vec![("offset".into(), offset)], ..Selection::default() };
+    let fit = fit_with(&sheet, Delay::OfController, selection);
     for (name, truth) in [("mass", mass), ("mu_k", level)] {
         let one = estimate(&fit, name);
         assert!(is_open_or_true(one, truth), "{one:?}");

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use stribeck_solve::system::Fault;
 use thiserror::Error;
 
-use super::{StrutFriction, Task, Watch, laws_named, strut_friction};
+use super::{Settings, StrutFriction, Watch, laws_named, strut_friction};
 use crate::dyno::{Damper, DynoError, ForceSign, Options, Test, find_damper};
 
 /// A damper test, and what is known of it.
@@ -93,8 +93,8 @@ impl Inquiry {
         let [law] = laws_named(&[law.to_owned()])?[..] else {
             return Err(Fault::value(format_args!("law = {law}: must be one law")));
         };
-        let usual = Task::default();
-        let task = Task { seed: self.seed.unwrap_or(usual.seed), ..usual };
+        let usual = Settings::default();
+        let task = Settings { seed: self.seed.unwrap_or(usual.seed), ..usual };
         let never = AtomicBool::new(false);
         strut_friction(law, test, options, &task, Watch { cancel: &never, progress: &|_, _| {} })
     }

@@ -18,7 +18,7 @@ fn a_search_that_is_ended_keeps_its_best() {
         stop.store(true, Ordering::Relaxed);
     };
     let watch = Watch { cancel: &stop, progress: &progress };
-    let fit = fit(by_name("LuGre").unwrap(), &data, &Task::default(), watch).unwrap();
+    let fit = fit(by_name("LuGre").unwrap(), &data, &Settings::default(), watch).unwrap();
     assert!(fit.is_cancelled && fit.residuals.rms.is_finite() && best.lock().unwrap().is_finite());
     assert!(fit.estimates.iter().all(|one| one.profile.is_none() && one.repeated.is_none()));
     assert!(fit.searches == Searches::Ended && !fit.values().is_empty(), "{:?}", fit.estimates);
@@ -52,7 +52,7 @@ fn a_ranking_that_is_ended_keeps_what_it_has_found() {
 fn a_fit_that_is_ended_while_it_is_repeated_says_so() {
     const REPETITIONS: usize = 8;
     let data = [measured("Dahl", &[], &standard(300), 0.01, 1)];
-    let task = Task { budget: 200, repetitions: REPETITIONS, ..quick() };
+    let task = Settings { budget: 200, repetitions: REPETITIONS, ..quick() };
     let calls = Mutex::new(0);
     let run = |last: usize| {
         let stop = AtomicBool::new(false);

@@ -1,13 +1,13 @@
-//! The unknowns after a fit, with their intervals.
+//! The parameters after a fit, with their intervals.
 
 use stribeck::model::Meaning;
 use stribeck::number::Real;
 
 use super::interval::{Ended, quantiles};
-use super::trust::{DETERMINED, Verdict, WIDTH};
-use super::unknown::{Scale, Target, Unknown};
+use super::parameter::{Parameter, Scale, Target};
+use super::uncertainty::{DETERMINED, Verdict, WIDTH};
 
-/// An unknown after a fit.
+/// A parameter after a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     /// Name.
@@ -62,7 +62,7 @@ impl Estimate {
     }
 }
 
-/// Values of the unknowns in repetitions of a fit.
+/// Values of the parameters in repetitions of a fit.
 struct Repeated(Vec<Vec<f64>>);
 
 impl Repeated {
@@ -77,7 +77,7 @@ fn around(value: f64, deviation: f64) -> [f64; 2] {
 }
 
 impl Ended<'_> {
-    /// The estimates; mu_s, the sum of two unknowns, comes last.
+    /// The estimates; mu_s, the sum of two parameters, comes last.
     pub fn estimates(&self, profiles: bool, places: &[Vec<f64>]) -> Vec<Estimate> {
         let values = self.problem.values(&self.best.places);
         let repeated = Repeated(places.iter().map(|places| self.problem.values(places)).collect());
@@ -89,30 +89,30 @@ impl Ended<'_> {
     }
 
     fn estimate(&self, number: usize, value: f64, profiles: bool, repeated: &Repeated) -> Estimate {
-        let unknown = &self.problem.unknowns[number];
+        let parameter = &self.problem.parameters[number];
         let deviation = self.trust.deviations[number];
         let verdict = self.trust.verdicts[number].clone();
         let profile = (profiles && verdict.is_told()).then(|| self.profile(number));
         let verdict = match profile {
-            Some(ends) if is_open(unknown, value, ends) => Verdict::Undetermined(format!(
+            Some(ends) if is_open(parameter, value, ends) => Verdict::Undetermined(format!(
                 "the other parameters can compensate for it, with {} from {:.3e} to {:.3e}",
-                unknown.name, ends[0], ends[1]
+                parameter.name, ends[0], ends[1]
             )),
             _ => verdict,
         };
         let estimate = Estimate {
-            name: unknown.name.clone(),
-            unit: unknown.unit,
-            target: unknown.target,
-            meaning: unknown.meaning,
+            name: parameter.name.clone(),
+            unit: parameter.unit,
+            target: parameter.target,
+            meaning: parameter.meaning,
             value,
             deviation,
-            linear: around(value, deviation + self.problem.doubt_of_mass(unknown) * value / WIDTH),
+            linear: around(value, deviation + self.problem.doubt_of_mass(parameter) * value / WIDTH),
             profile,
             repeated: repeated.interval(|values| values[number]),
             verdict,
         };
-        if unknown.can_be_zero() { estimate.or_limit() } else { estimate }
+        if parameter.can_be_zero() { estimate.or_limit() } else { estimate }
     }
 
     /// mu_s = mu_k + d.
@@ -123,12 +123,13 @@ impl Ended<'_> {
         profiles: bool,
         repeated: &Repeated,
     ) -> Option<Estimate> {
-        let unknowns = &self.problem.unknowns;
-        let (excess, of, over) = unknowns.iter().enumerate().find_map(|(number, unknown)| match unknown.target {
-            Target::Excess { of, over } => Some((number, of, over)),
-            _ => None,
-        })?;
-        let kinetic = unknowns.iter().position(|unknown| unknown.target == Target::Column(over));
+        let parameters = &self.problem.parameters;
+        let (excess, of, over) =
+            parameters.iter().enumerate().find_map(|(number, parameter)| match parameter.target {
+                Target::Excess { of, over } => Some((number, of, over)),
+                _ => None,
+            })?;
+        let kinetic = parameters.iter().position(|parameter| parameter.target == Target::Column(over));
         let held = self.problem.kinetic(over);
         let sum = |values: &[f64]| values[excess] + kinetic.map_or(held, |kinetic| values[kinetic]);
         let parts: Vec<usize> = kinetic.into_iter().chain([excess]).collect();
@@ -138,7 +139,7 @@ impl Ended<'_> {
         let of_kinetic = kinetic.map_or(&Verdict::Determined, |kinetic| &known[kinetic].verdict);
         let level = Estimate {
             name: self.problem.law.table.at(of).path.to_string(),
-            unit: unknowns[excess].unit,
+            unit: parameters[excess].unit,
             target: Target::Column(of),
             meaning: Meaning::StaticLevel,
             value,
@@ -159,11 +160,11 @@ impl Ended<'_> {
 }
 
 /// Whether an interval is wider than that of a value that the data determine.
-fn is_open(unknown: &Unknown, value: f64, [low, high]: [f64; 2]) -> bool {
+fn is_open(parameter: &Parameter, value: f64, [low, high]: [f64; 2]) -> bool {
     let far = DETERMINED * WIDTH;
-    match unknown.scale {
+    match parameter.scale {
         Scale::Logarithmic => low <= 0.0 || 0.5 * Real::ln(high / low) > far,
-        Scale::Linear | Scale::Mixed(_) => 0.5 * (high - low) > far * unknown.large(value),
+        Scale::Linear | Scale::Mixed(_) => 0.5 * (high - low) > far * parameter.large(value),
     }
 }
 
@@ -194,7 +195,7 @@ mod tests {
     /// 0.4 of a large change times 1.96: half a width of 0.784 for a logarithm, of 0.392 in a range of 1.
     #[test]
     fn an_interval_is_open_from_the_limit_of_what_is_determined() {
-        let unknown = |scale| Unknown {
+        let parameter = |scale| Parameter {
             name: "x".into(),
             unit: "1",
             target: Target::Offset,
@@ -202,9 +203,9 @@ mod tests {
             range: [0.0, 1.0],
             scale,
         };
-        let logarithmic = unknown(Scale::Logarithmic);
+        let logarithmic = parameter(Scale::Logarithmic);
         assert!(!is_open(&logarithmic, 2.0, [1.0, 4.7]) && is_open(&logarithmic, 2.0, [1.0, 4.9]));
-        let linear = unknown(Scale::Linear);
+        let linear = parameter(Scale::Linear);
         assert!(!is_open(&linear, 0.5, [0.1, 0.88]) && is_open(&linear, 0.5, [0.1, 0.89]));
     }
 }

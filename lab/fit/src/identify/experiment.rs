@@ -61,7 +61,7 @@ pub struct Rest {
 pub(super) const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// Errors of the velocity below which the direction of motion is not known (chosen). A law that jumps there is off by
-/// twice its level in samples that get the wrong sign: fifteen of 4001 decided that regularised laws explained the
+/// twice its level in samples that get the wrong sign: fifteen of 4001 decided that regularised laws predicted the
 /// records of `Coulomb`, `CoulombViscous` and `Stribeck` better than these themselves.
 pub(super) const UNKNOWN_DIRECTION: f64 = 3.0;
 
@@ -376,7 +376,7 @@ impl Experiment {
 #[cfg(test)]
 mod tests {
     use super::super::tests::{estimate, fitted, measured, noise, quick, standard};
-    use super::super::{Task, held_out};
+    use super::super::{Settings, held_out};
     use super::*;
 
     /// Strokes shorter than the contact yields, from an unloaded contact: the force goes one way only.
@@ -418,7 +418,7 @@ mod tests {
         let experiment = Experiment::new("paused", &Record::of(&sheet, None, &rig).unwrap());
         let share = experiment.samples() as f64 / time.len() as f64;
         assert!((0.5..0.6).contains(&share), "{share}");
-        let fit = fitted("CoulombViscous", &[experiment], &Task { mass: 2.0, ..quick() });
+        let fit = fitted("CoulombViscous", &[experiment], &Settings { mass: 2.0, ..quick() });
         for (name, truth) in [("mu_k", 0.2), ("viscous_coefficient", 5.0)] {
             let one = estimate(&fit, name);
             let [low, high] = one.interval();
@@ -436,15 +436,15 @@ mod tests {
         let acceleration = clean.acceleration.iter().zip(noise(8, 2000)).map(|(a, noise)| a + error * noise).collect();
         let noisy = Experiment { acceleration, ..clean.clone() };
         let known = Experiment { acceleration_error: error, ..noisy.clone() };
-        let task = Task { profiles: true, ..quick() };
-        let unseen = known.clone();
+        let task = Settings { profiles: true, ..quick() };
+        let validation = known.clone();
         let [clean, noisy, known] =
             [clean, noisy, known].map(|experiment| fitted("NonReversible", &[experiment], &task));
         assert!(noisy.residuals.rms > 1.3 * clean.residuals.rms, "{} {}", noisy.residuals.rms, clean.residuals.rms);
         assert!(known.residuals.rms < 1.05 * clean.residuals.rms, "{} {}", known.residuals.rms, clean.residuals.rms);
         assert!((1600..1950).contains(&known.samples), "{}", known.samples);
-        let unseen = held_out(&known, &[unseen]).unwrap().swap_remove(0);
-        assert!((unseen.rms / known.residuals.rms - 1.0).abs() < 0.05, "{unseen:?}");
+        let validation = held_out(&known, &[validation]).unwrap().swap_remove(0);
+        assert!((validation.rms / known.residuals.rms - 1.0).abs() < 0.05, "{validation:?}");
         for name in ["mu_k", "mu_s", "acceleration_decay", "deceleration_decay"] {
             let [clean, known] = [&clean, &known].map(|fit| estimate(fit, name));
             assert!(known.verdict.is_told(), "{name} {:?}", known.verdict);
@@ -463,7 +463,7 @@ mod tests {
     fn the_acceleration_does_not_matter_to_other_laws_nor_in_motion_that_is_steady_throughout() {
         let data = measured("Coulomb", &[], &standard(400), 0.01, 1);
         let doubtful = Experiment { acceleration_error: 0.01, ..data.clone() };
-        let task = Task { profiles: true, ..quick() };
+        let task = Settings { profiles: true, ..quick() };
         assert_eq!(fitted("Coulomb", std::slice::from_ref(&doubtful), &task).samples, data.samples());
         assert!(doubtful.of_known_branch().samples() < data.samples());
         let steady = Experiment { acceleration_error: 10.0, ..data.clone() };

@@ -14,7 +14,7 @@ use stribeck_solve::system::Fault;
 use toml::Value;
 use ts_rs::TS;
 
-use super::{Experiment, Method, Ranking, Task, Watch, Wishes, axis, fit_all, held_out, laws_named, names};
+use super::{Experiment, Method, Ranking, Selection, Settings, Watch, axis, fit_all, held_out, laws_named, names};
 use crate::measured::{Columns, Delay, MeasuredError, Record, Rig};
 use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TIME, VELOCITY, tables};
 
@@ -227,15 +227,15 @@ impl Inquiry {
     }
 
     /// How they are fitted.
-    pub fn settings(&self) -> Result<Task, Fault> {
+    pub fn settings(&self) -> Result<Settings, Fault> {
         self.refuse_contradictions()?;
-        let mut wishes = Wishes { fixed: pairs(&self.fix), fitted: self.fit.clone(), ranges: pairs(&self.range) };
+        let mut selection = Selection { fixed: pairs(&self.fix), fitted: self.fit.clone(), ranges: pairs(&self.range) };
         if self.axis {
-            axis::fitted(&mut wishes, self.mass());
+            axis::fitted(&mut selection, self.mass());
         }
-        let usual = Task::default();
-        Ok(Task {
-            wishes,
+        let usual = Settings::default();
+        Ok(Settings {
+            selection,
             method: self.method.unwrap_or(usual.method),
             seed: self.seed.unwrap_or(usual.seed),
             budget: self.budget.unwrap_or(usual.budget),

@@ -62,13 +62,13 @@ fn a_description_is_the_same_on_the_command_line_and_in_a_file() {
 #[test]
 fn what_a_description_means_is_what_it_says() {
     let settings = described(ALL).settings().unwrap();
-    let Task { wishes, method, seed, budget, repetitions, mass, is_robust, folds, profiles } = settings;
+    let Settings { selection, method, seed, budget, repetitions, mass, is_robust, folds, profiles } = settings;
     assert_eq!((method, seed, budget, repetitions, mass), (Method::Genetic, 7, 500, 10, 2.5));
     assert_eq!((is_robust, folds, profiles), (true, 3, true));
-    assert_eq!(wishes.fixed, [("sigma_1".to_owned(), 0.0)]);
-    assert_eq!(wishes.fitted, ["offset"], "the mass is known");
-    assert_eq!(wishes.ranges.len(), 2);
-    assert_eq!(Inquiry::default().settings().unwrap(), Task::default());
+    assert_eq!(selection.fixed, [("sigma_1".to_owned(), 0.0)]);
+    assert_eq!(selection.fitted, ["offset"], "the mass is known");
+    assert_eq!(selection.ranges.len(), 2);
+    assert_eq!(Inquiry::default().settings().unwrap(), Settings::default());
     let laws = |text: &str| described(text).laws().map(|laws| laws.iter().map(|law| law.name).collect::<Vec<_>>());
     assert_eq!(laws("axis = true").unwrap(), [axis::LAW]);
     assert_eq!(laws("axis = true\nlaw = \"Dahl\"").unwrap(), ["Dahl"]);

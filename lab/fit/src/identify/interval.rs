@@ -9,11 +9,11 @@ use std::sync::atomic::Ordering;
 
 use stribeck::number::Real;
 
+use super::parameter::Scale;
 use super::problem::Found;
 use super::problem::Problem;
 use super::search::{Watch, polish, polish_until};
-use super::trust::{Elsewhere, Residuals, Trust, Verdict, WIDTH};
-use super::unknown::Scale;
+use super::uncertainty::{Elsewhere, Residuals, Uncertainty, Verdict, WIDTH};
 
 /// Rise of the sum of squares, in variances, at the ends of an interval that holds in 95 % of cases.
 const RISE: f64 = WIDTH * WIDTH;
@@ -29,21 +29,21 @@ pub(super) struct Ended<'a> {
     pub problem: &'a Problem<'a>,
     pub best: &'a Found,
     pub seen: &'a Residuals,
-    pub trust: &'a Trust,
+    pub trust: &'a Uncertainty,
 }
 
 impl Ended<'_> {
-    /// Interval of an unknown: as far as the sum of squares, at the best values of the others, rises by less than noise
+    /// Interval of a parameter: as far as the sum of squares, at the best values of the others, rises by less than noise
     /// can make it, and farther by the error of the velocity. An end at an end of the range is open.
     pub fn profile(&self, number: usize) -> [f64; 2] {
-        let value = self.problem.unknowns[number].value(self.best.places[number])[0];
+        let value = self.problem.parameters[number].value(self.best.places[number])[0];
         let blur = WIDTH * self.trust.blurs[number];
         let distance = |direction| ((self.end(number, direction) - value).powi(2) + blur * blur).sqrt();
         self.covering(|values| values[number], [-1.0, 1.0].map(distance))
     }
 
     /// An interval, by the distances of its ends from the best value, that covers what explains the force as well
-    /// elsewhere too: along the joint profile of two unknowns, the width of one is that of an ellipse.
+    /// elsewhere too: along the joint profile of two parameters, the width of one is that of an ellipse.
     pub fn covering(&self, of: impl Fn(&[f64]) -> f64, [low, high]: [f64; 2]) -> [f64; 2] {
         let at = |place: &Found, part: f64| {
             let value = of(&self.problem.values(&place.places));
@@ -71,15 +71,15 @@ impl Ended<'_> {
         };
         let most = if direction > 0.0 { 1.0 - best.places[number] } else { best.places[number] };
         let distance = crossing(rise, WIDTH * self.step(number), most);
-        problem.unknowns[number].value(best.places[number] + direction * distance)[0]
+        problem.parameters[number].value(best.places[number] + direction * distance)[0]
     }
 
     /// Unknowns on a logarithmic scale that may as well be at an end of their range, where they have no effect, with the
-    /// value there. If noise is what tells an unknown, which it does in one of twenty records, its interval is wrong.
+    /// value there. If noise is what tells a parameter, which it does in one of twenty records, its interval is wrong.
     pub fn without_effect(&self) -> Vec<(usize, f64)> {
         let Ended { problem, trust, .. } = *self;
         let is_told = |number: &usize| {
-            problem.unknowns[*number].scale == Scale::Logarithmic && trust.verdicts[*number] == Verdict::Determined
+            problem.parameters[*number].scale == Scale::Logarithmic && trust.verdicts[*number] == Verdict::Determined
         };
         let is_alike = |number: usize, place: f64| {
             let end = held(problem, &self.start(number, place), number, place, self.gain());
@@ -87,12 +87,12 @@ impl Ended<'_> {
         };
         let alike = |number: usize| {
             let place = [0.0, 1.0].into_iter().find(|place| is_alike(number, *place))?;
-            Some((number, problem.unknowns[number].value(place)[0]))
+            Some((number, problem.parameters[number].value(place)[0]))
         };
-        (0..problem.unknowns.len()).filter(is_told).filter_map(alike).collect()
+        (0..problem.parameters.len()).filter(is_told).filter_map(alike).collect()
     }
 
-    /// Places that explain the force as well, with each unknown that the data do not determine held elsewhere: far from
+    /// Places that explain the force as well, with each parameter that the data do not determine held elsewhere: far from
     /// the best place, and close to it if the force changes with it in jumps.
     pub fn elsewhere(&self) -> Vec<Elsewhere> {
         let Ended { problem, best, trust, .. } = *self;
@@ -101,14 +101,14 @@ impl Ended<'_> {
         if !trust.verdicts.iter().any(Verdict::is_told) {
             return found;
         }
-        for number in (0..problem.unknowns.len()).filter(is_free) {
+        for number in (0..problem.parameters.len()).filter(is_free) {
             let steps = DISTANCES.iter().flat_map(|distance| [-distance, *distance]).filter(|_| trust.jumps[number]);
             let close = steps.map(|distance| best.places[number] + distance * self.step(number));
             let close = close.filter(|place| (0.0..=1.0).contains(place));
             for place in FAR.into_iter().chain(close) {
                 let end = held(problem, &self.start(number, place), number, place, self.gain());
                 let rise = self.rise(&end);
-                if rise < joint_rise(problem.unknowns.len()) {
+                if rise < joint_rise(problem.parameters.len()) {
                     found.push(Elsewhere { number, end, rise });
                 }
             }
@@ -116,8 +116,8 @@ impl Ended<'_> {
         found
     }
 
-    /// The best of three places with an unknown at a place: with the others as they are, where straight lines expect them,
-    /// and where powers of the unknown do, such as its multiples where the data tell a ratio only.
+    /// The best of three places with a parameter at a place: with the others as they are, where straight lines expect them,
+    /// and where powers of the parameter do, such as its multiples where the data tell a ratio only.
     fn start(&self, number: usize, place: f64) -> Found {
         let Ended { problem, best, trust, .. } = *self;
         let mut same = best.clone();
@@ -129,7 +129,7 @@ impl Ended<'_> {
             let power = trust.follows(other, number) * before[number] / before[other];
             let value = before[other] * Real::exp(power * Real::ln(ratio));
             if value.is_finite() {
-                scaled.places[other] = problem.unknowns[other].place(value);
+                scaled.places[other] = problem.parameters[other].place(value);
             }
         }
         let starts = [same, along(problem, best, trust, number, place), scaled].map(|found| problem.judge(found));
@@ -141,9 +141,9 @@ impl Ended<'_> {
         2.0 * (end.cost - self.best.cost) / self.seen.rise()
     }
 
-    /// Standard deviation of the place of an unknown by the noise of the force.
+    /// Standard deviation of the place of a parameter by the noise of the force.
     fn step(&self, number: usize) -> f64 {
-        let [_, slope] = self.problem.unknowns[number].value(self.best.places[number]);
+        let [_, slope] = self.problem.parameters[number].value(self.best.places[number]);
         (self.trust.by_noise(number) / slope.abs().max(f64::MIN_POSITIVE)).clamp(1e-9, 0.5)
     }
 
@@ -156,7 +156,7 @@ impl Ended<'_> {
             for (other, (value, moved)) in values.iter().zip(self.problem.values(&place.end.places)).enumerate() {
                 let change = (moved - value).abs();
                 let is_far = change > MOVED[0] * self.trust.deviations[other]
-                    && change > MOVED[1] * self.problem.unknowns[other].large(*value);
+                    && change > MOVED[1] * self.problem.parameters[other].large(*value);
                 if other != place.number && is_far && found.iter().all(|(known, _)| *known != other) {
                     found.push((other, place.number));
                 }
@@ -171,28 +171,28 @@ impl Ended<'_> {
     }
 }
 
-/// Rise of the sum of squares, in variances, within which all unknowns together are in 95 % of cases: where one of several
+/// Rise of the sum of squares, in variances, within which all parameters together are in 95 % of cases: where one of several
 /// local minima is the best, the others may be as likely. Approximation of chi square: E. B. Wilson, M. M. Hilferty,
 /// Proceedings of the National Academy of Sciences 17 (1931), doi:10.1073/pnas.17.12.684.
-fn joint_rise(unknowns: usize) -> f64 {
-    let part = 2.0 / (9.0 * unknowns as f64);
-    unknowns as f64 * (1.0 - part + 1.644_853_626_951_472 * part.sqrt()).powi(3)
+fn joint_rise(parameters: usize) -> f64 {
+    let part = 2.0 / (9.0 * parameters as f64);
+    parameters as f64 * (1.0 - part + 1.644_853_626_951_472 * part.sqrt()).powi(3)
 }
 
-/// Distances, in standard deviations, at which an unknown is held with which the force changes in jumps (chosen): what the
+/// Distances, in standard deviations, at which a parameter is held with which the force changes in jumps (chosen): what the
 /// slopes know of it is too much.
 const DISTANCES: [f64; 7] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0];
 
-/// Places, as parts of its range, at which an unknown that the data do not determine is held.
+/// Places, as parts of its range, at which a parameter that the data do not determine is held.
 const FAR: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
-/// The best place, with the others where straight lines expect them for an unknown at a place.
-fn along(problem: &Problem, best: &Found, trust: &Trust, number: usize, place: f64) -> Found {
+/// The best place, with the others where straight lines expect them for a parameter at a place.
+fn along(problem: &Problem, best: &Found, trust: &Uncertainty, number: usize, place: f64) -> Found {
     let mut moved = best.clone();
     moved.places[number] = place.clamp(0.0, 1.0);
     let change = problem.values(&moved.places)[number] - problem.values(&best.places)[number];
     for other in (0..moved.places.len()).filter(|other| *other != number) {
-        let [_, slope] = problem.unknowns[other].value(best.places[other]);
+        let [_, slope] = problem.parameters[other].value(best.places[other]);
         let expected = change * trust.follows(other, number) / slope.abs().max(f64::MIN_POSITIVE);
         moved.places[other] = (moved.places[other] + expected).clamp(0.0, 1.0);
     }
@@ -240,13 +240,13 @@ fn crossing(mut rise: impl FnMut(f64) -> f64, first: f64, most: f64) -> f64 {
     distance
 }
 
-/// Movement, in standard deviations and as a part of a large change, from which an unknown depends on another (chosen).
+/// Movement, in standard deviations and as a part of a large change, from which a parameter depends on another (chosen).
 const MOVED: [f64; 2] = [3.0, 0.1];
 
 /// Part of the rise at the end of an interval that a step of least squares on the way there need not gain (chosen).
 const UNSEEN: f64 = 1e-2;
 
-/// The best place with an unknown held at a part of its range, from a place on.
+/// The best place with a parameter held at a part of its range, from a place on.
 fn held(problem: &Problem, from: &Found, number: usize, place: f64, gain: f64) -> Found {
     let mut pinned = problem.clone();
     pinned.pin(number, place);
@@ -256,7 +256,7 @@ fn held(problem: &Problem, from: &Found, number: usize, place: f64, gain: f64) -
     polish_until(&pinned, &from, gain)
 }
 
-/// Places of the unknowns in fits to the explained forces with blocks of residuals from random places, as long as ten
+/// Places of the parameters in fits to the predicted forces with blocks of residuals from random places, as long as ten
 /// correlation times.
 pub(super) fn repetitions(
     problem: &Problem,
@@ -269,7 +269,7 @@ pub(super) fn repetitions(
     let Some(residuals) = problem.residuals(&best.places) else { return Vec::new() };
     let measured = problem.measured();
     // A fit takes a part of the noise away.
-    let freedom = residuals.len() as f64 / (residuals.len() - problem.unknowns.len().min(residuals.len() - 1)) as f64;
+    let freedom = residuals.len() as f64 / (residuals.len() - problem.parameters.len().min(residuals.len() - 1)) as f64;
     let length = ((10.0 * seen.correlation).ceil() as usize).clamp(1, residuals.len());
     let mut random = fastrand::Rng::with_seed(seed);
     let mut found = Vec::new();
@@ -305,25 +305,25 @@ pub(super) fn quantiles(mut values: Vec<f64>) -> [f64; 2] {
 mod tests {
     use std::sync::atomic::AtomicBool;
 
+    use super::super::parameter::{Parameter, Target};
     use super::super::search::Searches;
     use super::super::tests::{estimate, fitted, measured, quick, standard, white_noise, whole_problem};
-    use super::super::trust::{residuals, trust};
-    use super::super::unknown::{Target, Unknown};
-    use super::super::{Experiment, Task, Verdict, doubted, judge};
+    use super::super::uncertainty::{residuals, trust};
+    use super::super::{Experiment, Settings, Verdict, doubted, judge};
     use super::*;
 
     /// Places of the start values of a law, but for some of them.
     fn places(problem: &Problem, others: &[(&str, f64)]) -> Vec<f64> {
         let start = |name: &str| problem.law.table.at(problem.law.find(name).unwrap()).start;
-        let of = |unknown: &Unknown| {
-            let usual = if let Target::Excess { .. } = unknown.target {
+        let of = |parameter: &Parameter| {
+            let usual = if let Target::Excess { .. } = parameter.target {
                 start("mu_s") - start("mu_k")
             } else {
-                start(&unknown.name)
+                start(&parameter.name)
             };
-            unknown.place(others.iter().find(|(name, _)| *name == unknown.name).map_or(usual, |(_, value)| *value))
+            parameter.place(others.iter().find(|(name, _)| *name == parameter.name).map_or(usual, |(_, value)| *value))
         };
-        problem.unknowns.iter().map(of).collect()
+        problem.parameters.iter().map(of).collect()
     }
 
     fn polished(problem: &Problem, places: Vec<f64>) -> Found {
@@ -333,8 +333,8 @@ mod tests {
     /// Quantiles of 95 % of chi square from tables.
     #[test]
     fn the_joint_rise_is_that_of_tables() {
-        for (unknowns, quantile) in [(1, 3.841), (2, 5.991), (4, 9.488), (7, 14.067)] {
-            assert!((joint_rise(unknowns) / quantile - 1.0).abs() < 0.03, "{unknowns} {}", joint_rise(unknowns));
+        for (parameters, quantile) in [(1, 3.841), (2, 5.991), (4, 9.488), (7, 14.067)] {
+            assert!((joint_rise(parameters) / quantile - 1.0).abs() < 0.03, "{parameters} {}", joint_rise(parameters));
         }
     }
 
@@ -346,7 +346,7 @@ mod tests {
         assert_eq!(quantiles(vec![2.0]), [2.0; 2]);
     }
 
-    /// Noise with rare large values above the explained force: the level is repeated with the same skewness.
+    /// Noise with rare large values above the predicted force: the level is repeated with the same skewness.
     #[test]
     fn repetitions_have_noise_like_that_of_the_measured_force() {
         let even = standard(600);
@@ -356,7 +356,7 @@ mod tests {
             clean.force.iter().enumerate().map(|(at, f)| if at % 40 == 7 { f + 3.9 } else { f - 0.1 }).collect();
         let data = [Experiment { force, ..clean }];
         let problem = whole_problem("Coulomb", &data);
-        let best = polished(&problem, vec![problem.unknowns[0].place(0.1)]);
+        let best = polished(&problem, vec![problem.parameters[0].place(0.1)]);
         let left = problem.residuals(&best.places).unwrap();
         let seen = residuals(&left, &problem.lengths(), 1, problem.loss);
         let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
@@ -388,7 +388,7 @@ mod tests {
     fn an_interval_covers_places_within_the_rise() {
         let data = [measured("Coulomb", &[], &standard(400), 0.01, 1)];
         let problem = whole_problem("Coulomb", &data);
-        let at = |value: f64| Found { places: vec![problem.unknowns[0].place(value)], cost: 0.0, evaluations: 0 };
+        let at = |value: f64| Found { places: vec![problem.parameters[0].place(value)], cost: 0.0, evaluations: 0 };
         let seen = white_noise(0.02);
         let mut trust = trust(&problem, &at(0.1).places, &seen);
         let others = [(0.2, 0.75 * RISE), (0.3, 1.01 * RISE)];
@@ -406,11 +406,11 @@ mod tests {
         problem.parts = 8;
         let best = polished(&problem, places(&problem, &[]));
         let left = problem.residuals(&best.places).unwrap();
-        let seen = residuals(&left, &problem.lengths(), problem.unknowns.len(), problem.loss);
+        let seen = residuals(&left, &problem.lengths(), problem.parameters.len(), problem.loss);
         let trust = doubted(&problem, &best, &seen, false, Searches::Agree, &[]);
         let quick = problem.undivided(&best.places).unwrap();
         let coarse = Problem { parts: 1, ..problem.clone() }.judge(best.clone());
-        let number = problem.unknowns.iter().position(|one| one.name == "sigma_0").unwrap();
+        let number = problem.parameters.iter().position(|one| one.name == "sigma_0").unwrap();
         assert!(2.0 * (coarse.cost - best.cost) / seen.rise() > RISE, "{} {}", coarse.cost, best.cost);
         let [whole, quick] = [&problem, &quick].map(|problem| {
             let best = problem.judge(best.clone());
@@ -429,9 +429,9 @@ mod tests {
         let sliding = Experiment { velocity: even.velocity.iter().map(fast).collect(), ..even };
         for seed in [0, 2] {
             let data = measured("Stribeck", &[("stribeck_velocity", 0.06)], &sliding, 0.01, seed);
-            let fit = fitted("Stribeck", &[data], &Task { profiles: true, ..quick() });
+            let fit = fitted("Stribeck", &[data], &Settings { profiles: true, ..quick() });
             let told = estimate(&fit, "stribeck_velocity").verdict.to_string();
-            assert!(told.ends_with("an end of its range, the force is explained almost as well"), "{told}");
+            assert!(told.ends_with("an end of its range, the force is predicted almost as well"), "{told}");
         }
     }
 
@@ -443,7 +443,7 @@ mod tests {
         let [truth, other] = [&[][..], &[("transition_velocity", 3e-6), ("sigma_0", 7e6)]]
             .map(|others| polished(&problem, places(&problem, others)));
         let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
-        let judged = |best: &Found| judge(&problem, best, &Task::default(), watch, Searches::Agree, &[]).unwrap();
+        let judged = |best: &Found| judge(&problem, best, &Settings::default(), watch, Searches::Agree, &[]).unwrap();
         let wrong = judged(&other);
         assert!(other.cost - truth.cost > 10.0 * wrong.seen.rise(), "{} {}", other.cost, truth.cost);
         let found = polish(&problem, wrong.better(&other).unwrap());
@@ -459,8 +459,8 @@ mod tests {
         let problem = whole_problem("Armstrong", &data);
         let best = polished(&problem, places(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]));
         let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
-        let judged = judge(&problem, &best, &Task::default(), watch, Searches::Agree, &[]).unwrap();
-        let number = |name: &str| problem.unknowns.iter().position(|one| one.name == name).unwrap();
+        let judged = judge(&problem, &best, &Settings::default(), watch, Searches::Agree, &[]).unwrap();
+        let number = |name: &str| problem.parameters.iter().position(|one| one.name == name).unwrap();
         let [excess, gamma] = ["mu_s - mu_k", "gamma"].map(number);
         assert!(!judged.trust.verdicts[excess].is_told(), "{:?}", judged.trust.verdicts);
         let most = judged.trust.elsewhere.iter().map(|place| problem.values(&place.end.places)[excess]);
@@ -482,14 +482,14 @@ mod tests {
         let seen = white_noise(0.02);
         let trust = trust(&problem, &best.places, &seen);
         let ended = Ended { problem: &problem, best: &best, seen: &seen, trust: &trust };
-        let number = |name: &str| problem.unknowns.iter().position(|one| one.name == name).unwrap();
+        let number = |name: &str| problem.parameters.iter().position(|one| one.name == name).unwrap();
         let [gamma, excess] = ["gamma", "mu_s - mu_k"].map(number);
         let mut start = best.clone();
-        start.places[gamma] = problem.unknowns[gamma].place(0.3);
+        start.places[gamma] = problem.parameters[gamma].place(0.3);
         start.places[number("viscous_coefficient")] = 0.0;
         let scan = |part: u32| {
             let mut moved = start.clone();
-            moved.places[excess] = problem.unknowns[excess].place(1e-3 * f64::from(part));
+            moved.places[excess] = problem.parameters[excess].place(1e-3 * f64::from(part));
             problem.judge(moved).cost
         };
         let least = (1..50).map(scan).fold(f64::INFINITY, f64::min);
@@ -502,7 +502,7 @@ mod tests {
     #[test]
     fn an_interval_covers_what_explains_the_force_as_well_nearby() {
         let data = [measured("ResetIntegrator", &[], &standard(2000), 0.01, 2)];
-        let fit = fitted("ResetIntegrator", &data, &Task { profiles: true, ..quick() });
+        let fit = fitted("ResetIntegrator", &data, &Settings { profiles: true, ..quick() });
         assert!(
             estimate(&fit, "sigma_0").verdict.to_string().contains("in jumps"),
             "{:?}",

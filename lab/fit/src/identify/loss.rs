@@ -9,7 +9,7 @@
 //! s2     = mean(psi2) / mean(psi')2         variance of the noise that counts
 //! ```
 //!
-//! s2 takes the place of the mean square in the covariance of the unknowns; the sum of 2 rho rises by
+//! s2 takes the place of the mean square in the covariance of the parameters; the sum of 2 rho rises by
 //! s2 mean(psi') where the sum of squares would rise by the variance of the noise. Plain squares are the limit of an
 //! infinite c, with the same bits.
 //!

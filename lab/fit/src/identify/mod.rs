@@ -6,7 +6,7 @@
 //! number.
 //!
 //! # Source
-//! Task and figures: chapter 8 of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc
+//! Settings and figures: chapter 8 of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc
 //! thesis, University of Minho (2024). Differential evolution: R. Storn, K. Price, Journal of Global Optimization 11
 //! (1997), doi:10.1023/A:1008202821328.
 
@@ -14,7 +14,6 @@ mod answer;
 pub mod axis;
 #[cfg(test)]
 mod axis_tests;
-mod blur;
 pub mod damper;
 #[cfg(test)]
 mod ended_tests;
@@ -26,6 +25,7 @@ mod inquiry_tests;
 mod interval;
 mod loss;
 mod output;
+mod parameter;
 mod problem;
 mod rank;
 mod refine;
@@ -36,10 +36,10 @@ mod strut;
 mod strut_tests;
 #[cfg(test)]
 mod tests;
-mod trust;
 pub mod tyre;
-mod unknown;
-mod unseen;
+mod uncertainty;
+mod validation;
+mod velocity_error;
 mod warnings;
 
 use std::sync::Mutex;
@@ -55,32 +55,32 @@ pub use experiment::{Experiment, Rest, names};
 
 pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source};
 pub use output::{Difference, EARLY, Reference, difference, known, of_law, preset, respond};
+pub use parameter::{Parameter, Scale, Selection, Target};
 pub use rank::{APART, Rank, rank};
 pub use response::Ports;
 pub use search::{Method, Searches, Watch};
 pub use strut::{StrutFriction, strut_friction};
-pub use trust::{DETERMINED, Residuals, Verdict, digits, digits_within};
-pub use unknown::{Scale, Target, Unknown, Wishes};
-pub use unseen::{Unseen, held_out};
+pub use uncertainty::{DETERMINED, Residuals, Verdict, digits, digits_within};
+pub use validation::{Validation, held_out};
 
 use interval::{Ended, repetitions};
 use loss::Loss;
+use parameter::OF_RIG;
 use problem::Found;
 use problem::Problem;
 use refine::refine;
 use response::Exact;
 use search::{Best, best, first_look, polish};
 use stribeck_solve::system::Fault;
-use trust::{Trust, residuals, trust};
-use unknown::OF_RIG;
-use unseen::{check_folds, folds};
+use uncertainty::{Uncertainty, residuals, trust};
+use validation::{check_folds, folds};
 use warnings::warnings;
 
 /// How a law is fitted.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Task {
-    /// Choice of the unknowns, and the ranges in which they are searched.
-    pub wishes: Wishes,
+pub struct Settings {
+    /// Choice of the parameters, and the ranges in which they are searched.
+    pub selection: Selection,
     /// How the whole range is searched.
     pub method: Method,
     /// Seed of the search and of the repetitions.
@@ -99,18 +99,18 @@ pub struct Task {
     pub folds: usize,
 }
 
-impl Task {
+impl Settings {
     /// The task for one of several laws.
-    fn of(&self, law: &ModelType, laws: &[&ModelType]) -> Task {
-        Task { wishes: self.wishes.of(law, laws), ..self.clone() }
+    fn of(&self, law: &ModelType, laws: &[&ModelType]) -> Settings {
+        Settings { selection: self.selection.of(law, laws), ..self.clone() }
     }
 }
 
-impl Default for Task {
+impl Default for Settings {
     /// The usual number of evaluations, profiles, 40 repetitions (chosen).
-    fn default() -> Task {
-        Task {
-            wishes: Wishes::default(),
+    fn default() -> Settings {
+        Settings {
+            selection: Selection::default(),
             method: Method::Evolution,
             seed: 1,
             budget: BUDGET,
@@ -131,9 +131,9 @@ const BUDGET: u64 = 3000;
 pub struct Fit {
     /// The law.
     pub law: &'static ModelType,
-    /// The unknowns; mu_s, which follows from two of them, after them.
+    /// The parameters; mu_s, which follows from two of them, after them.
     pub estimates: Vec<Estimate>,
-    /// Correlations among the unknowns.
+    /// Correlations among the parameters.
     pub correlation: Vec<Vec<f64>>,
     /// Ratio of the best to the worst known direction.
     pub condition: f64,
@@ -152,7 +152,7 @@ pub struct Fit {
     /// Whether the sensitivities are exact.
     pub is_exact: bool,
     /// Forces that the law explains, for each experiment.
-    pub explained: Vec<Vec<f64>>,
+    pub predicted: Vec<Vec<f64>>,
     /// Whether each sample of each experiment was fitted.
     pub fitted: Vec<Vec<bool>>,
     /// Values of the columns of the law.
@@ -170,21 +170,21 @@ pub struct Fit {
     /// Parts into which the intervals between samples were divided.
     pub parts: usize,
     /// Residuals in experiments that were not fitted.
-    pub unseen: Vec<Unseen>,
+    pub validation: Vec<Validation>,
     /// Warnings for the user.
     pub warnings: Vec<String>,
 }
 
 impl Fit {
-    /// Number of unknowns.
-    pub fn unknowns(&self) -> usize {
+    /// Number of parameters.
+    pub fn parameters(&self) -> usize {
         self.correlation.len()
     }
 
     /// Adds what is left in experiments that were not fitted, with a warning where that is more.
-    pub fn saw(&mut self, unseen: Vec<Unseen>) {
-        self.warnings.extend(unseen.iter().filter_map(Unseen::warning));
-        self.unseen.extend(unseen);
+    pub fn saw(&mut self, validation: Vec<Validation>) {
+        self.warnings.extend(validation.iter().filter_map(Validation::warning));
+        self.validation.extend(validation);
     }
 }
 
@@ -235,12 +235,13 @@ const FAR: f64 = 2.0;
 pub fn fit_all(
     laws: &[&'static ModelType],
     experiments: &[Experiment],
-    task: &Task,
+    task: &Settings,
     begin: &mut (dyn FnMut(&'static ModelType) + Send),
     watch: Watch,
 ) -> Result<Ranking, Fault> {
     let is_ranked = laws.len() > 1 && task.method == Method::Evolution;
-    let quick = if laws.len() > 1 { Task { profiles: false, repetitions: 0, ..task.clone() } } else { task.clone() };
+    let quick =
+        if laws.len() > 1 { Settings { profiles: false, repetitions: 0, ..task.clone() } } else { task.clone() };
     let look = |law| Some(first_look(&problem(law, experiments, &quick.of(law, laws)).ok()?, &quick, watch));
     let looked = if is_ranked { side_by_side(laws, begin, watch, true, |_, law| look(law)) } else { Vec::new() };
     let seen: Vec<Option<Found>> = looked.iter().cloned().map(Option::flatten).collect();
@@ -325,7 +326,7 @@ fn side_by_side<T: Send>(
 }
 
 /// Fits a law to experiments.
-pub fn fit(law: &'static ModelType, experiments: &[Experiment], task: &Task, watch: Watch) -> Result<Fit, Fault> {
+pub fn fit(law: &'static ModelType, experiments: &[Experiment], task: &Settings, watch: Watch) -> Result<Fit, Fault> {
     fit_from(law, experiments, task, watch, None, false)
 }
 
@@ -333,7 +334,7 @@ pub fn fit(law: &'static ModelType, experiments: &[Experiment], task: &Task, wat
 fn fit_from(
     law: &'static ModelType,
     experiments: &[Experiment],
-    task: &Task,
+    task: &Settings,
     watch: Watch,
     first: Option<Found>,
     is_far: bool,
@@ -379,9 +380,9 @@ fn fit_from(
 /// The experiments as a law needs them; None if that is as they are. For a law that differs then, without samples of which
 /// it is not known whether the contact speeds up or slows down; for fits with intervals only, since laws are ranked by the
 /// samples that count for all of them. For a mass that is fitted, with all of the acceleration.
-fn prepared(law: &ModelType, experiments: &[Experiment], task: &Task) -> Option<Vec<Experiment>> {
+fn prepared(law: &ModelType, experiments: &[Experiment], task: &Settings) -> Option<Vec<Experiment>> {
     let differs = task.profiles && Ports::of(law)?.acceleration.is_some();
-    let is_weighed = task.wishes.fitted.iter().any(|name| name == "mass");
+    let is_weighed = task.selection.fitted.iter().any(|name| name == "mass");
     let prepare = |one: &Experiment| {
         let one = if differs { one.of_known_branch() } else { one.clone() };
         if is_weighed { one.with_all_acceleration() } else { one }
@@ -391,15 +392,16 @@ fn prepared(law: &ModelType, experiments: &[Experiment], task: &Task) -> Option<
 
 /// The ends of other searches, if the residuals of the best place are not noise and these explain more: two searches may
 /// agree on a local minimum. For fits with intervals only; many laws are ranked although they do not fit.
-fn searched_again(problem: &Problem, found: &Found, task: &Task, watch: Watch) -> Option<Best> {
+fn searched_again(problem: &Problem, found: &Found, task: &Settings, watch: Watch) -> Option<Best> {
     if !task.profiles || task.method != Method::Evolution || watch.cancel.load(Ordering::Relaxed) {
         return None;
     }
-    let seen = residuals(&problem.residuals(&found.places)?, &problem.lengths(), problem.unknowns.len(), problem.loss);
+    let seen =
+        residuals(&problem.residuals(&found.places)?, &problem.lengths(), problem.parameters.len(), problem.loss);
     if seen.correlation <= SYSTEMATIC {
         return None;
     }
-    let other = Task { seed: !task.seed, ..task.clone() };
+    let other = Settings { seed: !task.seed, ..task.clone() };
     let again = best(problem, &other, watch, None, false);
     (2.0 * (found.cost - again.found.cost) > seen.rise()).then_some(again)
 }
@@ -418,7 +420,7 @@ fn at_rest_anew(problem: &Problem, places: &[f64]) -> Option<Vec<Experiment>> {
 }
 
 /// Refuses experiments and tasks with which nothing can be fitted.
-fn check(experiments: &[Experiment], task: &Task) -> Result<(), Fault> {
+fn check(experiments: &[Experiment], task: &Settings) -> Result<(), Fault> {
     if experiments.is_empty() {
         return Err(Fault::value("no experiment was given"));
     }
@@ -434,35 +436,35 @@ fn check(experiments: &[Experiment], task: &Task) -> Result<(), Fault> {
     experiments.iter().try_for_each(Experiment::check)
 }
 
-fn too_few(samples: usize, experiments: &[Experiment], unknowns: usize, law: &ModelType) -> Fault {
+fn too_few(samples: usize, experiments: &[Experiment], parameters: usize, law: &ModelType) -> Fault {
     let all: usize = experiments.iter().map(|one| one.time.len()).sum();
     let at_rest = match all - samples {
         0 => String::new(),
         left_out => format!(" ({left_out} of {all} are left out, at rest or at the ends)"),
     };
-    let these = if unknowns == 1 { "unknown" } else { "unknowns" };
-    let least = 2 * unknowns + 1;
+    let these = if parameters == 1 { "parameter" } else { "parameters" };
+    let least = 2 * parameters + 1;
     Fault::value(format_args!(
-        "{samples} samples{at_rest} for {unknowns} {these} of {}; at least {least} are needed",
+        "{samples} samples{at_rest} for {parameters} {these} of {}; at least {least} are needed",
         law.name
     ))
 }
 
 /// Problem of a fit, with everything checked.
-fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Task) -> Result<Problem<'a>, Fault> {
+fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Settings) -> Result<Problem<'a>, Fault> {
     let Some(ports) = Ports::of(law) else {
         return Err(Fault::value(format_args!("{}: only laws of one sliding direction can be fitted", law.name)));
     };
     check(experiments, task)?;
-    let unknowns = unknown::unknowns(law, experiments, &task.wishes)?;
+    let parameters = parameter::parameters(law, experiments, &task.selection)?;
     let samples: usize = experiments.iter().map(Experiment::samples).sum();
-    if samples <= 2 * unknowns.len() {
-        return Err(too_few(samples, experiments, unknowns.len(), law));
+    if samples <= 2 * parameters.len() {
+        return Err(too_few(samples, experiments, parameters.len(), law));
     }
-    let named = |name: &str| task.wishes.fixed.iter().find(|(fixed, _)| fixed == name).map(|(_, value)| *value);
-    let of_law = task.wishes.fixed.iter().filter(|(name, _)| !OF_RIG.contains(&name.as_str()));
+    let named = |name: &str| task.selection.fixed.iter().find(|(fixed, _)| fixed == name).map(|(_, value)| *value);
+    let of_law = task.selection.fixed.iter().filter(|(name, _)| !OF_RIG.contains(&name.as_str()));
     let held = of_law.filter_map(|(name, value)| Some((law.find(name)?, *value))).collect();
-    let count = unknowns.len();
+    let count = parameters.len();
     Ok(Problem {
         law,
         ports,
@@ -478,7 +480,7 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
         instead: None,
         low: vec![0.0; count],
         high: vec![1.0; count],
-        unknowns,
+        parameters,
     })
 }
 
@@ -486,7 +488,7 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
 struct Judged {
     searches: Searches,
     seen: Residuals,
-    trust: Trust,
+    trust: Uncertainty,
 }
 
 impl Judged {
@@ -502,7 +504,7 @@ impl Judged {
 fn judge(
     problem: &Problem,
     best: &Found,
-    task: &Task,
+    task: &Settings,
     watch: Watch,
     searches: Searches,
     ends: &[Vec<f64>],
@@ -510,17 +512,17 @@ fn judge(
     let Some(left) = problem.residuals(&best.places) else {
         return Err(Fault::value(format_args!("{}: the law is refused at the best place", problem.law.name)));
     };
-    let seen = residuals(&left, &problem.lengths(), problem.unknowns.len(), problem.loss);
+    let seen = residuals(&left, &problem.lengths(), problem.parameters.len(), problem.loss);
     let profiles = task.profiles && !watch.cancel.load(Ordering::Relaxed);
     let trust = doubted(problem, best, &seen, profiles, searches.believed(task.method), ends);
     Ok(Judged { searches, seen, trust })
 }
 
-/// Everything about a best place. `shift` is that of the unknowns if the intervals between samples are divided once more,
+/// Everything about a best place. `shift` is that of the parameters if the intervals between samples are divided once more,
 /// in standard deviations.
 fn finish(
     problem: &Problem,
-    task: &Task,
+    task: &Settings,
     watch: Watch,
     best: &Found,
     judged: &Judged,
@@ -535,12 +537,12 @@ fn finish(
     let ended = Ended { problem: quick, best: &best_quick, seen, trust };
     let estimates = ended.estimates(task.profiles && !is_cancelled, &repeated);
     let point = problem.point(&best.places);
-    let explained = problem.explained(&mut Instance::new(problem.law), &point, problem.parts);
-    let explained = explained.map_err(|reason| Fault::value(format_args!("{}: {reason}", problem.law.name)))?;
+    let predicted = problem.predicted(&mut Instance::new(problem.law), &point, problem.parts);
+    let predicted = predicted.map_err(|reason| Fault::value(format_args!("{}: {reason}", problem.law.name)))?;
     let of_matrix = |row: usize| trust.correlation.row(row).iter().copied().collect();
     Ok(Fit {
         law: problem.law,
-        correlation: (0..problem.unknowns.len()).map(of_matrix).collect(),
+        correlation: (0..problem.parameters.len()).map(of_matrix).collect(),
         condition: trust.condition,
         residuals: *seen,
         samples: problem.samples(),
@@ -554,17 +556,17 @@ fn finish(
         delay: point.delay,
         axis_load: axis::load(problem.experiments),
         parts: problem.parts,
-        unseen: Vec::new(),
+        validation: Vec::new(),
         columns: point.columns,
         held: problem.held.clone(),
         fitted: problem.experiments.iter().map(Experiment::fitted).collect(),
-        explained: split(&explained, &problem.experiments.iter().map(|one| one.time.len()).collect::<Vec<usize>>()),
+        predicted: split(&predicted, &problem.experiments.iter().map(|one| one.time.len()).collect::<Vec<usize>>()),
         warnings: warnings(problem, seen, &estimates, *searches, shift),
         estimates,
     })
 }
 
-/// Trust by the sensitivities, less what they do not see.
+/// Uncertainty by the sensitivities, less what they do not see.
 fn doubted(
     problem: &Problem,
     best: &Found,
@@ -572,18 +574,18 @@ fn doubted(
     profiles: bool,
     searches: Searches,
     ends: &[Vec<f64>],
-) -> Trust {
+) -> Uncertainty {
     let mut trust = trust(problem, &best.places, seen);
     if let Some(reason) = searches.doubt() {
         trust.verdicts.iter_mut().for_each(|verdict| *verdict = Verdict::Undetermined(reason.to_owned()));
     } else if profiles {
         for (number, end) in (Ended { problem, best, seen, trust: &trust }).without_effect() {
-            let reason = format!("at {}, an end of its range, the force is explained almost as well", digits(end));
+            let reason = format!("at {}, an end of its range, the force is predicted almost as well", digits(end));
             trust.verdicts[number] = Verdict::Undetermined(reason);
         }
         trust.elsewhere = Ended { problem, best, seen, trust: &trust }.elsewhere();
         for (number, other) in (Ended { problem, best, seen, trust: &trust }).dependent() {
-            let name = &problem.unknowns[other].name;
+            let name = &problem.parameters[other].name;
             trust.verdicts[number] = Verdict::Undetermined(format!("it depends on {name}, which is not determined"));
         }
     }

@@ -7,9 +7,9 @@ use ssp::parameter_set::ParameterSet;
 use stribeck::instance::Instance;
 use stribeck::model::{Meaning, ModelType};
 
+use super::parameter::OF_RIG;
 use super::response::{Ports, forces};
-use super::trust::{digits, digits_within};
-use super::unknown::OF_RIG;
+use super::uncertainty::{digits, digits_within};
 use super::{Estimate, Experiment, Fit, Searches, Verdict};
 use crate::measured::Record;
 use stribeck_solve::run::Configuration;
@@ -88,8 +88,8 @@ impl Fit {
 
     /// The same with the friction force that the law explains in it; its number is that of the experiments that were
     /// fitted.
-    pub fn explained_in(&self, seen: &Record, number: usize) -> Record {
-        let friction_force = self.without_inertia(&self.explained[number], &seen.acceleration);
+    pub fn predicted_in(&self, seen: &Record, number: usize) -> Record {
+        let friction_force = self.without_inertia(&self.predicted[number], &seen.acceleration);
         Record { friction_force, ..seen.clone() }
     }
 
@@ -170,7 +170,7 @@ impl Fit {
         Some(format!("at a normal force of {load} N a coefficient of friction, mu_k, is the friction force in N"))
     }
 
-    /// Names of the unknowns that have no number.
+    /// Names of the parameters that have no number.
     pub fn undetermined(&self) -> impl Iterator<Item = &str> {
         let is_open = |one: &&Estimate| one.verdict != Verdict::Determined;
         self.estimates.iter().filter(is_open).map(|one| one.name.as_str())
@@ -190,7 +190,7 @@ impl Fit {
         if seen.loss < seen.rms {
             let _ = writeln!(text, "robust loss: the noise without outliers is {} N", digits(seen.noise));
         }
-        for one in &self.unseen {
+        for one in &self.validation {
             let _ = writeln!(text, "validation record {}: RMS residual {} N", one.name, digits(one.rms));
         }
         let how = if self.is_exact { "exact" } else { "by differences" };
@@ -213,7 +213,7 @@ impl Fit {
 /// Description of a fit that was cancelled.
 pub const EARLY: &str = "ended early: the best values so far, without profiles and repetitions";
 
-/// Value and intervals of an unknown, or why it has none.
+/// Value and intervals of a parameter, or why it has none.
 pub(super) fn told(one: &Estimate, searches: Searches) -> String {
     let unit = if one.unit == "1" { "" } else { one.unit };
     if one.verdict != Verdict::Determined {

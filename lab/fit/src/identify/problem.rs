@@ -11,20 +11,20 @@ use stribeck::model::ModelType;
 
 use super::Experiment;
 use super::loss::Loss;
+use super::parameter::{Parameter, Target};
 use super::response::{Exact, Ports, forces};
-use super::unknown::{Target, Unknown};
 
-/// A law, the experiments it is fitted to, and the unknowns.
+/// A law, the experiments it is fitted to, and the parameters.
 #[derive(Clone)]
 pub(super) struct Problem<'a> {
     pub law: &'static ModelType,
     pub ports: Ports,
     pub exact: Option<Exact>,
     pub experiments: &'a [Experiment],
-    pub unknowns: Vec<Unknown>,
+    pub parameters: Vec<Parameter>,
     /// Columns that are held, with their values.
     pub held: Vec<(usize, f64)>,
-    /// Mass and offset of the rig where they are not unknown.
+    /// Mass and offset of the rig where they are not parameter.
     pub mass: f64,
     pub offset: f64,
     /// Delay of the motion, if it is held.
@@ -75,7 +75,7 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Values of the unknowns as a law and a rig take them.
+/// Values of the parameters as a law and a rig take them.
 pub(super) struct Point {
     pub columns: Vec<(usize, f64)>,
     pub mass: f64,
@@ -88,10 +88,10 @@ pub(super) struct Point {
 const DOUBTFUL: f64 = 0.5;
 
 impl Problem<'_> {
-    /// Part of an unknown, if it is a mass, by which it may be off because of the filter of the acceleration.
-    pub fn doubt_of_mass(&self, unknown: &Unknown) -> f64 {
+    /// Part of a parameter, if it is a mass, by which it may be off because of the filter of the acceleration.
+    pub fn doubt_of_mass(&self, parameter: &Parameter) -> f64 {
         let lost = self.experiments.iter().map(|one| one.acceleration_lost).fold(0.0, f64::max);
-        if unknown.target == Target::Mass { DOUBTFUL * lost } else { 0.0 }
+        if parameter.target == Target::Mass { DOUBTFUL * lost } else { 0.0 }
     }
 
     /// Number of samples that count.
@@ -113,18 +113,18 @@ impl Problem<'_> {
         all.into_iter().zip(counts).filter(|(_, counts)| *counts).map(|(value, _)| value).collect()
     }
 
-    /// The places of all unknowns, from those that are free.
+    /// The places of all parameters, from those that are free.
     pub fn whole(&self, free: &[f64]) -> Vec<f64> {
         let mut free = free.iter();
         self.pinned.iter().map(|pin| pin.or_else(|| free.next().copied()).unwrap_or(0.5)).collect()
     }
 
-    /// Values of the unknowns at places.
+    /// Values of the parameters at places.
     pub fn values(&self, places: &[f64]) -> Vec<f64> {
-        self.unknowns.iter().zip(places).map(|(unknown, place)| unknown.value(*place)[0]).collect()
+        self.parameters.iter().zip(places).map(|(parameter, place)| parameter.value(*place)[0]).collect()
     }
 
-    /// Holds an unknown at a place.
+    /// Holds a parameter at a place.
     pub fn pin(&mut self, number: usize, place: f64) {
         self.pinned[number] = Some(place.clamp(0.0, 1.0));
         let free = self.pinned.iter().filter(|pin| pin.is_none()).count();
@@ -135,8 +135,8 @@ impl Problem<'_> {
     pub fn point(&self, places: &[f64]) -> Point {
         let mut point = Point { columns: self.held.clone(), mass: self.mass, offset: self.offset, delay: self.delay };
         let mut excess = None;
-        for (unknown, value) in self.unknowns.iter().zip(self.values(places)) {
-            match unknown.target {
+        for (parameter, value) in self.parameters.iter().zip(self.values(places)) {
+            match parameter.target {
                 Target::Column(column) => point.columns.push((column, value)),
                 Target::Excess { of, over } => excess = Some((of, over, value)),
                 Target::Mass => point.mass = value,
@@ -151,14 +151,14 @@ impl Problem<'_> {
         point
     }
 
-    /// The kinetic level where it is not unknown: as it is held, or its start value.
+    /// The kinetic level where it is not parameter: as it is held, or its start value.
     pub fn kinetic(&self, column: usize) -> f64 {
         let held = self.held.iter().find(|(held, _)| *held == column).map(|(_, value)| *value);
         held.unwrap_or_else(|| self.law.table.at(column).start)
     }
 
     /// Forces of the load cell that the law explains.
-    pub fn explained(&self, instance: &mut Instance, point: &Point, parts: usize) -> Result<Vec<f64>, Refused> {
+    pub fn predicted(&self, instance: &mut Instance, point: &Point, parts: usize) -> Result<Vec<f64>, Refused> {
         let mut all = Vec::with_capacity(self.samples());
         for experiment in self.seen(point) {
             let experiment = &*experiment;
@@ -187,12 +187,12 @@ impl Problem<'_> {
         self.instead.clone().unwrap_or_else(|| self.counting(all()))
     }
 
-    /// Explained minus measured forces at the places of all unknowns; None where the law is refused.
+    /// Explained minus measured forces at the places of all parameters; None where the law is refused.
     pub fn residuals(&self, places: &[f64]) -> Option<Vec<f64>> {
         let mut instance = Instance::new(self.law);
-        let explained = self.explained(&mut instance, &self.point(places), self.parts).ok()?;
-        let explained = self.counting(explained);
-        Some(explained.iter().zip(self.measured()).map(|(explained, measured)| explained - measured).collect())
+        let predicted = self.predicted(&mut instance, &self.point(places), self.parts).ok()?;
+        let predicted = self.counting(predicted);
+        Some(predicted.iter().zip(self.measured()).map(|(predicted, measured)| predicted - measured).collect())
     }
 
     /// The same with intervals between samples that are not divided, and with forces that leave the same residuals at a
@@ -201,7 +201,7 @@ impl Problem<'_> {
         self.leaving(places, self.residuals(places)?)
     }
 
-    /// The same with forces that have their least squares at the place: the residuals are the same as far as the unknowns
+    /// The same with forces that have their least squares at the place: the residuals are the same as far as the parameters
     /// cannot explain them.
     pub fn undivided(&self, places: &[f64]) -> Option<Problem<'_>> {
         let quick = self.with_whole_intervals();
@@ -219,24 +219,24 @@ impl Problem<'_> {
     fn leaving(&self, places: &[f64], left: Vec<f64>) -> Option<Problem<'_>> {
         let quick = self.with_whole_intervals();
         let coarse = quick.residuals(places)?;
-        let explained = quick.measured().into_iter().zip(coarse).map(|(force, residual)| force + residual);
-        let forces = explained.zip(left).map(|(force, residual)| force - residual).collect();
+        let predicted = quick.measured().into_iter().zip(coarse).map(|(force, residual)| force + residual);
+        let forces = predicted.zip(left).map(|(force, residual)| force - residual).collect();
         Some(Problem { instead: Some(forces), ..quick })
     }
 
-    /// Derivatives of the residuals with respect to the value of each unknown, a column for each.
+    /// Derivatives of the residuals with respect to the value of each parameter, a column for each.
     pub fn sensitivities(&self, places: &[f64]) -> Vec<Vec<f64>> {
-        (0..self.unknowns.len()).map(|number| self.sensitivity(places, number)).collect()
+        (0..self.parameters.len()).map(|number| self.sensitivity(places, number)).collect()
     }
 
     fn sensitivity(&self, places: &[f64], number: usize) -> Vec<f64> {
         let point = self.point(places);
-        match (self.unknowns[number].target, self.exact) {
+        match (self.parameters[number].target, self.exact) {
             (Target::Mass, _) => self.counting(self.seen(&point).flat_map(|one| one.acceleration.clone()).collect()),
             (Target::Offset, _) => vec![1.0; self.samples()],
             (Target::Column(column), Some(exact)) => {
                 // The static level moves with the kinetic one.
-                let follows = self.unknowns.iter().filter_map(|unknown| match unknown.target {
+                let follows = self.parameters.iter().filter_map(|parameter| match parameter.target {
                     Target::Excess { of, over } if over == column => Some((of, 1.0)),
                     _ => None,
                 });
@@ -264,7 +264,7 @@ impl Problem<'_> {
         let at = |shift: f64| {
             let mut moved = places.to_vec();
             moved[number] = (moved[number] + shift).clamp(0.0, 1.0);
-            (self.unknowns[number].value(moved[number])[0], self.residuals(&moved))
+            (self.parameters[number].value(moved[number])[0], self.residuals(&moved))
         };
         let [(low, before), (high, after)] = [at(-step), at(step)];
         match (before, after) {
@@ -275,12 +275,12 @@ impl Problem<'_> {
         }
     }
 
-    /// Derivatives with respect to the places of the free unknowns.
+    /// Derivatives with respect to the places of the free parameters.
     fn slopes(&self, free: &[f64]) -> Vec<Vec<f64>> {
         let places = self.whole(free);
-        let is_free = (0..self.unknowns.len()).filter(|number| self.pinned[*number].is_none());
+        let is_free = (0..self.parameters.len()).filter(|number| self.pinned[*number].is_none());
         let column = |number: usize| {
-            let [_, slope] = self.unknowns[number].value(places[number]);
+            let [_, slope] = self.parameters[number].value(places[number]);
             self.sensitivity(&places, number).into_iter().map(|value| value * slope).collect()
         };
         is_free.map(column).collect()

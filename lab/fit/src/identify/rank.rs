@@ -40,9 +40,9 @@ pub fn rank(fits: &[Fit]) -> Vec<Rank> {
     let floor = 1e-12 * least.level;
     let criterion = |fit: &Fit| {
         let n = fit.samples as f64;
-        let freedom = (n - fit.unknowns() as f64).max(1.0);
+        let freedom = (n - fit.parameters() as f64).max(1.0);
         let mean = fit.residuals.loss.max(floor).powi(2) * freedom / n;
-        count * Real::ln(mean) + fit.unknowns() as f64 * Real::ln(count)
+        count * Real::ln(mean) + fit.parameters() as f64 * Real::ln(count)
     };
     let mut list: Vec<(usize, f64)> = fits.iter().map(criterion).enumerate().collect();
     list.sort_by(|a, b| a.1.total_cmp(&b.1));

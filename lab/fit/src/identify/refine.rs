@@ -2,25 +2,25 @@
 
 use std::sync::atomic::Ordering;
 
-use super::Task;
+use super::Settings;
 use super::problem::Found;
 use super::problem::Problem;
 use super::search::{Method, Watch, polish};
-use super::trust::{residuals, trust};
+use super::uncertainty::{residuals, trust};
 
-/// Most parts of an interval, and the shift of the unknowns, in standard deviations, that may be left (chosen).
+/// Most parts of an interval, and the shift of the parameters, in standard deviations, that may be left (chosen).
 const MOST_PARTS: usize = 16;
 pub(super) const SHIFT: f64 = 0.2;
 
-/// Divides the intervals between samples until that no longer shifts the unknowns; the shift that is left, in standard
+/// Divides the intervals between samples until that no longer shifts the parameters; the shift that is left, in standard
 /// deviations.
-pub(super) fn refine(problem: &mut Problem, mut best: Found, task: &Task, watch: Watch) -> (Found, f64) {
+pub(super) fn refine(problem: &mut Problem, mut best: Found, task: &Settings, watch: Watch) -> (Found, f64) {
     let is_polished = task.method == Method::Evolution;
     loop {
         let Some(here) = problem.residuals(&best.places) else { return (best, f64::INFINITY) };
         let finer = Problem { parts: 2 * problem.parts, ..problem.clone() };
         let Some(there) = finer.residuals(&best.places) else { return (best, f64::INFINITY) };
-        let seen = residuals(&here, &problem.lengths(), problem.unknowns.len(), problem.loss);
+        let seen = residuals(&here, &problem.lengths(), problem.parameters.len(), problem.loss);
         let error: Vec<f64> = here.iter().zip(&there).map(|(here, there)| here - there).collect();
         let shift = trust(problem, &best.places, &seen).shift(&error);
         let is_ended = watch.cancel.load(Ordering::Relaxed);
@@ -67,10 +67,10 @@ mod tests {
     fn corrections_lead_to_the_least_squares_of_divided_intervals() {
         let data = [measured("MaxwellSlip", &[], &standard(600), 0.01, 3)];
         let mut problem = whole_problem("MaxwellSlip", &data);
-        let middle = Found { places: vec![0.4; problem.unknowns.len()], cost: f64::INFINITY, evaluations: 0 };
+        let middle = Found { places: vec![0.4; problem.parameters.len()], cost: f64::INFINITY, evaluations: 0 };
         let whole = polish(&problem, &middle);
         let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
-        let (refined, shift) = refine(&mut problem, whole.clone(), &Task::default(), watch);
+        let (refined, shift) = refine(&mut problem, whole.clone(), &Settings::default(), watch);
         assert!(problem.parts >= 8 && shift <= SHIFT, "{} {shift}", problem.parts);
         let start = problem.judge(whole);
         let slow = polish(&problem, &start);

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 use super::problem::{Found, Problem};
-use super::{BUDGET, Experiment, Task};
+use super::{BUDGET, Experiment, Settings};
 
 /// How the whole range is searched.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize, ValueEnum, TS)]
@@ -75,7 +75,7 @@ impl Searches {
 }
 
 /// Where the first search over the whole range ends.
-pub(super) fn first_look(problem: &Problem, task: &Task, watch: Watch) -> Found {
+pub(super) fn first_look(problem: &Problem, task: &Settings, watch: Watch) -> Found {
     let fewer = coarser(problem, task);
     one_search(&coarse(problem, fewer.as_deref()), task, 0, watch)
 }
@@ -87,7 +87,7 @@ const ROUNDS: u32 = 3;
 const ROUNDING: f64 = 1e-9;
 
 /// The experiments with fewer samples, for searches; None if they have few, or if the search shall see all.
-fn coarser(problem: &Problem, task: &Task) -> Option<Vec<Experiment>> {
+fn coarser(problem: &Problem, task: &Settings) -> Option<Vec<Experiment>> {
     let parts = problem.samples().div_ceil(SEARCHED);
     let coarser: Vec<Experiment> = problem.experiments.iter().map(|one| one.coarser(parts)).collect();
     let is_thinned = parts > 1 && task.method == Method::Evolution && coarser.iter().all(|one| one.time.len() > 2);
@@ -109,7 +109,7 @@ pub(super) struct Best {
 }
 
 /// Searches the whole range. The searches go over fewer samples; only the best of their ends is followed on all of them.
-pub(super) fn best(problem: &Problem, task: &Task, watch: Watch, first: Option<Found>, is_far: bool) -> Best {
+pub(super) fn best(problem: &Problem, task: &Settings, watch: Watch, first: Option<Found>, is_far: bool) -> Best {
     let fewer = coarser(problem, task);
     let coarse = coarse(problem, fewer.as_deref());
     let (mut ends, searches) = match first.map(|found| coarse.judge(found)) {
@@ -131,7 +131,7 @@ pub(super) fn best(problem: &Problem, task: &Task, watch: Watch, first: Option<F
 }
 
 /// Ends of searches, the best first, made until two of them agree.
-fn several(coarse: &Problem, task: &Task, watch: Watch, mut first: Option<Found>) -> (Vec<Found>, Searches) {
+fn several(coarse: &Problem, task: &Settings, watch: Watch, mut first: Option<Found>) -> (Vec<Found>, Searches) {
     let rounding = ROUNDING * coarse.measured().iter().map(|force| force * force).sum::<f64>();
     let mut ends: Vec<Found> = Vec::new();
     for round in 0..ROUNDS {
@@ -155,7 +155,7 @@ fn several(coarse: &Problem, task: &Task, watch: Watch, mut first: Option<Found>
 const SEARCHED: usize = 2000;
 
 /// A search and what least squares make of its end. Each number has its seed, each pair of numbers its budget.
-fn one_search(problem: &Problem, task: &Task, number: u32, watch: Watch) -> Found {
+fn one_search(problem: &Problem, task: &Settings, number: u32, watch: Watch) -> Found {
     let seed = task.seed ^ u64::from(number).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     let seed = fastrand::Rng::with_seed(seed).u64(..);
     let found = search(problem, task.method, seed, task.budget << (number / 2), watch);
@@ -163,7 +163,7 @@ fn one_search(problem: &Problem, task: &Task, number: u32, watch: Watch) -> Foun
 }
 
 /// Two searches with different seeds, side by side; the first one may be known.
-fn two_searches(problem: &Problem, task: &Task, round: u32, first: Option<Found>, watch: Watch) -> Vec<Found> {
+fn two_searches(problem: &Problem, task: &Settings, round: u32, first: Option<Found>, watch: Watch) -> Vec<Found> {
     let run = |number: u32| one_search(problem, task, 2 * round + number, watch);
     if let Some(first) = first {
         return vec![first, run(1)];
@@ -179,7 +179,7 @@ fn two_searches(problem: &Problem, task: &Task, round: u32, first: Option<Found>
     })
 }
 
-/// Members of a population for each unknown, the least of them all, and generations in the usual budget, or in
+/// Members of a population for each parameter, the least of them all, and generations in the usual budget, or in
 /// proportion to a larger one (chosen: twice what LuGre needs).
 const MEMBERS: usize = 8;
 const LEAST_MEMBERS: usize = 24;
@@ -189,7 +189,7 @@ const PATIENCE: u64 = 12;
 
 /// Searches the whole range.
 fn search(problem: &Problem, method: Method, seed: u64, budget: u64, watch: Watch) -> Found {
-    let members = (MEMBERS * problem.unknowns.len()).max(LEAST_MEMBERS);
+    let members = (MEMBERS * problem.parameters.len()).max(LEAST_MEMBERS);
     let empty = PopulationProgress::<Vec<f64>>::empty();
     match method {
         Method::Evolution => {
@@ -234,7 +234,7 @@ where
 
 /// A search that could not begin.
 fn nothing(problem: &Problem) -> Found {
-    Found { places: vec![0.5; problem.unknowns.len()], cost: f64::INFINITY, evaluations: 0 }
+    Found { places: vec![0.5; problem.parameters.len()], cost: f64::INFINITY, evaluations: 0 }
 }
 
 /// A method with many small generations waits longer.
@@ -248,13 +248,13 @@ const MOST_STEPS: u64 = 60;
 /// Part of the cost that a step of least squares must gain for another one to follow (chosen).
 const GAIN: f64 = 1e-8;
 
-/// Follows the slopes from a place; the free unknowns of the problem only.
+/// Follows the slopes from a place; the free parameters of the problem only.
 pub(super) fn polish(problem: &Problem, from: &Found) -> Found {
     polish_until(problem, from, GAIN)
 }
 
-/// The same until a step gains less than a part of the cost. A step that leads an unknown out of its range is cut short,
-/// and with it those of the others: they go on without the unknowns that have come to ends of their ranges, and then with
+/// The same until a step gains less than a part of the cost. A step that leads a parameter out of its range is cut short,
+/// and with it those of the others: they go on without the parameters that have come to ends of their ranges, and then with
 /// them again.
 pub(super) fn polish_until(problem: &Problem, from: &Found, gain: f64) -> Found {
     let mut found = follow(problem, from, gain);
@@ -271,13 +271,13 @@ pub(super) fn polish_until(problem: &Problem, from: &Found, gain: f64) -> Found 
     found
 }
 
-/// How often least squares go on without the unknowns at ends of their ranges (chosen).
+/// How often least squares go on without the parameters at ends of their ranges (chosen).
 const DETOURS: usize = 4;
 
-/// Distance from an end of a range, as a part of it, at which an unknown stops the others (chosen).
+/// Distance from an end of a range, as a part of it, at which a parameter stops the others (chosen).
 const EDGE: f64 = 1e-4;
 
-/// A problem in which the unknowns at ends of their ranges are held; None if there are none.
+/// A problem in which the parameters at ends of their ranges are held; None if there are none.
 fn without_ends<'a>(problem: &Problem<'a>, places: &[f64]) -> Option<Problem<'a>> {
     let is_at_end =
         |number: &usize| problem.pinned[*number].is_none() && !(EDGE..=1.0 - EDGE).contains(&places[*number]);
@@ -289,14 +289,14 @@ fn without_ends<'a>(problem: &Problem<'a>, places: &[f64]) -> Option<Problem<'a>
 /// Steps of least squares until one gains less than a part of the cost.
 fn follow(problem: &Problem, from: &Found, gain: f64) -> Found {
     let is_free = |number: &usize| problem.pinned[*number].is_none();
-    let start: Vec<f64> = (0..problem.unknowns.len()).filter(is_free).map(|number| from.places[number]).collect();
+    let start: Vec<f64> = (0..problem.parameters.len()).filter(is_free).map(|number| from.places[number]).collect();
     if start.is_empty() {
         return from.clone();
     }
     let solver = BoundedLevenbergMarquardt::new().with_relative_cost_change_tolerance(gain);
     let executor = Executor::new(problem.clone(), solver, PointState::new(start)).max_iter(MOST_STEPS);
     let Ok(result) = executor.run() else { return from.clone() };
-    let work = |count: u64| count * problem.unknowns.len() as u64;
+    let work = |count: u64| count * problem.parameters.len() as u64;
     let evaluations = from.evaluations + result.counts.residual_evals + work(result.counts.jacobian_evals);
     if result.cost() < from.cost {
         Found { places: problem.whole(result.param()), cost: result.cost(), evaluations }
@@ -323,9 +323,9 @@ mod tests {
             let data = [measured(law, &[], &standard(1000), 0.01, seed)];
             let problem = whole_problem(law, &data);
             let mut random = fastrand::Rng::with_seed(seed);
-            let viscous = problem.unknowns.iter().position(|one| one.name == "viscous_coefficient").unwrap();
+            let viscous = problem.parameters.iter().position(|one| one.name == "viscous_coefficient").unwrap();
             let place = |number: usize| if number == viscous { 0.0 } else { 0.3 + 0.4 * random.f64() };
-            let places = (0..problem.unknowns.len()).map(place).collect();
+            let places = (0..problem.parameters.len()).map(place).collect();
             let start = Found { places, cost: f64::INFINITY, evaluations: 0 };
             let end = polish(&problem, &start);
             let mut without = problem.clone();
@@ -347,8 +347,8 @@ mod tests {
         let known = Rig { mass: 2.0, normal_force: Some(20.0), delay: Delay::Known(0.0), ..Rig::default() };
         let record = Record::of(&Sheet::parse(&rig.record().unwrap().force).unwrap(), None, &known).unwrap();
         let experiment = Experiment::new(law.name, &record);
-        let without = Task { mass: 2.0, profiles: false, repetitions: 0, ..Task::default() };
-        let fits = [without.clone(), Task { profiles: true, ..without }]
+        let without = Settings { mass: 2.0, profiles: false, repetitions: 0, ..Settings::default() };
+        let fits = [without.clone(), Settings { profiles: true, ..without }]
             .map(|task| fitted("Leuven", std::slice::from_ref(&experiment), &task));
         assert!(fits.iter().all(|fit| fit.searches == Searches::Agree));
         let [local, found] = fits.map(|fit| fit.residuals);

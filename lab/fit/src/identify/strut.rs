@@ -18,8 +18,8 @@
 use ssp::parameter_set::{ParameterSet, choice};
 use stribeck::model::{Meaning, ModelType, Variable};
 
-use super::unknown::is_level;
-use super::{Estimate, Experiment, Fit, Target, Task, Verdict, Watch, Wishes, fit};
+use super::parameter::is_level;
+use super::{Estimate, Experiment, Fit, Selection, Settings, Target, Verdict, Watch, fit};
 use crate::dyno::{Damper, Options, Stroke, Test, find_damper, shock_absorber, slow_strokes};
 use stribeck_solve::system::Fault;
 
@@ -59,7 +59,7 @@ pub fn strut_friction(
     law: &'static ModelType,
     test: &Test,
     options: &Options,
-    task: &Task,
+    task: &Settings,
     watch: Watch,
 ) -> Result<StrutFriction, Fault> {
     let once = |options: &Options| strut_friction_once(law, test, options, task, watch);
@@ -77,7 +77,7 @@ fn strut_friction_once(
     law: &'static ModelType,
     test: &Test,
     options: &Options,
-    task: &Task,
+    task: &Settings,
     watch: Watch,
 ) -> Result<StrutFriction, Fault> {
     let strut = shock_absorber().map_err(Fault::value)?;
@@ -91,9 +91,9 @@ fn strut_friction_once(
     let asymmetry = friction.asymmetry.unwrap_or(0.0);
     let strokes = slow_strokes(test, options, &damper).map_err(Fault::value)?;
     let experiments: Vec<Experiment> = strokes.iter().map(|stroke| experiment(stroke, load, asymmetry)).collect();
-    let mut wishes = Wishes { fitted: vec!["offset".to_owned()], ..task.wishes.clone() };
-    wishes.fixed.extend(viscous(law).into_iter().map(|name| (name, 0.0)));
-    let fit = fit(law, &experiments, &Task { wishes, mass: 0.0, ..task.clone() }, watch)?;
+    let mut selection = Selection { fitted: vec!["offset".to_owned()], ..task.selection.clone() };
+    selection.fixed.extend(viscous(law).into_iter().map(|name| (name, 0.0)));
+    let fit = fit(law, &experiments, &Settings { selection, mass: 0.0, ..task.clone() }, watch)?;
     let values = vec![("friction.model".to_owned(), chosen)];
     let mut found = StrutFriction { damper, values, left: Vec::new(), fit, load };
     found.transfer(strut, mu)?;

@@ -96,7 +96,7 @@ fn a_law_in_a_strut_is_found_in_slow_strokes() {
     let (test, _) = driven(&strut_values("LuGre", &truth), 0.15, 5);
     let options = Options { gas_force: Some(0.0), ..Options::default() };
     let never = AtomicBool::new(false);
-    let task = Task { budget: 1500, repetitions: 0, profiles: false, ..Task::default() };
+    let task = Settings { budget: 1500, repetitions: 0, profiles: false, ..Settings::default() };
     let found = strut_friction(by_name("LuGre").unwrap(), &test, &options, &task, watch(&never)).unwrap();
     println!("{:?} {}", found.damper, found.fit.table(None));
     let set = found.damper.parameter_set_with("found", &found.values).unwrap();
@@ -123,7 +123,7 @@ fn the_two_contacts_of_a_strut_are_together_the_fitted_law() {
     let never = AtomicBool::new(false);
     let (test, _) = driven(&strut_values("LuGre", &[]), 0.0, 3);
     let options = Options { gas_force: Some(0.0), ..Options::default() };
-    let task = Task { budget: 1, repetitions: 0, profiles: false, ..Task::default() };
+    let task = Settings { budget: 1, repetitions: 0, profiles: false, ..Settings::default() };
     let any = strut_friction(by_name("Dahl").unwrap(), &test, &options, &task, watch(&never)).unwrap();
     let (mut laws, mut wrong) = (0, Vec::new());
     for (law, _) in stribeck::catalogue::documented(stribeck::catalogue::Family::Friction) {
@@ -214,7 +214,7 @@ fn tests_without_times_or_slow_strokes_are_refused() {
     let never = AtomicBool::new(false);
     let refusal = |law: &str, test: &Test, options: &Options| {
         let law = by_name(law).unwrap();
-        let found = strut_friction(law, test, options, &Task::default(), watch(&never));
+        let found = strut_friction(law, test, options, &Settings::default(), watch(&never));
         found.map(|_| ()).unwrap_err().to_string()
     };
     let timeless = Test { time: None, ..test.clone() };

@@ -65,11 +65,11 @@ pub(super) fn white_noise(rms: f64) -> Residuals {
     Residuals { rms, loss: rms, noise: rms, softness: 1.0, neighbours: 0.0, correlation: 1.0 }
 }
 
-pub(super) fn quick() -> Task {
-    Task { budget: 1500, profiles: false, repetitions: 0, ..Task::default() }
+pub(super) fn quick() -> Settings {
+    Settings { budget: 1500, profiles: false, repetitions: 0, ..Settings::default() }
 }
 
-pub(super) fn fitted(law: &str, experiments: &[Experiment], task: &Task) -> Fit {
+pub(super) fn fitted(law: &str, experiments: &[Experiment], task: &Settings) -> Fit {
     fit(by_name(law).unwrap(), experiments, task, quiet()).unwrap()
 }
 
@@ -82,7 +82,7 @@ fn is_undetermined(fit: &Fit, name: &str) -> bool {
 }
 
 pub(super) fn whole_problem<'a>(law: &str, experiments: &'a [Experiment]) -> Problem<'a> {
-    problem(by_name(law).unwrap(), experiments, &Task::default()).unwrap()
+    problem(by_name(law).unwrap(), experiments, &Settings::default()).unwrap()
 }
 
 /// Truth of reference data: a slider of 20 N.
@@ -106,10 +106,10 @@ fn sensitivities_are_those_of_differences() {
         exact_laws += 1;
         let mut random = fastrand::Rng::with_seed(5);
         let place = || 0.3 + 0.4 * random.f64();
-        let places: Vec<f64> = std::iter::repeat_with(place).take(problem.unknowns.len()).collect();
+        let places: Vec<f64> = std::iter::repeat_with(place).take(problem.parameters.len()).collect();
         let mut instance = Instance::new(law);
         let point = problem.point(&places);
-        let Ok(values) = problem.explained(&mut instance, &point, 1) else { continue };
+        let Ok(values) = problem.predicted(&mut instance, &point, 1) else { continue };
         instance.reset();
         instance.set_all(stribeck::instance::Phase::Setup, point.columns.into_iter()).unwrap();
         let duals = exact.forces(instance.row(), problem.ports, &[], &experiments[0], 1);
@@ -123,7 +123,7 @@ fn sensitivities_are_those_of_differences() {
                 part < 1e-3,
                 "{} {}: {part} {:?}",
                 law.name,
-                problem.unknowns[number].name,
+                problem.parameters[number].name,
                 (size(&exactly), size(&values), size(&apart), size(&differences))
             );
         }
@@ -134,7 +134,7 @@ fn sensitivities_are_those_of_differences() {
 #[test]
 fn a_law_is_found_again_with_intervals_three_ways() {
     let data = [measured("LuGre", &SLIDER, &standard(1000), 0.01, 11)];
-    let fit = fitted("LuGre", &data, &Task { profiles: true, repetitions: 20, ..quick() });
+    let fit = fitted("LuGre", &data, &Settings { profiles: true, repetitions: 20, ..quick() });
     assert!(fit.searches == Searches::Agree && fit.is_exact && fit.warnings.is_empty(), "{:?}", fit.warnings);
     assert!((fit.residuals.rms / (0.01 * fit.level) - 1.0).abs() < 0.1, "{:?}", fit.residuals);
     for (name, truth) in SLIDER {
@@ -159,7 +159,7 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     let mut hits = [0; 2];
     for seed in 0..60 {
         let data = [measured("Dahl", &[], &experiment, 0.01, 100 + seed)];
-        let fit = fitted("Dahl", &data, &Task { budget: 200, ..quick() });
+        let fit = fitted("Dahl", &data, &Settings { budget: 200, ..quick() });
         for (hits, (name, truth)) in hits.iter_mut().zip([("mu_k", 0.1), ("sigma_0", 1e5)]) {
             let [low, high] = estimate(&fit, name).linear;
             *hits += i32::from((low..=high).contains(&truth));
@@ -193,7 +193,7 @@ fn steady_sliding_tells_nothing_about_bristles() {
 #[test]
 fn what_is_not_told_from_zero_has_an_upper_limit_only() {
     let data = [measured("CoulombViscous", &[("viscous_coefficient", 0.0)], &standard(500), 0.01, 1)];
-    let fit = fitted("CoulombViscous", &data, &Task { budget: 400, ..quick() });
+    let fit = fitted("CoulombViscous", &data, &Settings { budget: 400, ..quick() });
     let Verdict::AtMost(most) = estimate(&fit, "viscous_coefficient").verdict else { panic!("{:?}", fit.estimates) };
     // A tenth of the force at the highest speed, 0.025 m/s, is 10 N s/m.
     assert!((0.0..5.0).contains(&most), "{most}");
@@ -206,7 +206,7 @@ fn one_load_tells_nothing_about_the_influence_of_the_load() {
     let truth = [("transition_normal_force", 30.0), ("viscous_coefficient", 50.0)];
     let held = Experiment { normal_force: vec![20.0; 2000], ..standard(2000) };
     let alone = [measured("BrownMcPhee", &truth, &held, 0.002, 1)];
-    let one = fitted("BrownMcPhee", &alone, &Task { profiles: true, ..quick() });
+    let one = fitted("BrownMcPhee", &alone, &Settings { profiles: true, ..quick() });
     let is_told = ["transition_normal_force", "viscous_coefficient"].map(|name| !is_undetermined(&one, name));
     assert_eq!(is_told, [false; 2], "{:?}", one.estimates);
     let other = Experiment { normal_force: vec![5.0; 2000], ..held.clone() };
@@ -218,14 +218,14 @@ fn one_load_tells_nothing_about_the_influence_of_the_load() {
     }
 }
 
-/// Two unknowns of which the data know only a sum, and a third one: a unit of the first moves the second by 0.3 units,
+/// Two parameters of which the data know only a sum, and a third one: a unit of the first moves the second by 0.3 units,
 /// which is little until the first may move by ten.
 #[test]
 fn what_depends_on_the_undetermined_is_not_determined() {
     let along = nalgebra::DVector::from_vec(vec![300.0, -1000.0, 0.0]);
     let mut information = &along * along.transpose();
     information[(2, 2)] = 1e3;
-    let known = trust::spread(&information, &|_| false);
+    let known = uncertainty::spread(&information, &|_| false);
     let deviation = |number: usize| known[(number, number)].sqrt();
     // On the line x_1 = 0.3 x_0, where ten units of each are admitted.
     let first = 1.0 / (0.01 + 0.09 * 0.01f64).sqrt();
@@ -266,7 +266,7 @@ fn correlated_residuals_count_as_fewer_samples() {
 fn a_force_that_changes_in_jumps_has_no_interval() {
     let data = [measured("Bristle", &[], &standard(500), 0.0, 1)];
     let problem = whole_problem("Bristle", &data);
-    let places = vec![0.5; problem.unknowns.len()];
+    let places = vec![0.5; problem.parameters.len()];
     let seen = white_noise(1e-4);
     let jumps = trust(&problem, &places, &seen).verdicts.iter().any(|verdict| verdict.to_string().contains("in jumps"));
     assert!(jumps, "{:?}", trust(&problem, &places, &seen).verdicts);
@@ -282,7 +282,7 @@ fn a_force_that_changes_elsewhere_than_foreseen_is_not_smooth() {
     let data = [measured("Coulomb", &[], &standard(400), 0.01, 1)];
     let problem = whole_problem("Coulomb", &data);
     let mut slopes = problem.sensitivities(&[0.5]).remove(0);
-    let is_smooth = |slopes: &[f64]| trust::is_smooth(&problem, &[0.5], &white_noise(0.01), 0, 0.01, slopes);
+    let is_smooth = |slopes: &[f64]| uncertainty::is_smooth(&problem, &[0.5], &white_noise(0.01), 0, 0.01, slopes);
     assert!(is_smooth(&slopes));
     slopes.reverse();
     assert!(!is_smooth(&slopes));
@@ -319,7 +319,7 @@ fn a_start_at_an_end_of_the_range_does_not_stop_the_search() {
     let floor = problem
         .judge(Found { places: best(&problem, &quick(), quiet(), None, false).found.places, cost: 0.0, evaluations: 0 })
         .cost;
-    let count = problem.unknowns.len();
+    let count = problem.parameters.len();
     for ends in [vec![0.0; count], vec![1.0; count]] {
         let start = problem.judge(Found { places: ends, cost: 0.0, evaluations: 0 });
         let end = polish(&problem, &start);
@@ -337,7 +337,7 @@ fn the_law_that_made_the_data_ranks_first_or_is_tied() {
         let values: &[(&str, f64)] = if truth == "LuGre" { &SLIDER } else { &[] };
         let data = [measured(truth, values, &standard(600), 0.01, 9)];
         let fits: Vec<Fit> =
-            candidates.iter().map(|law| fitted(law, &data, &Task { budget: 800, ..quick() })).collect();
+            candidates.iter().map(|law| fitted(law, &data, &Settings { budget: 800, ..quick() })).collect();
         let ranks = rank(&fits);
         let own = ranks.iter().find(|rank| fits[rank.fit].law.name == truth).unwrap();
         assert!(own.is_tied, "{truth}: {ranks:?}");
@@ -345,7 +345,7 @@ fn the_law_that_made_the_data_ranks_first_or_is_tied() {
             assert!(ranks[1].delta_bic > APART, "{ranks:?}");
         }
         if truth == "Coulomb" {
-            // Stribeck's law explains as much with four unknowns more: 4 ln 600 = 26, less what they take of the noise.
+            // Stribeck's law explains as much with four parameters more: 4 ln 600 = 26, less what they take of the noise.
             let more = ranks.iter().find(|rank| fits[rank.fit].law.name == "Stribeck").unwrap();
             assert!(ranks[0].fit == own.fit && (10.0..30.0).contains(&more.delta_bic), "{ranks:?}");
         }
@@ -369,7 +369,7 @@ fn laws_that_differ_as_the_contact_speeds_up_explain_their_own_records() {
         let known = crate::measured::Rig { mass: 2.0, normal_force: Some(20.0), ..Default::default() };
         let sheet = crate::sheet::Sheet::parse(&rig.record().unwrap().force).unwrap();
         let data = Experiment::new(law, &crate::measured::Record::of(&sheet, None, &known).unwrap());
-        let fit = fitted(law, slice::from_ref(&data), &Task { mass: 2.0, ..quick() });
+        let fit = fitted(law, slice::from_ref(&data), &Settings { mass: 2.0, ..quick() });
         let noise = crate::measured::noise(&data.force);
         assert!(fit.residuals.rms < 3.0 * noise, "{law}: {} N, noise {noise} N", fit.residuals.rms);
     }
@@ -397,7 +397,7 @@ fn samples_of_unknown_direction_do_not_rank_laws() {
     assert!((3..60).contains(&count), "{count}");
     let all = Experiment { left_out: Vec::new(), rest: Rest::default(), ..data.clone() };
     let behind = |data: Experiment| {
-        let task = Task { budget: 600, ..quick() };
+        let task = Settings { budget: 600, ..quick() };
         let fits = ["Coulomb", "Threlfall"].map(|law| fitted(law, slice::from_ref(&data), &task));
         let ranks = rank(&fits);
         let own = ranks.iter().find(|one| one.fit == 0).unwrap();
@@ -446,7 +446,7 @@ fn only_samples_at_the_ends_of_the_motion_are_left_out() {
 #[test]
 fn a_ranking_counts_effective_samples() {
     let data = [measured("Coulomb", &[], &standard(600), 0.01, 9)];
-    let fit = fitted("Coulomb", &data, &Task { budget: 50, ..quick() });
+    let fit = fitted("Coulomb", &data, &Settings { budget: 50, ..quick() });
     let behind = |ratio: f64, correlation: f64| {
         let best = Fit { residuals: Residuals { correlation, ..white_noise(0.02) }, ..fit.clone() };
         let other = Fit { residuals: Residuals { loss: 0.02 * ratio, ..best.residuals }, ..fit.clone() };
@@ -466,7 +466,8 @@ fn a_ranking_counts_effective_samples() {
 fn evolution_and_slopes_reach_the_noise_where_a_genetic_algorithm_does_not() {
     let data = [measured("LuGre", &SLIDER, &standard(1000), 0.01, 21)];
     let ours = fitted("LuGre", &data, &quick());
-    let genetic = fitted("LuGre", &data, &Task { method: Method::Genetic, budget: ours.evaluations / 2, ..quick() });
+    let genetic =
+        fitted("LuGre", &data, &Settings { method: Method::Genetic, budget: ours.evaluations / 2, ..quick() });
     let floor = 0.01 * ours.level;
     assert!(ours.residuals.rms < 1.05 * floor, "{} of {floor}", ours.residuals.rms);
     assert!(genetic.residuals.rms > 1.02 * ours.residuals.rms, "{:?}", genetic.residuals);
@@ -487,21 +488,22 @@ fn a_velocity_that_is_known_too_badly_is_warned_of() {
     );
     let damping = [&sharp, &smooth].map(|fit| estimate(fit, "sigma_1").verdict.to_string());
     assert!(damping[0] == "determined" && damping[1].contains("not known well enough"), "{damping:?}");
-    let fixed = Wishes { fixed: vec![("stribeck_velocity".into(), 0.004)], ..Wishes::default() };
-    let held = fitted("LuGre", &[Experiment { velocity_error: 1e-4, ..data }], &Task { wishes: fixed, ..quick() });
+    let fixed = Selection { fixed: vec![("stribeck_velocity".into(), 0.004)], ..Selection::default() };
+    let held =
+        fitted("LuGre", &[Experiment { velocity_error: 1e-4, ..data }], &Settings { selection: fixed, ..quick() });
     assert!(!estimate(&held, "sigma_1").verdict.is_told(), "{:?}", held.estimates);
 }
 
 #[test]
 fn impossible_wishes_are_refused() {
     let data = [measured("Dahl", &[], &standard(100), 0.01, 1)];
-    let refusal = |law: &str, wishes: Wishes| {
-        let task = Task { wishes, ..quick() };
+    let refusal = |law: &str, selection: Selection| {
+        let task = Settings { selection, ..quick() };
         fit(by_name(law).unwrap(), &data, &task, quiet()).map(|_| ()).unwrap_err().to_string()
     };
-    let fixed = |name: &str, value| Wishes { fixed: vec![(name.into(), value)], ..Wishes::default() };
-    let range = |name: &str, ends| Wishes { ranges: vec![(name.into(), ends)], ..Wishes::default() };
-    let none = Wishes::default;
+    let fixed = |name: &str, value| Selection { fixed: vec![(name.into(), value)], ..Selection::default() };
+    let range = |name: &str, ends| Selection { ranges: vec![(name.into(), ends)], ..Selection::default() };
+    let none = Selection::default;
     let cases = [
         ("LuGrePlanar", none(), "LuGrePlanar: only laws of one sliding direction can be fitted"),
         ("Dahl", fixed("sigma", 1.0), "Dahl: parameter 'sigma' does not exist (did you mean 'sigma_0'?)"),
@@ -509,12 +511,12 @@ fn impossible_wishes_are_refused() {
         ("Dahl", fixed("mass", f64::NAN), "mass = NaN: must be a finite number"),
         (
             "Dahl",
-            Wishes { fitted: vec!["mass".into()], ..fixed("mass", 3.0) },
+            Selection { fitted: vec!["mass".into()], ..fixed("mass", 3.0) },
             "mass = 3: is held, and to be fitted too",
         ),
         (
             "Dahl",
-            Wishes { fitted: vec!["mas".into()], ..none() },
+            Selection { fitted: vec!["mas".into()], ..none() },
             "parameter 'mas' does not exist (did you mean 'mass'?)",
         ),
         ("Dahl", range("mu_k", [0.2, 0.1]), "mu_k = 0.2:0.1: must be LOW:HIGH with LOW < HIGH, both finite"),
@@ -522,12 +524,12 @@ fn impossible_wishes_are_refused() {
         ("Dahl", range("alpha", [0.5, 2.0]), "Dahl: alpha has a range and is not fitted"),
         (
             "Dahl",
-            Wishes { fixed: vec![("mu_k".into(), 0.1), ("sigma_0".into(), 1e5)], ..none() },
+            Selection { fixed: vec![("mu_k".into(), 0.1), ("sigma_0".into(), 1e5)], ..none() },
             "Dahl: nothing is left to fit",
         ),
     ];
-    for (law, wishes, wanted) in cases {
-        let found = refusal(law, wishes);
+    for (law, selection, wanted) in cases {
+        let found = refusal(law, selection);
         assert!(found.contains(wanted), "{found} instead of {wanted}");
     }
 }
@@ -552,13 +554,13 @@ fn experiments_and_tasks_without_sense_are_refused() {
     let resting = Experiment { left_out: vec![true; 100], ..data[0].clone() };
     let refused = fit(by_name("Coulomb").unwrap(), &[resting], &quick(), quiet()).map(|_| ()).unwrap_err();
     let wanted =
-        "0 samples (100 of 100 are left out, at rest or at the ends) for 1 unknown of Coulomb; at least 3 are needed";
+        "0 samples (100 of 100 are left out, at rest or at the ends) for 1 parameter of Coulomb; at least 3 are needed";
     assert_eq!(refused.to_string(), wanted);
     let refused = fit(by_name("Dahl").unwrap(), &[], &quick(), quiet()).map(|_| ()).unwrap_err().to_string();
     assert_eq!(refused, "no experiment was given");
     for (task, wanted) in [
-        (Task { budget: 0, ..quick() }, "budget = 0: must be at least 1 evaluation"),
-        (Task { mass: -1.0, ..quick() }, "mass = -1: must be >= 0 and finite"),
+        (Settings { budget: 0, ..quick() }, "budget = 0: must be at least 1 evaluation"),
+        (Settings { mass: -1.0, ..quick() }, "mass = -1: must be >= 0 and finite"),
     ] {
         let refused = fit(by_name("Dahl").unwrap(), &data, &task, quiet()).map(|_| ()).unwrap_err().to_string();
         assert_eq!(refused, wanted);
@@ -576,7 +578,7 @@ fn a_value_that_a_few_samples_decide_has_no_number() {
     let plain = fitted("CoulombViscous", slice::from_ref(&data), &quick());
     let verdict = estimate(&plain, "viscous_coefficient").verdict.to_string();
     assert!(verdict.contains("8 of 1200 samples") && verdict.contains("robust loss"), "{verdict}");
-    let robust = fitted("CoulombViscous", &[data], &Task { is_robust: true, ..quick() });
+    let robust = fitted("CoulombViscous", &[data], &Settings { is_robust: true, ..quick() });
     let [low, high] = estimate(&robust, "viscous_coefficient").interval();
     assert!(estimate(&robust, "viscous_coefficient").verdict == Verdict::Determined && low < 20.0 && 20.0 < high);
 }
@@ -604,8 +606,8 @@ fn a_law_that_is_far_behind_is_searched_once_and_has_no_number() {
 #[test]
 fn a_law_that_cannot_be_fitted_does_not_stop_the_others() {
     let data = [measured("Dahl", &[], &standard(200), 0.01, 1)];
-    let wishes = Wishes { fixed: vec![("sigma_0".into(), 1e5)], ..Wishes::default() };
-    let task = Task { wishes, ..quick() };
+    let selection = Selection { fixed: vec![("sigma_0".into(), 1e5)], ..Selection::default() };
+    let task = Settings { selection, ..quick() };
     let laws = laws_named(&["Coulomb".into(), "Dahl".into()]).unwrap();
     let mut begun = Vec::new();
     let ranking = fit_all(&laws, &data, &task, &mut |law| begun.push(law.name), quiet()).unwrap();
@@ -627,7 +629,7 @@ fn a_law_that_cannot_be_fitted_does_not_stop_the_others() {
 #[test]
 fn data_without_noise_give_the_truth() {
     let data = [measured("Dahl", &[], &standard(1000), 0.0, 1)];
-    let fit = fitted("Dahl", &data, &Task { profiles: true, repetitions: 3, budget: 400, ..quick() });
+    let fit = fitted("Dahl", &data, &Settings { profiles: true, repetitions: 3, budget: 400, ..quick() });
     for (name, truth) in [("mu_k", 0.1), ("sigma_0", 1e5)] {
         let one = estimate(&fit, name);
         assert!((one.value / truth - 1.0).abs() < 1e-3, "{one:?}");
@@ -646,8 +648,8 @@ fn outliers_hardly_count_with_a_robust_loss() {
     for at in (7..1000).step_by(25) {
         spoilt.force[at] += 0.01 * level * (20.0 + (at % 41) as f64);
     }
-    let task = Task { budget: 400, profiles: true, ..quick() };
-    let robust = Task { is_robust: true, ..task.clone() };
+    let task = Settings { budget: 400, profiles: true, ..quick() };
+    let robust = Settings { is_robust: true, ..task.clone() };
     let [without, squares, robust] = [(&clean, &task), (&spoilt, &task), (&spoilt, &robust)]
         .map(|(data, task)| fitted("Dahl", std::slice::from_ref(data), task));
     for (name, truth) in [("mu_k", 0.1), ("sigma_0", 1e5)] {
@@ -678,18 +680,22 @@ fn experiments_that_were_not_fitted_judge_a_law() {
         Experiment { name: format!("run {number}"), force, ..data[number].clone() }
     };
     let data = [0, 1, 2].map(noisy);
-    let task = Task { folds: 3, budget: 100, ..quick() };
+    let task = Settings { folds: 3, budget: 100, ..quick() };
     let fit = fitted("Coulomb", &data, &task);
-    assert_eq!(fit.unseen.iter().map(|one| one.name.as_str()).collect::<Vec<_>>(), ["run 0", "run 1", "run 2"]);
-    assert!(fit.unseen.iter().all(|one| (one.rms / 0.05 - 1.0).abs() < 0.1 && !one.is_worse()), "{:?}", fit.unseen);
+    assert_eq!(fit.validation.iter().map(|one| one.name.as_str()).collect::<Vec<_>>(), ["run 0", "run 1", "run 2"]);
+    assert!(
+        fit.validation.iter().all(|one| (one.rms / 0.05 - 1.0).abs() < 0.1 && !one.is_worse()),
+        "{:?}",
+        fit.validation
+    );
     assert!(fit.warnings.is_empty(), "{:?}", fit.warnings);
     let other = measured("Coulomb", &[("mu_k", 0.3)], &loads[1], 0.0, 7);
-    let unseen = held_out(&fit, &[other]).unwrap();
+    let validation = held_out(&fit, &[other]).unwrap();
     // Off by 0.1 of 20 N.
-    assert!((unseen[0].rms - 2.0).abs() < 0.02 && unseen[0].is_worse(), "{unseen:?}");
+    assert!((validation[0].rms - 2.0).abs() < 0.02 && validation[0].is_worse(), "{validation:?}");
     // Before anything is fitted.
     let watch = Watch { cancel: &NEVER, progress: &|_, _| panic!("a search has begun") };
-    let refused = super::fit(by_name("Coulomb").unwrap(), &data, &Task { folds: 4, ..task }, watch);
+    let refused = super::fit(by_name("Coulomb").unwrap(), &data, &Settings { folds: 4, ..task }, watch);
     let text = refused.map(|_| ()).unwrap_err().to_string();
     assert_eq!(text, "folds = 4: must be from 2 to the number of records, 3");
 }

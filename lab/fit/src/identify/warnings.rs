@@ -2,12 +2,12 @@
 
 use stribeck::model::Meaning;
 
-use super::blur::{self, BLURRED};
 use super::experiment::UNKNOWN_DIRECTION;
 use super::problem::Problem;
 use super::refine::SHIFT;
 use super::search::Searches;
-use super::trust::{Residuals, Verdict, digits};
+use super::uncertainty::{Residuals, Verdict, digits};
+use super::velocity_error::{self, BLURRED};
 use super::{Estimate, Experiment, SYSTEMATIC, Target};
 
 /// Correlation of neighbours from which it is not noise that is left, although it swings so often that few samples count
@@ -67,7 +67,7 @@ const RELAXED: f64 = 0.1;
 /// Warns of noise of a measured velocity that moves a contact at rest to and fro: friction that builds up over a distance
 /// then relaxes in the law, although the rig held it.
 fn relaxed(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
-    let error = blur::error(experiment);
+    let error = velocity_error::error(experiment);
     if experiment.window > 0.0 || error == 0.0 {
         return None;
     }
@@ -94,7 +94,7 @@ fn relaxed(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
 /// and the Stribeck velocity higher than they are, while the residuals look fine.
 fn blurred(problem: &Problem, experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
     let known = |target: Target| estimates.iter().find(|one| one.target == target).map(|one| one.value);
-    let (name, speed) = blur::speed_of_fall(problem, known)?;
+    let (name, speed) = velocity_error::speed_of_fall(problem, known)?;
     let error = experiment.velocity_error;
     let damping = estimates.iter().find(|one| one.meaning == Meaning::Damping);
     let damping = damping.map_or(String::new(), |one| format!(", {} gets no number", one.name));

@@ -4,7 +4,7 @@ use super::html::Page;
 use super::{STYLE, versions_of};
 use crate::picture::{Kind, Named, Picture, Theme, curves};
 use stribeck_fit::identify::{
-    Difference, EARLY, Estimate, Fit, Method, Ranking, Reference, Searches, Task, Verdict, difference, digits,
+    Difference, EARLY, Estimate, Fit, Method, Ranking, Reference, Searches, Settings, Verdict, difference, digits,
     digits_within, known, respond,
 };
 use stribeck_fit::measured::{Record, average};
@@ -16,7 +16,7 @@ pub struct Identification<'a> {
     /// The records with their names.
     pub records: &'a [(String, Record)],
     /// How they were fitted.
-    pub task: &'a Task,
+    pub task: &'a Settings,
     /// The command line that repeats it; left out if empty.
     pub command: &'a str,
     /// The fits.
@@ -95,7 +95,7 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
 
 /// Sizes of the residuals, also in records that were not fitted.
 fn residuals(page: &mut Page, best: &Fit) {
-    for one in &best.unseen {
+    for one in &best.validation {
         let text = format!("Validation record {}: RMS residual {} N.", one.name, digits(one.rms));
         page.paragraph("note", &text);
     }
@@ -128,7 +128,7 @@ fn ranking(page: &mut Page, facts: &Identification) {
         let fit = &facts.ranking.fits[rank.fit];
         let is_tied = rank.is_tied && place > 0;
         let verdict = fit.searches.note().or(is_tied.then_some("cannot be told apart from the first")).unwrap_or("");
-        let count = fit.unknowns().to_string();
+        let count = fit.parameters().to_string();
         let cells =
             [fit.law.name.into(), digits(fit.residuals.rms), count, format!("{:.1}", rank.delta_bic), verdict.into()];
         page.row("", &head, &cells);
@@ -162,7 +162,7 @@ fn records(page: &mut Page, facts: &Identification) {
 
 fn correlations(page: &mut Page, best: &Fit) {
     page.heading("Correlations");
-    let names: Vec<&str> = best.estimates.iter().take(best.unknowns()).map(|one| one.name.as_str()).collect();
+    let names: Vec<&str> = best.estimates.iter().take(best.parameters()).map(|one| one.name.as_str()).collect();
     let titles: Vec<String> = names.iter().map(|name| format!("#{name}")).collect();
     let head: Vec<&str> = std::iter::once("").chain(titles.iter().map(String::as_str)).collect();
     page.begin_table(&head);
@@ -176,7 +176,7 @@ fn correlations(page: &mut Page, best: &Fit) {
 
 /// Settings of the fit, with the defaults where nothing was asked for.
 fn settings(page: &mut Page, facts: &Identification) {
-    let Task { wishes, method, seed, budget, repetitions, mass, is_robust, folds, .. } = facts.task;
+    let Settings { selection, method, seed, budget, repetitions, mass, is_robust, folds, .. } = facts.task;
     page.heading("How it was fitted");
     let head = ["Setting", "Value"];
     let mut rows = vec![
@@ -188,9 +188,9 @@ fn settings(page: &mut Page, facts: &Identification) {
         ("Parts for cross-validation", folds.to_string()),
         ("Mass between load cell and contact", format!("{mass} kg, unless it was fitted or held")),
     ];
-    rows.extend(wishes.fixed.iter().map(|(name, value)| ("Held", format!("{name} = {value}"))));
-    rows.extend(wishes.fitted.iter().map(|name| ("Fitted as well", name.clone())));
-    rows.extend(wishes.ranges.iter().map(|(name, [low, high])| ("Range", format!("{name} from {low} to {high}"))));
+    rows.extend(selection.fixed.iter().map(|(name, value)| ("Held", format!("{name} = {value}"))));
+    rows.extend(selection.fitted.iter().map(|name| ("Fitted as well", name.clone())));
+    rows.extend(selection.ranges.iter().map(|(name, [low, high])| ("Range", format!("{name} from {low} to {high}"))));
     page.begin_table(&head);
     rows.into_iter().for_each(|(setting, value)| page.row("", &head, &[setting.to_owned(), value]));
     page.end_table();
@@ -212,7 +212,7 @@ fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Pict
         let friction_force = respond(best.law, reference, &seen, best.parts)?;
         all.push(("reference".to_owned(), Record { friction_force, ..seen.clone() }));
     }
-    all.push((format!("{} fitted", best.law.name), best.explained_in(&seen, number)));
+    all.push((format!("{} fitted", best.law.name), best.predicted_in(&seen, number)));
     let cycles = average(&seen).map_or(0, |cycle| cycle.count);
     let cycled: Vec<(String, Record)> = all.iter().map(|(name, record)| (name.clone(), mean(record))).collect();
     let kinds = [Kind::Force, Kind::ForceOverVelocity, Kind::ForceOverDisplacement];

@@ -1,4 +1,4 @@
-//! Coefficients of the Magic Formula 5.2 as unknowns: where they are searched, and what a test needs to show them.
+//! Coefficients of the Magic Formula 5.2 as parameters: where they are searched, and what a test needs to show them.
 
 /// Excitation that a test must have so that a coefficient can be seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +25,7 @@ impl Needs {
     }
 }
 
-/// A coefficient as an unknown; all numbers are chosen from published sets.
+/// A coefficient as a parameter; all numbers are chosen from published sets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Coefficient {
     /// Name in the library; the key of a file in upper case.

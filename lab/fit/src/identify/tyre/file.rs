@@ -5,7 +5,7 @@ use std::fmt::Write;
 use stribeck::host::{MagicFormula, Side};
 use stribeck::model::Columns;
 
-use super::super::trust::digits;
+use super::super::uncertainty::digits;
 use super::{Told, TyreEstimate, TyreFit};
 
 /// Sections of the format, by the first letters of their keys.

@@ -23,7 +23,7 @@ pub use file::{property_file, table};
 pub use inquiry::{Inquiry, SideChoice, TyreInquiryError};
 
 use super::loss::Loss;
-use super::trust::{DETERMINED, WIDTH, residuals, spread};
+use super::uncertainty::{DETERMINED, WIDTH, residuals, spread};
 use coefficient::{ALIGNING, ARM, COMBINED_X, COMBINED_Y, Coefficient, LATERAL, LONGITUDINAL};
 use problem::{Channel, Rows, TyreProblem, column};
 use stribeck_solve::system::Fault;
@@ -184,7 +184,7 @@ fn why(one: &Coefficient, alone: f64) -> String {
 }
 
 /// Gives the coefficients that were dropped the value of a missing key.
-fn unseen(formula: &mut MagicFormula, dropped: &[(&'static Coefficient, String)]) {
+fn validation(formula: &mut MagicFormula, dropped: &[(&'static Coefficient, String)]) {
     let row = row_of_mut(formula);
     dropped.iter().for_each(|(one, _)| row[column(one.name)] = 0.0);
 }
@@ -201,7 +201,7 @@ struct Fitter<'a> {
     dropped: Vec<(&'static Coefficient, String)>,
 }
 
-/// Knowledge of the unknowns of a problem.
+/// Knowledge of the parameters of a problem.
 struct Known {
     /// Standard deviations as parts of a large change.
     parts: Vec<f64>,
@@ -212,11 +212,11 @@ struct Known {
 }
 
 impl Known {
-    /// The unknown of which least is known, if that is not enough; one that its group can do without, if there is one.
-    fn worst(&self, unknowns: &[&'static Coefficient]) -> Option<usize> {
+    /// The parameter of which least is known, if that is not enough; one that its group can do without, if there is one.
+    fn worst(&self, parameters: &[&'static Coefficient]) -> Option<usize> {
         let open = |number: &usize| self.parts[*number] > DETERMINED;
-        let is_essential = |number: usize| ESSENTIAL.iter().any(|group| group.contains(&unknowns[number].name));
-        (0..unknowns.len())
+        let is_essential = |number: usize| ESSENTIAL.iter().any(|group| group.contains(&parameters[number].name));
+        (0..parameters.len())
             .filter(open)
             .max_by(|a, b| is_essential(*b).cmp(&is_essential(*a)).then(self.parts[*a].total_cmp(&self.parts[*b])))
     }
@@ -260,13 +260,13 @@ impl Fitter<'_> {
             return Err(Fault::value(text));
         }
         let rows = Rows { samples: samples.to_vec(), channels: vec![(Channel::ForceY, 1.0)] };
-        let unknowns = self.visible(LATERAL, &rows);
+        let parameters = self.visible(LATERAL, &rows);
         let begin = |[shape, curvature]: [f64; 2]| {
             let mut formula = self.begin_with(LATERAL);
-            unseen(&mut formula, &self.dropped);
+            validation(&mut formula, &self.dropped);
             formula.pcy1 = shape;
             formula.pey1 = curvature;
-            let mut problem = TyreProblem::new(self.test, formula, unknowns.clone(), rows.clone());
+            let mut problem = TyreProblem::new(self.test, formula, parameters.clone(), rows.clone());
             (problem.solve(), problem.formula)
         };
         let mut ends = STARTS.map(begin).to_vec();
@@ -280,32 +280,32 @@ impl Fitter<'_> {
             ));
         }
         self.formula = ends[0].1;
-        self.prune(unknowns, rows)
+        self.prune(parameters, rows)
     }
 
     /// A group of coefficients on a channel.
     fn group(&mut self, group: &'static [Coefficient], channel: Channel, samples: &[usize]) -> Result<(), Fault> {
         let rows = Rows { samples: samples.to_vec(), channels: vec![(channel, 1.0)] };
-        let unknowns = self.visible(group, &rows);
+        let parameters = self.visible(group, &rows);
         self.formula = self.begin_with(group);
-        unseen(&mut self.formula, &self.dropped);
-        self.prune(unknowns, rows)
+        validation(&mut self.formula, &self.dropped);
+        self.prune(parameters, rows)
     }
 
     /// Fits a group, drops the coefficient of which least is known, and begins again until all are determined.
-    fn prune(&mut self, mut unknowns: Vec<&'static Coefficient>, mut rows: Rows) -> Result<(), Fault> {
+    fn prune(&mut self, mut parameters: Vec<&'static Coefficient>, mut rows: Rows) -> Result<(), Fault> {
         loop {
-            let mut problem = TyreProblem::new(self.test, self.formula, unknowns.clone(), rows.clone());
+            let mut problem = TyreProblem::new(self.test, self.formula, parameters.clone(), rows.clone());
             problem.solve();
             self.formula = problem.formula;
             rows = weighed(&problem);
             problem.rows = rows.clone();
             let known = known(&problem);
-            let Some(worst) = known.worst(&unknowns) else { break };
-            let gone = self.without(unknowns[worst], known.alone[worst])?;
-            unknowns.retain(|one| !gone.contains(&one.name));
+            let Some(worst) = known.worst(&parameters) else { break };
+            let gone = self.without(parameters[worst], known.alone[worst])?;
+            parameters.retain(|one| !gone.contains(&one.name));
         }
-        self.kept.extend(unknowns);
+        self.kept.extend(parameters);
         Ok(())
     }
 
@@ -385,7 +385,7 @@ impl Fitter<'_> {
 fn weighed(problem: &TyreProblem) -> Rows {
     let groups = problem.left(&problem.formula);
     let weigh = |((channel, _), left): (&(Channel, f64), Vec<f64>)| {
-        let seen = residuals(&left, &[left.len()], problem.unknowns.len(), Loss::SQUARES);
+        let seen = residuals(&left, &[left.len()], problem.parameters.len(), Loss::SQUARES);
         let measured = channel.measured(problem.test).unwrap_or_default();
         let most = measured.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
         // What is computed leaves rounding; a channel that is 0 throughout says nothing.
@@ -397,10 +397,10 @@ fn weighed(problem: &TyreProblem) -> Rows {
 }
 
 fn known(problem: &TyreProblem) -> Known {
-    let count = problem.unknowns.len();
+    let count = problem.parameters.len();
     let row = row_of(&problem.formula);
     // As for laws: a large change is about the value itself where that is larger.
-    let large: Vec<f64> = problem.unknowns.iter().map(|one| one.large.max(row[column(one.name)].abs())).collect();
+    let large: Vec<f64> = problem.parameters.iter().map(|one| one.large.max(row[column(one.name)].abs())).collect();
     let columns: Vec<Vec<f64>> = (0..count).map(|number| problem.sensitivity(&problem.formula, number)).collect();
     let information = nalgebra::DMatrix::from_fn(count, count, |a, b| {
         let sum: f64 = columns[a].iter().zip(&columns[b]).map(|(a, b)| a * b).sum();

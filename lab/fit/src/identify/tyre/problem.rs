@@ -60,13 +60,13 @@ pub(super) struct Rows {
     pub channels: Vec<(Channel, f64)>,
 }
 
-/// A formula of which some coefficients are unknown.
+/// A formula of which some coefficients are parameter.
 #[derive(Clone)]
 pub(super) struct TyreProblem<'a> {
     pub test: &'a TyreTest,
-    /// All coefficients; those of the unknowns are where the search begins.
+    /// All coefficients; those of the parameters are where the search begins.
     pub formula: MagicFormula,
-    pub unknowns: Vec<&'static Coefficient>,
+    pub parameters: Vec<&'static Coefficient>,
     pub rows: Rows,
     low: Vec<f64>,
     high: Vec<f64>,
@@ -93,28 +93,28 @@ impl<'a> TyreProblem<'a> {
     pub fn new(
         test: &'a TyreTest,
         formula: MagicFormula,
-        unknowns: Vec<&'static Coefficient>,
+        parameters: Vec<&'static Coefficient>,
         rows: Rows,
     ) -> TyreProblem<'a> {
-        let count = unknowns.len();
+        let count = parameters.len();
         let [low, high] = [0.0, 1.0].map(|end| vec![end; count]);
-        TyreProblem { test, formula, unknowns, rows, low, high, anchor: vec![0.0; count], pull: 0.0 }
+        TyreProblem { test, formula, parameters, rows, low, high, anchor: vec![0.0; count], pull: 0.0 }
     }
 
-    /// The places of the unknowns, from 0 to 1 in their ranges.
+    /// The places of the parameters, from 0 to 1 in their ranges.
     pub fn places(&self) -> Vec<f64> {
         let row = row_of(&self.formula);
         let place = |one: &&Coefficient| {
             ((row[column(one.name)] - one.range[0]) / (one.range[1] - one.range[0])).clamp(0.0, 1.0)
         };
-        self.unknowns.iter().map(place).collect()
+        self.parameters.iter().map(place).collect()
     }
 
-    /// The formula with the unknowns at places.
+    /// The formula with the parameters at places.
     pub fn at(&self, places: &[f64]) -> MagicFormula {
         let mut formula = self.formula;
         let row = row_of_mut(&mut formula);
-        for (one, place) in self.unknowns.iter().zip(places) {
+        for (one, place) in self.parameters.iter().zip(places) {
             row[column(one.name)] =
                 (one.range[0] + (one.range[1] - one.range[0]) * place).clamp(one.range[0], one.range[1]);
         }
@@ -122,7 +122,7 @@ impl<'a> TyreProblem<'a> {
     }
 
     /// Values of the channels at each sample, one sample after the other.
-    fn explained<T: Scalar>(&self, formula: &MagicFormula<T>) -> Vec<T> {
+    fn predicted<T: Scalar>(&self, formula: &MagicFormula<T>) -> Vec<T> {
         let test = self.test;
         let mut all = Vec::with_capacity(self.rows.samples.len() * self.rows.channels.len());
         for at in &self.rows.samples {
@@ -141,12 +141,12 @@ impl<'a> TyreProblem<'a> {
 
     /// Explained minus measured values of each channel.
     pub fn left(&self, formula: &MagicFormula) -> Vec<Vec<f64>> {
-        let explained = self.explained(formula);
+        let predicted = self.predicted(formula);
         let count = self.rows.channels.len();
         let of_channel = |(number, (channel, _)): (usize, &(Channel, f64))| {
             let measured = channel.measured(self.test).unwrap_or_default();
             let samples = self.rows.samples.iter().enumerate();
-            samples.map(|(row, at)| explained[count * row + number] - measured[*at]).collect()
+            samples.map(|(row, at)| predicted[count * row + number] - measured[*at]).collect()
         };
         self.rows.channels.iter().enumerate().map(of_channel).collect()
     }
@@ -158,15 +158,15 @@ impl<'a> TyreProblem<'a> {
         (0..self.rows.samples.len()).flat_map(at).collect()
     }
 
-    /// Derivatives of the weighted residuals with respect to an unknown.
+    /// Derivatives of the weighted residuals with respect to a parameter.
     pub fn sensitivity(&self, formula: &MagicFormula, number: usize) -> Vec<f64> {
-        let (seeded, at) = (column(self.unknowns[number].name), Cell::new(0));
+        let (seeded, at) = (column(self.parameters[number].name), Cell::new(0));
         let dual = formula.map(&|value: f64| {
             let here = at.replace(at.get() + 1);
             Dual { slope: f64::from(u8::from(here == seeded)), ..Dual::from(value) }
         });
         let weights = self.rows.channels.iter().map(|(_, weight)| weight).cycle();
-        self.explained(&dual).into_iter().zip(weights).map(|(one, weight)| weight * one.slope).collect()
+        self.predicted(&dual).into_iter().zip(weights).map(|(one, weight)| weight * one.slope).collect()
     }
 
     /// Half the weighted sum of squares.
@@ -177,7 +177,7 @@ impl<'a> TyreProblem<'a> {
     /// Follows the slopes from where the formula is; half the sum of squares at the end.
     pub fn solve(&mut self) -> f64 {
         let before = self.cost(&self.formula);
-        if self.unknowns.is_empty() {
+        if self.parameters.is_empty() {
             return before;
         }
         self.anchor = self.places();
@@ -203,9 +203,9 @@ impl<'a> TyreProblem<'a> {
         (self.rows.channels.iter().map(of_channel).sum::<f64>() / count.max(1) as f64).sqrt()
     }
 
-    /// Residual of a move of an unknown by its whole range.
+    /// Residual of a move of a parameter by its whole range.
     fn pulled(&self, number: usize) -> f64 {
-        let one = self.unknowns[number];
+        let one = self.parameters[number];
         self.pull * (one.range[1] - one.range[0]) / one.large
     }
 }
@@ -240,13 +240,13 @@ impl Jacobian for TyreProblem<'_> {
             let range = one.range[1] - one.range[0];
             self.sensitivity(&formula, number).into_iter().map(|slope| slope * range).collect::<Vec<f64>>()
         };
-        let columns: Vec<Vec<f64>> = self.unknowns.iter().enumerate().map(scaled).collect();
-        let unknowns = columns.len();
+        let columns: Vec<Vec<f64>> = self.parameters.iter().enumerate().map(scaled).collect();
+        let parameters = columns.len();
         let count = self.rows.samples.len() * self.rows.channels.len();
         let rows = (0..count).flat_map(|row| columns.iter().map(move |column| column[row]));
-        let pulls = (0..unknowns * unknowns).map(|at| (at / unknowns, at % unknowns));
+        let pulls = (0..parameters * parameters).map(|at| (at / parameters, at % parameters));
         let pulls = pulls.map(|(row, column)| if row == column { self.pulled(row) } else { 0.0 });
         let all: Vec<f64> = rows.chain(pulls).collect();
-        Ok(DenseMatrix::from_row_slice(count + unknowns, unknowns, &all))
+        Ok(DenseMatrix::from_row_slice(count + parameters, parameters, &all))
     }
 }

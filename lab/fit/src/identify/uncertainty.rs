@@ -1,19 +1,19 @@
-//! How far a fit can be trusted: which unknowns the data determine, and how well.
+//! How far a fit can be trusted: which parameters the data determine, and how well.
 //!
 //! # Equations
-//! With the sensitivities J of the forces to the unknowns p, the residuals r at n samples, and the correlation time tau
+//! With the sensitivities J of the forces to the parameters p, the residuals r at n samples, and the correlation time tau
 //! of the residuals in samples:
 //!
 //! ```text
 //! s2   = tau r'r / (n - k)                           variance of the noise, as of independent samples
-//! C    = (D J'J D / s2 + I)^-1                       D: a large change of each unknown
+//! C    = (D J'J D / s2 + I)^-1                       D: a large change of each parameter
 //! sd_i = sqrt(D_i2 C_ii + B_ii)                    B: covariance by the error of the velocity
 //! tau  = 1 + 2 sum of the autocorrelations of r up to the first lag M >= 5 tau(M)
 //! ```
 //!
 //! A large change is half the range on a linear scale and about the value itself on the others. I stands for the
-//! knowledge before the data: an unknown is known up to a large change, or up to ten of them if the data turn out not
-//! to determine it. The data determine an unknown if they reduce this to less than [`DETERMINED`] of it; otherwise no
+//! knowledge before the data: a parameter is known up to a large change, or up to ten of them if the data turn out not
+//! to determine it. The data determine a parameter if they reduce this to less than [`DETERMINED`] of it; otherwise no
 //! number is given.
 //!
 //! # Source
@@ -25,13 +25,13 @@ use std::fmt;
 use nalgebra::{DMatrix, DVector};
 use stribeck::model::Meaning;
 
-use super::blur;
 use super::loss::Loss;
+use super::parameter::{Parameter, Target, is_level};
 use super::problem::Found;
 use super::problem::{Problem, dot};
-use super::unknown::{Target, Unknown, is_level};
+use super::velocity_error;
 
-/// Part of a large change up to which the data must know an unknown.
+/// Part of a large change up to which the data must know a parameter.
 pub const DETERMINED: f64 = 0.4;
 
 /// Standard deviations of an interval that holds in 95 % of cases.
@@ -40,10 +40,10 @@ pub(super) const WIDTH: f64 = 1.959_963_984_540_054;
 /// Distance from an end of a range, as a part of it, that counts as the end.
 const AT_END: f64 = 1e-3;
 
-/// Correlation of two unknowns that the data tell only together.
+/// Correlation of two parameters that the data tell only together.
 const TOGETHER: f64 = 0.95;
 
-/// Verdict on an unknown.
+/// Verdict on a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// The data determine it.
@@ -123,8 +123,8 @@ impl Residuals {
     }
 }
 
-/// Knowledge of the unknowns, in the order of the problem.
-pub(super) struct Trust {
+/// Knowledge of the parameters, in the order of the problem.
+pub(super) struct Uncertainty {
     /// Standard deviations, by the noise of the force and by the error of the velocity.
     pub deviations: Vec<f64>,
     /// The part of them by the error of the velocity.
@@ -134,7 +134,7 @@ pub(super) struct Trust {
     /// The part of it by the noise of the force.
     noise_covariance: DMatrix<f64>,
     pub verdicts: Vec<Verdict>,
-    /// Whether the force changes in jumps with an unknown that it determines otherwise.
+    /// Whether the force changes in jumps with a parameter that it determines otherwise.
     pub jumps: Vec<bool>,
     /// Places that explain the force as well; empty unless they were looked for.
     pub elsewhere: Vec<Elsewhere>,
@@ -142,13 +142,13 @@ pub(super) struct Trust {
     pub columns: Vec<Vec<f64>>,
     /// Variance of the noise, as of independent samples.
     pub variance: f64,
-    /// Correlations among the unknowns.
+    /// Correlations among the parameters.
     pub correlation: DMatrix<f64>,
     /// Ratio of the best to the worst known direction.
     pub condition: f64,
 }
 
-/// A place that explains the force about as well as the best one, with one unknown held there.
+/// A place that explains the force about as well as the best one, with one parameter held there.
 pub(super) struct Elsewhere {
     pub number: usize,
     pub end: Found,
@@ -161,8 +161,8 @@ fn squares(values: &[f64]) -> f64 {
 }
 
 /// Residuals of several experiments, one after the other.
-pub(super) fn residuals(all: &[f64], lengths: &[usize], unknowns: usize, loss: Loss) -> Residuals {
-    let freedom = (all.len().saturating_sub(unknowns)).max(1) as f64;
+pub(super) fn residuals(all: &[f64], lengths: &[usize], parameters: usize, loss: Loss) -> Residuals {
+    let freedom = (all.len().saturating_sub(parameters)).max(1) as f64;
     let (found, softness) = loss.influence(all);
     let square = squares(&found);
     let lag = |lag: usize| {
@@ -193,11 +193,11 @@ pub(super) fn residuals(all: &[f64], lengths: &[usize], unknowns: usize, loss: L
     }
 }
 
-/// Knowledge before the data about an unknown that the data do not determine, in large changes (chosen): what depends
+/// Knowledge before the data about a parameter that the data do not determine, in large changes (chosen): what depends
 /// on it is not determined either.
 const UNKNOWN: f64 = 10.0;
 
-/// Information of the data about the unknowns, in large changes of them.
+/// Information of the data about the parameters, in large changes of them.
 fn information(columns: &[Vec<f64>], large: &[f64], variance: f64) -> DMatrix<f64> {
     DMatrix::from_fn(columns.len(), columns.len(), |a, b| {
         dot(&columns[a], &columns[b]) * large[a] * large[b] / variance
@@ -214,39 +214,40 @@ fn correlations(covariance: &DMatrix<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(all.len(), all.len(), |a, b| covariance[(a, b)] / (all[a] * all[b]))
 }
 
-/// Whether an unknown is a speed below the error of the velocity, or the reciprocal of one.
-fn is_within(unknown: &Unknown, value: f64, error: f64) -> bool {
-    match unknown.unit {
+/// Whether a parameter is a speed below the error of the velocity, or the reciprocal of one.
+fn is_within(parameter: &Parameter, value: f64, error: f64) -> bool {
+    match parameter.unit {
         "m/s" => value < error,
         "s/m" => value * error > 1.0,
         _ => false,
     }
 }
 
-/// Whether the error of the velocity hides an unknown, whatever the noise of the force.
+/// Whether the error of the velocity hides a parameter, whatever the noise of the force.
 fn is_lost(problem: &Problem, values: &[f64], number: usize, error: f64) -> bool {
-    is_within(&problem.unknowns[number], values[number], error) || hides_damping(problem, values, number, error)
+    is_within(&problem.parameters[number], values[number], error) || hides_damping(problem, values, number, error)
 }
 
-/// Whether an unknown is the damping of bristles, and the error of the velocity hides it.
+/// Whether a parameter is the damping of bristles, and the error of the velocity hides it.
 fn hides_damping(problem: &Problem, values: &[f64], number: usize, error: f64) -> bool {
-    let known = |target: Target| problem.unknowns.iter().position(|one| one.target == target).map(|at| values[at]);
-    let is_slow = |(_, speed): (String, f64)| error > blur::BLURRED * speed;
-    problem.unknowns[number].meaning == Meaning::Damping && blur::speed_of_fall(problem, known).is_some_and(is_slow)
+    let known = |target: Target| problem.parameters.iter().position(|one| one.target == target).map(|at| values[at]);
+    let is_slow = |(_, speed): (String, f64)| error > velocity_error::BLURRED * speed;
+    problem.parameters[number].meaning == Meaning::Damping
+        && velocity_error::speed_of_fall(problem, known).is_some_and(is_slow)
 }
 
-/// The other unknown with which the data tell an unknown only together.
+/// The other parameter with which the data tell a parameter only together.
 fn partner(correlation: &DMatrix<f64>, number: usize) -> Option<usize> {
     let size = |other: &usize| correlation[(number, *other)].abs();
     let others = (0..correlation.nrows()).filter(|other| *other != number && size(other) > TOGETHER);
     others.max_by(|a, b| size(a).total_cmp(&size(b)))
 }
 
-/// Part of itself by which an unknown must follow another one that the data do not determine, where that changes by as
+/// Part of itself by which a parameter must follow another one that the data do not determine, where that changes by as
 /// much as its value, to be told only together with it (chosen): straight lines end long before the other one does.
 const FOLLOWS: f64 = 0.5;
 
-/// The unknown that the data do not determine and that an unknown follows.
+/// The parameter that the data do not determine and that a parameter follows.
 fn followed(covariance: &DMatrix<f64>, values: &[f64], open: &[bool], number: usize) -> Option<usize> {
     let slope = |other: usize| covariance[(number, other)] / covariance[(other, other)];
     let shift = |other: usize| (slope(other) * values[other]).abs();
@@ -258,24 +259,25 @@ fn followed(covariance: &DMatrix<f64>, values: &[f64], open: &[bool], number: us
     others.max_by(|a, b| shift(*a).total_cmp(&shift(*b)))
 }
 
-/// Looks at the sensitivities of the unknowns at places.
-pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trust {
+/// Looks at the sensitivities of the parameters at places.
+pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Uncertainty {
     let values = problem.values(places);
-    let large: Vec<f64> = problem.unknowns.iter().zip(&values).map(|(unknown, value)| unknown.large(*value)).collect();
+    let large: Vec<f64> =
+        problem.parameters.iter().zip(&values).map(|(parameter, value)| parameter.large(*value)).collect();
     let columns = problem.sensitivities(places);
     let count = columns.len();
     let variance = seen.variance().max(f64::MIN_POSITIVE);
     let information = information(&columns, &large, variance);
     // The delay of an axis is searched wherever it can be.
     let is_axis = problem.experiments.iter().any(|one| one.alike.is_some());
-    let scaled = spread(&information, &|number| is_axis && problem.unknowns[number].target == Target::Delay);
+    let scaled = spread(&information, &|number| is_axis && problem.parameters[number].target == Target::Delay);
     let spectrum = information.clone().symmetric_eigen().eigenvalues;
     let noise_covariance = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] * large[a] * large[b]);
-    let blur = blur::blur(problem, places, &columns, &noise_covariance.map(|one| one / variance));
+    let blur = velocity_error::blur(problem, places, &columns, &noise_covariance.map(|one| one / variance));
     let covariance = DMatrix::from_fn(count, count, |a, b| noise_covariance[(a, b)] + blur[(a, b)]);
     let [deviations, blurs] = [&covariance, &blur].map(deviations);
     let correlation = correlations(&scaled);
-    let error = problem.experiments.iter().map(blur::error).fold(0.0, f64::max);
+    let error = problem.experiments.iter().map(velocity_error::error).fold(0.0, f64::max);
     let known: Vec<f64> = scaled.diagonal().iter().map(|one| one.sqrt()).collect();
     let open: Vec<bool> = known.iter().map(|known| *known > DETERMINED).collect();
     let is_jumpy = |at: usize| !open[at] && !is_smooth(problem, places, seen, at, known[at] * large[at], &columns[at]);
@@ -283,14 +285,14 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
     let verdict = |number: usize| {
         let alone = 1.0 / (1.0 + information[(number, number)]).sqrt();
         let followed = followed(&noise_covariance, &values, &open, number);
-        let partner = partner(&correlation, number).or(followed).map(|other| problem.unknowns[other].name.as_str());
+        let partner = partner(&correlation, number).or(followed).map(|other| problem.parameters[other].name.as_str());
         let [value, deviation] = [values[number], deviations[number]];
         let is_blurred = deviation > DETERMINED * large[number] || is_lost(problem, &values, number, error);
         let is_open = open[number] || followed.is_some();
         let one = Known { value, place: places[number], is_open, deviation, alone, is_blurred };
-        verdict(&problem.unknowns[number], &one, partner, !jumps[number])
+        verdict(&problem.parameters[number], &one, partner, !jumps[number])
     };
-    Trust {
+    Uncertainty {
         verdicts: (0..count).map(verdict).collect(),
         jumps,
         elsewhere: Vec::new(),
@@ -305,23 +307,23 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
     }
 }
 
-impl Trust {
-    /// Standard deviation of an unknown by the noise of the force alone.
+impl Uncertainty {
+    /// Standard deviation of a parameter by the noise of the force alone.
     pub fn by_noise(&self, number: usize) -> f64 {
         self.noise_covariance[(number, number)].sqrt()
     }
 
-    /// Change of the best value of one unknown with the value of another.
+    /// Change of the best value of one parameter with the value of another.
     pub fn follows(&self, one: usize, other: usize) -> f64 {
         self.noise_covariance[(one, other)] / self.noise_covariance[(other, other)]
     }
 
-    /// Shift of the unknowns that an error of the explained forces causes, in standard deviations; the largest one.
+    /// Shift of the parameters that an error of the predicted forces causes, in standard deviations; the largest one.
     pub fn shift(&self, error: &[f64]) -> f64 {
         self.shifts(error).into_iter().fold(0.0, f64::max)
     }
 
-    /// The shift of each unknown.
+    /// The shift of each parameter.
     fn shifts(&self, error: &[f64]) -> Vec<f64> {
         let pull = |column: &Vec<f64>| dot(column, error) / self.variance;
         let pull = DVector::from_iterator(self.columns.len(), self.columns.iter().map(pull));
@@ -329,7 +331,7 @@ impl Trust {
         shifts.iter().zip(&self.deviations).map(|(shift, deviation)| (shift / deviation).abs()).collect()
     }
 
-    /// Marks as not determined each unknown for which two searches end at different values, although they explain the
+    /// Marks as not determined each parameter for which two searches end at different values, although they explain the
     /// force alike: where a force changes in jumps, there are many ends, and straight lines around one of them do not
     /// know the others.
     pub fn doubt_ends(&mut self, [first, second]: [Vec<f64>; 2]) {
@@ -399,7 +401,7 @@ pub(super) fn spread(information: &DMatrix<f64>, is_certain: &dyn Fn(usize) -> b
 const REACHED: f64 = 1.0 / 3.0;
 const ASTRAY: f64 = 1.0;
 
-/// Whether the force changes as the sensitivities foresee, when an unknown alone moves by a standard deviation: as much,
+/// Whether the force changes as the sensitivities foresee, when a parameter alone moves by a standard deviation: as much,
 /// and at the same samples. A law with memory of random numbers changes as much and elsewhere: its sum of squares
 /// has local minima everywhere.
 pub(super) fn is_smooth(
@@ -410,13 +412,13 @@ pub(super) fn is_smooth(
     deviation: f64,
     sensitivity: &[f64],
 ) -> bool {
-    let [value, slope] = problem.unknowns[number].value(places[number]);
+    let [value, slope] = problem.parameters[number].value(places[number]);
     let step = (deviation / slope.abs().max(f64::MIN_POSITIVE)).min(0.1);
     let Some(here) = problem.residuals(places) else { return false };
     let agrees = |direction: f64| {
         let mut moved = places.to_vec();
         moved[number] = (moved[number] + direction * step).clamp(0.0, 1.0);
-        let distance = problem.unknowns[number].value(moved[number])[0] - value;
+        let distance = problem.parameters[number].value(moved[number])[0] - value;
         let foreseen: Vec<f64> = sensitivity.iter().map(|slope| slope * distance).collect();
         problem.residuals(&moved).is_some_and(|there| {
             let found: Vec<f64> = there.iter().zip(&here).map(|(there, here)| there - here).collect();
@@ -430,7 +432,7 @@ pub(super) fn is_smooth(
     [-1.0, 1.0].into_iter().filter(|side| (0.0..=1.0).contains(&(places[number] + side * step))).all(agrees)
 }
 
-/// Knowledge of one unknown.
+/// Knowledge of one parameter.
 struct Known {
     value: f64,
     place: f64,
@@ -443,13 +445,13 @@ struct Known {
     is_blurred: bool,
 }
 
-fn verdict(unknown: &Unknown, one: &Known, partner: Option<&str>, is_smooth: bool) -> Verdict {
+fn verdict(parameter: &Parameter, one: &Known, partner: Option<&str>, is_smooth: bool) -> Verdict {
     let Known { value, place, is_open, deviation, alone, is_blurred } = *one;
     if is_open {
         let reason = match partner {
-            _ if alone > DETERMINED => format!("it hardly changes the force; {}", remedy(unknown)),
-            Some(partner) => format!("only in combination with {partner}; {}", remedy(unknown)),
-            None => format!("only in combination with others; {}", remedy(unknown)),
+            _ if alone > DETERMINED => format!("it hardly changes the force; {}", remedy(parameter)),
+            Some(partner) => format!("only in combination with {partner}; {}", remedy(parameter)),
+            None => format!("only in combination with others; {}", remedy(parameter)),
         };
         Verdict::Undetermined(reason)
     } else if is_blurred {
@@ -458,7 +460,7 @@ fn verdict(unknown: &Unknown, one: &Known, partner: Option<&str>, is_smooth: boo
         )
     } else if !is_smooth {
         Verdict::Undetermined("the force changes with it in jumps, so that no interval can be given".to_owned())
-    } else if unknown.can_be_zero() && value < WIDTH * deviation {
+    } else if parameter.can_be_zero() && value < WIDTH * deviation {
         Verdict::AtMost(value + WIDTH * deviation)
     } else if !(AT_END..=1.0 - AT_END).contains(&place) {
         Verdict::AtEnd(value)
@@ -467,9 +469,9 @@ fn verdict(unknown: &Unknown, one: &Known, partner: Option<&str>, is_smooth: boo
     }
 }
 
-/// The experiment that would determine an unknown.
-fn remedy(unknown: &Unknown) -> &'static str {
-    match (unknown.target, unknown.meaning) {
+/// The experiment that would determine a parameter.
+fn remedy(parameter: &Parameter) -> &'static str {
+    match (parameter.target, parameter.meaning) {
         (Target::Excess { .. }, _) => return "move more slowly around rest, and break away from rest",
         (Target::Delay, _) => return "move with several frequencies",
         (Target::Mass, _) => return "accelerate more",
@@ -478,7 +480,7 @@ fn remedy(unknown: &Unknown) -> &'static str {
         (_, Meaning::Viscous | Meaning::GrowsWithSpeed) => return "slide faster",
         _ => {}
     }
-    match unknown.unit {
+    match parameter.unit {
         "N/m" | "m" => "reverse often, with strokes shorter than the pre-sliding displacement",
         "m/s" | "s/m" => "move more slowly around rest",
         "s" => "let it rest for different times, and change the speed quickly",
@@ -522,7 +524,7 @@ mod tests {
         assert!((seen.correlation / 9.0 - 1.0).abs() < 0.2, "{}", seen.correlation);
     }
 
-    /// The second unknown is known up to ten of its values; the first follows it, or has a deviation of its own.
+    /// The second parameter is known up to ten of its values; the first follows it, or has a deviation of its own.
     #[test]
     fn what_is_known_for_another_one_only_follows_it() {
         let values = [0.007, 0.24];

@@ -6,7 +6,7 @@ use stribeck::number::Real;
 use super::Experiment;
 use stribeck_solve::system::Fault;
 
-/// Quantity that an unknown stands for.
+/// Quantity that a parameter stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
     /// A parameter of the law, by its column.
@@ -26,7 +26,7 @@ pub enum Target {
     Delay,
 }
 
-/// Scale on which an unknown is searched.
+/// Scale on which a parameter is searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Scale {
     /// Evenly.
@@ -62,9 +62,9 @@ impl Scale {
     }
 }
 
-/// An unknown of a fit.
+/// A parameter of a fit.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Unknown {
+pub struct Parameter {
     /// Name: that of the variable, or of the excess of a static level `mu_s - mu_k`, `mass`, `offset`, `delay`.
     pub name: String,
     /// Unit.
@@ -79,7 +79,7 @@ pub struct Unknown {
     pub scale: Scale,
 }
 
-impl Unknown {
+impl Parameter {
     /// Value at a place from 0 to 1 in the range, and its derivative.
     pub(super) fn value(&self, place: f64) -> [f64; 2] {
         let [low, high] = self.range.map(|end| self.scale.forth(end));
@@ -186,9 +186,9 @@ fn is_parameter(variable: &Variable) -> bool {
     variable.role.is_parameter() && matches!(variable.kind, Kind::Real(_)) && !variable.is_hidden && is_of_contact
 }
 
-/// Choice of the unknowns by the user.
+/// Choice of the parameters by the user.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Wishes {
+pub struct Selection {
     /// Parameters that are held, with their values; `mass` and `offset` too.
     pub fixed: Vec<(String, f64)>,
     /// Parameters that are fitted although they usually are not: exponents, `mass`, `offset` ...
@@ -197,9 +197,9 @@ pub struct Wishes {
     pub ranges: Vec<(String, [f64; 2])>,
 }
 
-impl Wishes {
+impl Selection {
     /// Those for one of several laws: without names that others of them have and it does not.
-    pub(super) fn of(&self, law: &ModelType, laws: &[&ModelType]) -> Wishes {
+    pub(super) fn of(&self, law: &ModelType, laws: &[&ModelType]) -> Selection {
         let has =
             |law: &ModelType, name: &str| law.find(name.split_once(" - ").map_or(name, |(name, _)| name)).is_some();
         let is_meant =
@@ -212,7 +212,7 @@ impl Wishes {
     }
 }
 
-/// Names of the unknowns that are of the rig and not of the law.
+/// Names of the parameters that are of the rig and not of the law.
 pub(super) const OF_RIG: [&str; 3] = ["mass", "offset", "delay"];
 
 /// The parameters of a law that can be fitted.
@@ -237,12 +237,16 @@ fn excess(law: &ModelType) -> Option<String> {
     Some(excess_name(law, of?, over?))
 }
 
-/// The unknowns of a fit, in the order of the table, then those of the rig.
-pub(super) fn unknowns(law: &ModelType, experiments: &[Experiment], wishes: &Wishes) -> Result<Vec<Unknown>, Fault> {
+/// The parameters of a fit, in the order of the table, then those of the rig.
+pub(super) fn parameters(
+    law: &ModelType,
+    experiments: &[Experiment],
+    selection: &Selection,
+) -> Result<Vec<Parameter>, Fault> {
     let known = known(law);
-    check_names(law, &known, wishes)?;
-    let is_fixed = |name: &str| wishes.fixed.iter().any(|(fixed, _)| fixed == name);
-    let is_fitted = |name: &str| wishes.fitted.iter().any(|fitted| fitted == name);
+    check_names(law, &known, selection)?;
+    let is_fixed = |name: &str| selection.fixed.iter().any(|(fixed, _)| fixed == name);
+    let is_fitted = |name: &str| selection.fitted.iter().any(|fitted| fitted == name);
     let magnitudes = Magnitudes::of(experiments);
     let mut list = Vec::new();
     for (column, variable) in &known {
@@ -258,11 +262,11 @@ pub(super) fn unknowns(law: &ModelType, experiments: &[Experiment], wishes: &Wis
             }
             _ => (name, Target::Column(*column)),
         };
-        list.push(Unknown { name, unit: unit.name, target, meaning: variable.meaning, range, scale });
+        list.push(Parameter { name, unit: unit.name, target, meaning: variable.meaning, range, scale });
     }
-    list.extend(of_rig(experiments, wishes, &magnitudes)?);
-    narrow(&mut list, law, wishes)?;
-    if let Some(Unknown { name, range: [low, high], .. }) =
+    list.extend(of_rig(experiments, selection, &magnitudes)?);
+    narrow(&mut list, law, selection)?;
+    if let Some(Parameter { name, range: [low, high], .. }) =
         list.iter().find(|one| !(one.range[0] < one.range[1] && one.range[1].is_finite()))
     {
         let text = format_args!("{}: the data give no range for {name} ({low:e} to {high:e}); give one", law.name);
@@ -294,18 +298,18 @@ fn doubted(experiments: &[Experiment]) -> Result<Option<[f64; 2]>, Fault> {
     Ok(first.delay_range)
 }
 
-fn of_rig_linear(name: &str, unit: &'static str, target: Target, range: [f64; 2]) -> Unknown {
+fn of_rig_linear(name: &str, unit: &'static str, target: Target, range: [f64; 2]) -> Parameter {
     let (name, meaning, scale) = (name.to_owned(), Meaning::Undeclared, Scale::Linear);
-    Unknown { name, unit, target, meaning, range, scale }
+    Parameter { name, unit, target, meaning, range, scale }
 }
 
-/// The unknowns of the rig.
-fn of_rig(experiments: &[Experiment], wishes: &Wishes, magnitudes: &Magnitudes) -> Result<Vec<Unknown>, Fault> {
-    let is_fixed = |name: &str| wishes.fixed.iter().any(|(fixed, _)| fixed == name);
-    let is_fitted = |name: &str| wishes.fitted.iter().any(|fitted| fitted == name);
+/// The parameters of the rig.
+fn of_rig(experiments: &[Experiment], selection: &Selection, magnitudes: &Magnitudes) -> Result<Vec<Parameter>, Fault> {
+    let is_fixed = |name: &str| selection.fixed.iter().any(|(fixed, _)| fixed == name);
+    let is_fitted = |name: &str| selection.fitted.iter().any(|fitted| fitted == name);
     let mut list = Vec::new();
     if is_fitted("mass") {
-        list.push(Unknown {
+        list.push(Parameter {
             name: "mass".into(),
             unit: "kg",
             target: Target::Mass,
@@ -330,19 +334,20 @@ fn of_rig(experiments: &[Experiment], wishes: &Wishes, magnitudes: &Magnitudes) 
     Ok(list)
 }
 
-fn check_names(law: &ModelType, known: &[(usize, Variable)], wishes: &Wishes) -> Result<(), Fault> {
+fn check_names(law: &ModelType, known: &[(usize, Variable)], selection: &Selection) -> Result<(), Fault> {
     let names: Vec<String> = known.iter().map(|(_, variable)| variable.path.to_string()).collect();
-    let named = wishes.fixed.iter().map(|(name, _)| name).chain(&wishes.fitted);
+    let named = selection.fixed.iter().map(|(name, _)| name).chain(&selection.fitted);
     let excess = excess(law);
-    let named = named.chain(wishes.ranges.iter().map(|(name, _)| name).filter(|name| Some(*name) != excess.as_ref()));
+    let named =
+        named.chain(selection.ranges.iter().map(|(name, _)| name).filter(|name| Some(*name) != excess.as_ref()));
     for name in named {
         if !names.contains(name) && !OF_RIG.contains(&name.as_str()) {
             let all = names.iter().map(String::as_str).chain(OF_RIG);
             return Err(Fault::unknown(format!("{}: parameter", law.name), name, all));
         }
     }
-    for (name, value) in &wishes.fixed {
-        if wishes.fitted.contains(name) {
+    for (name, value) in &selection.fixed {
+        if selection.fitted.contains(name) {
             return Err(Fault::value(format_args!("{name} = {value}: is held, and to be fitted too")));
         }
         let variable = known.iter().map(|(_, variable)| variable).find(|variable| variable.path.to_string() == *name);
@@ -357,16 +362,16 @@ fn check_names(law: &ModelType, known: &[(usize, Variable)], wishes: &Wishes) ->
 }
 
 /// Ranges of the user.
-fn narrow(list: &mut [Unknown], law: &ModelType, wishes: &Wishes) -> Result<(), Fault> {
-    for (name, [low, high]) in &wishes.ranges {
-        let Some(unknown) = list.iter_mut().find(|unknown| unknown.name == *name) else {
+fn narrow(list: &mut [Parameter], law: &ModelType, selection: &Selection) -> Result<(), Fault> {
+    for (name, [low, high]) in &selection.ranges {
+        let Some(parameter) = list.iter_mut().find(|parameter| parameter.name == *name) else {
             let static_level = law.table.of(Meaning::StaticLevel).map(|column| law.table.at(column).path.to_string());
             let excess = excess(law).filter(|_| Some(name) == static_level.as_ref());
             let how = excess.map_or(String::new(), |excess| format!("; it is fitted as '{excess}'"));
             return Err(Fault::value(format_args!("{}: {name} has a range and is not fitted{how}", law.name)));
         };
         let is_ordered = low < high && low.is_finite() && high.is_finite();
-        let is_admitted = match unknown.target {
+        let is_admitted = match parameter.target {
             Target::Column(column) => [low, high].into_iter().all(|end| law.table.at(column).admits(*end)),
             Target::Excess { .. } | Target::Mass => *low >= 0.0,
             Target::Offset | Target::Delay => true,
@@ -377,15 +382,15 @@ fn narrow(list: &mut [Unknown], law: &ModelType, wishes: &Wishes) -> Result<(), 
             )));
         }
         if !is_admitted {
-            let bound = match unknown.target {
+            let bound = match parameter.target {
                 Target::Column(column) => law.table.at(column).bound.to_string(),
                 _ => ">= 0".to_owned(),
             };
             return Err(Fault::value(format_args!("{name} = {low}:{high}: both must be {bound}")));
         }
-        unknown.range = [*low, *high];
-        if *low <= 0.0 && unknown.scale == Scale::Logarithmic {
-            unknown.scale = Scale::Mixed(1e-3 * high);
+        parameter.range = [*low, *high];
+        if *low <= 0.0 && parameter.scale == Scale::Logarithmic {
+            parameter.scale = Scale::Mixed(1e-3 * high);
         }
     }
     Ok(())

@@ -7,12 +7,12 @@ use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 
 use super::response::{Ports, forces};
-use super::{Experiment, Fit, Task, Watch, fit};
+use super::{Experiment, Fit, Settings, Watch, fit};
 use stribeck_solve::system::Fault;
 
 /// An experiment that a fit has not seen.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Unseen {
+pub struct Validation {
     /// Its name.
     pub name: String,
     /// RMS residual in it, N.
@@ -24,7 +24,7 @@ pub struct Unseen {
 /// Factor between both from which a law does not hold in an experiment (chosen).
 const WORSE: f64 = 1.5;
 
-impl Unseen {
+impl Validation {
     /// Whether clearly more is left than where the law was fitted.
     pub fn is_worse(&self) -> bool {
         self.rms > WORSE * self.fitted
@@ -43,7 +43,7 @@ impl Unseen {
 }
 
 /// Holds experiments against a fit that has not seen them.
-pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Unseen>, Fault> {
+pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Validation>, Fault> {
     let refused = |name: &str, reason: String| Fault::value(format_args!("{name}: {}: {reason}", fit.law.name));
     let one = |experiment: &Experiment| {
         experiment.check()?;
@@ -60,7 +60,7 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Unseen>, Fa
         }
         let square: f64 = counting.iter().map(|one| one * one).sum();
         let rms = (square / counting.len() as f64).sqrt();
-        Ok(Unseen { name: name.clone(), rms, fitted: fit.residuals.rms })
+        Ok(Validation { name: name.clone(), rms, fitted: fit.residuals.rms })
     };
     experiments.iter().map(one).collect()
 }
@@ -94,12 +94,12 @@ pub(super) fn folds(
     law: &'static ModelType,
     experiments: &[Experiment],
     parts: usize,
-    task: &Task,
+    task: &Settings,
     watch: Watch,
-) -> Result<Vec<Unseen>, Fault> {
+) -> Result<Vec<Validation>, Fault> {
     let count = experiments.len();
     check_folds(parts, count)?;
-    let quick = Task { folds: 0, profiles: false, repetitions: 0, ..task.clone() };
+    let quick = Settings { folds: 0, profiles: false, repetitions: 0, ..task.clone() };
     let mut found = Vec::with_capacity(count);
     for part in 0..parts {
         let take = |inside: bool| -> Vec<Experiment> {
@@ -129,8 +129,8 @@ mod tests {
         let late = Experiment { force, ..early };
         let fit = fitted("Coulomb", std::slice::from_ref(&late), &quick());
         assert!((fit.delay.unwrap() - 5e-3).abs() < 1e-3, "{:?}", fit.delay);
-        let unseen = held_out(&fit, std::slice::from_ref(&late)).unwrap().swap_remove(0);
-        assert!((unseen.rms / fit.residuals.rms - 1.0).abs() < 0.05, "{unseen:?} {}", fit.residuals.rms);
+        let validation = held_out(&fit, std::slice::from_ref(&late)).unwrap().swap_remove(0);
+        assert!((validation.rms / fit.residuals.rms - 1.0).abs() < 0.05, "{validation:?} {}", fit.residuals.rms);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! What an error of the velocity makes of the unknowns.
+//! What an error of the velocity makes of the parameters.
 //!
 //! # Equation
 //! The error is that of the slope of a displacement with white noise, in the windows of the filter of the motion. With
@@ -6,12 +6,12 @@
 //! of two samples, the sensitivities J and the covariance C by the noise of the force, of variance s2:
 //!
 //! ```text
-//! shift of the unknowns by a change e of the force    d = C J' e / s2
+//! shift of the parameters by a change e of the force    d = C J' e / s2
 //! covariance by the error                             B = sum of r(t_i - t_j) d_i d_j'    d_i: by b at sample i
 //! ```
 //!
 //! Friction changes steeply around rest: there a small error of the velocity counts more than the noise of the force, and
-//! the residuals do not show it, since they are few or since an unknown makes up for it.
+//! the residuals do not show it, since they are few or since a parameter makes up for it.
 
 use nalgebra::DMatrix;
 use stribeck::model::Meaning;
@@ -36,8 +36,8 @@ pub(super) fn speed_of_fall(problem: &Problem, known: impl Fn(Target) -> Option<
     })
 }
 
-/// Covariance of the unknowns by the error of the velocity. `columns` are the sensitivities of the force, and `gain` times
-/// them the shift of the unknowns by a force.
+/// Covariance of the parameters by the error of the velocity. `columns` are the sensitivities of the force, and `gain` times
+/// them the shift of the parameters by a force.
 pub(super) fn blur(problem: &Problem, places: &[f64], columns: &[Vec<f64>], gain: &DMatrix<f64>) -> DMatrix<f64> {
     let count = columns.len();
     let Some(changes) = changes(problem, places) else { return DMatrix::zeros(count, count) };
@@ -97,7 +97,7 @@ fn changes(problem: &Problem, places: &[f64]) -> Option<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::super::tests::{measured, standard, white_noise, whole_problem};
-    use super::super::trust::trust;
+    use super::super::uncertainty::trust;
     use super::super::{Experiment, Verdict};
     use approx::assert_relative_eq;
 
@@ -113,8 +113,8 @@ mod tests {
         let found = |window: f64| {
             let data = [Experiment { window, ..data[0].clone() }];
             let problem = whole_problem("CoulombViscous", &data);
-            let places =
-                values.map(|(name, value)| problem.unknowns.iter().find(|one| one.name == name).unwrap().place(value));
+            let places = values
+                .map(|(name, value)| problem.parameters.iter().find(|one| one.name == name).unwrap().place(value));
             let trust = trust(&problem, &places, &white_noise(1e-3));
             assert_eq!(trust.verdicts, [Verdict::Determined, Verdict::Determined]);
             assert_relative_eq!(
@@ -140,9 +140,9 @@ mod tests {
         let verdict = |velocity_error: f64| {
             let data = [Experiment { velocity_error, window: 0.02, ..data.clone() }];
             let problem = whole_problem("Threlfall", &data);
-            let number = problem.unknowns.iter().position(|one| one.name == "transition_velocity").unwrap();
+            let number = problem.parameters.iter().position(|one| one.name == "transition_velocity").unwrap();
             let places: Vec<f64> = problem
-                .unknowns
+                .parameters
                 .iter()
                 .map(|one| {
                     let column = problem.law.find(&one.name).unwrap();
