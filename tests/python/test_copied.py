@@ -126,21 +126,17 @@ def test_an_identification_is_the_same_elsewhere(ask, tmp_path, monkeypatch, num
     has_camera = number % 3 == 0
     rig = {"law": draw.choice(["Coulomb", "Dahl"]), "mass": "2", "normal_force": "20", "duration": "1"}
     files, _ = ask({"ask": "rig", "rig": {**rig, "faults": str(has_camera).lower(), "seed": str(number)}})
-    inquiry = {
-        "records": ["force.csv"],
-        "law": draw.sample(["Coulomb", "CoulombViscous", "Dahl"], draw.choice([1, 1, 2])),
-    }
-    inquiry |= {"mass": 2.0, "normal_force": 20.0}
+    laws = draw.sample(["Coulomb", "CoulombViscous", "Dahl"], draw.choice([1, 1, 2]))
+    fit = {"records": "force.csv", "law": ",".join(laws), "mass": "2", "normal_force": "20"}
+    fit |= {"budget": "50", "repetitions": "1"}
     texts = {"force.csv": files["force"]}
-    options = {"budget": "50", "repetitions": "1"}
     if has_camera:
-        inquiry |= {"motion": "motion.csv", "delay": draw.choice(["find", "find:0.05", 0.012])}
+        fit |= {"motion": "motion.csv", "delay": draw.choice(["find", "find:0.05", "0.012"])}
         texts["motion.csv"] = files["camera"]
     elif draw.random() < 0.2:
-        options["axis"] = "true"
+        fit["axis"] = "true"
     for name in draw.sample(list(OPTIONS), 2):
-        options[name] = OPTIONS[name](draw)
-    fit = {"inquiry": inquiry, "options": options}
+        fit[name] = OPTIONS[name](draw)
     answer, _ = ask({"ask": "fit", "fit": fit, "files": texts})
     for name, text in texts.items():
         (tmp_path / name).write_text(text)

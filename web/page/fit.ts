@@ -248,10 +248,10 @@ export class FitView {
 
   /** The identification. */
   private asked(data: Data): Fit {
-    const camera: Fit["inquiry"] = data.motion === undefined ? {} : { motion: "motion.csv", delay: "find" };
+    const camera = data.motion === undefined ? {} : { motion: "motion.csv", delay: "find" };
     const known = ["mass", "normal_force"].map((name) => [name, this.value(name)]);
     const given = OPTIONS.map(({ name }) => [name, this.state.set[`fit.${name}`]]).filter(([, text]) => text !== undefined);
-    return { inquiry: { records: ["force.csv"], law: [...this.state.laws], ...camera }, options: Object.fromEntries([...known, ...given]) };
+    return { records: "force.csv", law: this.state.laws.join(), ...camera, ...Object.fromEntries([...known, ...given]) };
   }
 
   /** Looks at the record. */

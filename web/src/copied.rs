@@ -8,18 +8,13 @@ use ts_rs::TS;
 use crate::answer::{Answer, Text};
 use crate::rig::Asked;
 use crate::strokes::Strokes;
-use crate::values::described;
 
 /// What a user may take along.
 #[derive(Debug, Deserialize, TS)]
 #[serde(rename_all = "kebab-case")]
 pub enum Job {
     /// A run of a system.
-    Run(
-        #[serde(deserialize_with = "described")]
-        #[ts(type = "Partial<Run>")]
-        Configuration,
-    ),
+    Run(#[ts(type = "Partial<Run>")] Configuration),
     /// An identification.
     Fit(Asked),
     /// Strokes of a law.

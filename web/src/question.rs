@@ -11,7 +11,6 @@ use crate::copied::{self, Job};
 use crate::progress::progress;
 use crate::rig::{Asked, Texts};
 use crate::strokes::Strokes;
-use crate::values::described;
 use crate::{catalogue, parameters, program, rig, solution, system};
 
 /// A question of the page.
@@ -23,14 +22,12 @@ pub enum Question {
     /// The parts of a system with one law and their present values.
     System {
         /// The run.
-        #[serde(deserialize_with = "described")]
         #[ts(type = "Partial<Run>")]
         run: Configuration,
     },
     /// The run of one of the laws.
     Solve {
         /// The run with all laws: a setting that none of them has is refused.
-        #[serde(deserialize_with = "described")]
         #[ts(type = "Partial<Run>")]
         run: Configuration,
         /// The law; none if the system has its own.
@@ -39,7 +36,6 @@ pub enum Question {
     /// The table of results of one of the laws, as the command line writes it.
     Csv {
         /// The run.
-        #[serde(deserialize_with = "described")]
         #[ts(type = "Partial<Run>")]
         run: Configuration,
         /// The law.
@@ -48,14 +44,12 @@ pub enum Question {
     /// The file with which the command line runs the same.
     Toml {
         /// The run.
-        #[serde(deserialize_with = "described")]
         #[ts(type = "Partial<Run>")]
         run: Configuration,
     },
     /// A program in C that runs the same by co-simulation.
     C {
         /// The run.
-        #[serde(deserialize_with = "described")]
         #[ts(type = "Partial<Run>")]
         run: Configuration,
         /// The law.

@@ -16,7 +16,6 @@ use stribeck_solve::system::Fault;
 use ts_rs::TS;
 
 use crate::answer::Answer;
-use crate::values::described;
 
 /// A virtual rig.
 #[derive(Debug, Deserialize)]
@@ -33,24 +32,16 @@ struct Virtual {
     seed: u64,
 }
 
-/// An identification as the page asks for it.
+/// An identification: its options as a user types them.
 #[derive(Debug, Deserialize, TS)]
-#[serde(deny_unknown_fields)]
+#[serde(transparent)]
 #[ts(rename = "Fit")]
-pub struct Asked {
-    #[serde(deserialize_with = "described")]
-    #[ts(type = "Partial<Inquiry>")]
-    inquiry: Inquiry,
-    /// Further options, as a user types them.
-    #[serde(default)]
-    #[ts(type = "Record<string, string>")]
-    options: BTreeMap<String, String>,
-}
+pub struct Asked(#[ts(type = "Record<string, string>")] BTreeMap<String, String>);
 
 impl Asked {
-    /// All of it.
+    /// What it describes.
     pub fn inquiry(&self) -> Result<Inquiry, Fault> {
-        job::given_over(&job::of_texts(&self.options)?, &self.inquiry)
+        job::of_texts(&self.0)
     }
 }
 

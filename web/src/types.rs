@@ -36,17 +36,7 @@ fn options() -> String {
 
 /// What the page asks.
 fn questions() -> String {
-    declared!(
-        question::Question,
-        run::Configuration,
-        rig::Asked,
-        rig::Texts,
-        identify::Inquiry,
-        identify::Method,
-        identify::LossChoice,
-        strokes::Strokes,
-        copied::Job,
-    )
+    declared!(question::Question, run::Configuration, rig::Asked, rig::Texts, strokes::Strokes, copied::Job,)
 }
 
 /// What it is answered.

@@ -2,19 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use serde::de::{DeserializeOwned, Error};
-use serde::{Deserialize, Deserializer};
-use stribeck_solve::job;
-
 /// Names and values as a user writes them.
 pub fn texts(set: &BTreeMap<String, toml::Value>) -> impl Iterator<Item = (String, String)> + '_ {
     let plain = |value: &toml::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
     set.iter().map(move |(name, value)| (name.clone(), plain(value)))
-}
-
-/// The description of a job, for `#[serde(deserialize_with)]`; an error names the entry.
-pub fn described<'de, T: DeserializeOwned, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
-    job::of_value(toml::Value::deserialize(from)?).map_err(D::Error::custom)
 }
 
 /// A text with values for the names between its marks @.
