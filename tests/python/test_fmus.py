@@ -41,9 +41,16 @@ def start(model: str, name: str) -> float:
     return float(variable.start) if variable else 0.0
 
 
+def kinetic(model: str) -> str | None:
+    """Name of the kinetic coefficient of friction."""
+    described = variables_of(path_of(model)).items()
+    return next((name for name, one in described if one.description.startswith("Kinetic coefficient of fr")), None)
+
+
 def coefficient(model: str) -> float:
     """Kinetic coefficient of friction by default; for a rolling wheel that of its resistance."""
-    return start(model, "mu_k") or start(model, "lever_arm") / start(model, "wheel_radius")
+    name = kinetic(model)
+    return start(model, name) if name else start(model, "lever_arm") / start(model, "wheel_radius")
 
 
 def test_the_models_of_the_library_are_there():
@@ -265,7 +272,7 @@ def test_output_derivative_of_dahl():
 
 @pytest.mark.parametrize("model", FRICTION_MODELS)
 def test_a_parameter_outside_its_bound_is_rejected_with_name_value_and_limit(model, capfd):
-    parameter = "mu_k" if "mu_k" in variables_of(path_of(model)) else "lever_arm"
+    parameter = kinetic(model) or "lever_arm"
     refusal = f"{model}: fmi2SetReal: {parameter} = NaN: must be >=? 0 and finite"
     with pytest.raises(CouplingError, match=refusal):
         with open_fmu(path_of(model), {parameter: "nan"}):

@@ -25,9 +25,6 @@ const RIG: Record<string, string> = {
   seed: "1",
   faults: "false",
 };
-/** Options that have places of their own on the page, or files. */
-const ELSEWHERE = ["records", "motion", "law", "mass", "normal_force", "hold_out"];
-const OPTIONS = IDENTIFICATION.filter(({ name }) => !ELSEWHERE.includes(name));
 
 const FORCE: Label = { name: "Friction force", unit: "N" };
 
@@ -132,7 +129,7 @@ export class FitView {
   }
 
   async show(): Promise<void> {
-    const names = [...Object.keys(RIG).map((name) => `rig.${name}`), ...OPTIONS.map(({ name }) => `fit.${name}`)];
+    const names = [...Object.keys(RIG).map((name) => `rig.${name}`), ...IDENTIFICATION.map(({ name }) => `fit.${name}`)];
     const unknown = Object.keys(this.state.set).find((name) => !names.includes(name));
     if (unknown !== undefined) this.page.fault(`'${unknown}' is unknown`);
     const stranger = this.state.laws.find((law) => !this.page.catalogue.fitted.includes(law));
@@ -152,7 +149,7 @@ export class FitView {
     this.known.replaceChildren(
       number("Mass", "mass", "kg", again),
       number("Normal force", "normal_force", "N", again),
-      h("details", { class: "solver" }, h("summary", {}, "Options"), ...OPTIONS.map((option) => this.option(option))),
+      h("details", { class: "solver" }, h("summary", {}, "Options"), ...IDENTIFICATION.map((option) => this.option(option))),
     );
     const laws = this.page.catalogue.fitted.map((name) => ({ name, text: name }));
     const faults = h("input", { type: "checkbox", id: "rig-faults" });
@@ -250,7 +247,7 @@ export class FitView {
   private asked(data: Data): Fit {
     const camera = data.motion === undefined ? {} : { motion: "motion.csv", delay: "find" };
     const known = ["mass", "normal_force"].map((name) => [name, this.value(name)]);
-    const given = OPTIONS.map(({ name }) => [name, this.state.set[`fit.${name}`]]).filter(([, text]) => text !== undefined);
+    const given = IDENTIFICATION.map(({ name }) => [name, this.state.set[`fit.${name}`]]).filter(([, text]) => text !== undefined);
     return { records: "force.csv", law: this.state.laws.join(), ...camera, ...Object.fromEntries([...known, ...given]) };
   }
 

@@ -28,9 +28,14 @@ pub fn types() -> String {
         + &options()
 }
 
-/// The options of an identification, which the page shows as fields.
+/// Options that have places of their own on the page, or are files.
+const ELSEWHERE: [&str; 6] = ["records", "motion", "law", "mass", "normal_force", "hold_out"];
+
+/// The other options of an identification, which the page shows as fields.
 fn options() -> String {
-    let all = serde_json::to_string_pretty(&job::options::<identify::Inquiry>());
+    let all = job::options::<identify::Inquiry>().into_iter();
+    let all: Vec<job::Choice> = all.filter(|option| !ELSEWHERE.contains(&option.name.as_str())).collect();
+    let all = serde_json::to_string(&all);
     all.map_or_else(|fault| fault.to_string(), |all| format!("\nexport const IDENTIFICATION: Choice[] = {all};\n"))
 }
 
