@@ -308,7 +308,7 @@ mod tests {
     use super::super::parameter::{Parameter, Target};
     use super::super::search::Searches;
     use super::super::tests::{estimate, fitted, measured, quick, standard, white_noise, whole_problem};
-    use super::super::uncertainty::{residuals, trust};
+    use super::super::uncertainty::{residuals, uncertainty};
     use super::super::{Experiment, Settings, Verdict, doubted, judge};
     use super::*;
 
@@ -390,7 +390,7 @@ mod tests {
         let problem = whole_problem("Coulomb", &data);
         let at = |value: f64| Found { places: vec![problem.parameters[0].place(value)], cost: 0.0, evaluations: 0 };
         let seen = white_noise(0.02);
-        let mut trust = trust(&problem, &at(0.1).places, &seen);
+        let mut trust = uncertainty(&problem, &at(0.1).places, &seen);
         let others = [(0.2, 0.75 * RISE), (0.3, 1.01 * RISE)];
         trust.elsewhere = others.map(|(value, rise)| Elsewhere { number: 0, end: at(value), rise }).into();
         let ended = Ended { problem: &problem, best: &at(0.1), seen: &seen, trust: &trust };
@@ -468,7 +468,8 @@ mod tests {
         assert!(most > 10.0 * problem.values(&best.places)[excess], "{most} {:?}", problem.values(&best.places));
         assert!(!judged.trust.verdicts[gamma].is_told());
         // Where the time is a little longer than the rests, slopes alone show it.
-        let slopes = trust(&problem, &places(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]), &judged.seen);
+        let slopes =
+            uncertainty(&problem, &places(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]), &judged.seen);
         let reason = slopes.verdicts[excess].to_string();
         assert!(reason.contains("only in combination with"), "{reason}");
     }
@@ -480,7 +481,7 @@ mod tests {
         let problem = whole_problem("Armstrong", &data);
         let best = polished(&problem, places(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]));
         let seen = white_noise(0.02);
-        let trust = trust(&problem, &best.places, &seen);
+        let trust = uncertainty(&problem, &best.places, &seen);
         let ended = Ended { problem: &problem, best: &best, seen: &seen, trust: &trust };
         let number = |name: &str| problem.parameters.iter().position(|one| one.name == name).unwrap();
         let [gamma, excess] = ["gamma", "mu_s - mu_k"].map(number);

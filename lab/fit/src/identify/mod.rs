@@ -72,7 +72,7 @@ use refine::refine;
 use response::Exact;
 use search::{Best, best, first_look, polish};
 use stribeck_solve::system::Fault;
-use uncertainty::{Uncertainty, residuals, trust};
+use uncertainty::{Uncertainty, residuals, uncertainty};
 use validation::{check_folds, folds};
 use warnings::warnings;
 
@@ -575,7 +575,7 @@ fn doubted(
     searches: Searches,
     ends: &[Vec<f64>],
 ) -> Uncertainty {
-    let mut trust = trust(problem, &best.places, seen);
+    let mut trust = uncertainty(problem, &best.places, seen);
     if let Some(reason) = searches.doubt() {
         trust.verdicts.iter_mut().for_each(|verdict| *verdict = Verdict::Undetermined(reason.to_owned()));
     } else if profiles {

@@ -132,6 +132,11 @@ impl Problem<'_> {
         self.high.truncate(free);
     }
 
+    /// Changes of the parameters that are large.
+    pub fn large(&self, values: &[f64]) -> Vec<f64> {
+        self.parameters.iter().zip(values).map(|(parameter, value)| parameter.large(*value)).collect()
+    }
+
     pub fn point(&self, places: &[f64]) -> Point {
         let mut point = Point { columns: self.held.clone(), mass: self.mass, offset: self.offset, delay: self.delay };
         let mut excess = None;

@@ -6,7 +6,7 @@ use super::Settings;
 use super::problem::Found;
 use super::problem::Problem;
 use super::search::{Method, Watch, polish};
-use super::uncertainty::{residuals, trust};
+use super::uncertainty::{residuals, uncertainty};
 
 /// Most parts of an interval, and the shift of the parameters, in standard deviations, that may be left (chosen).
 const MOST_PARTS: usize = 16;
@@ -22,7 +22,7 @@ pub(super) fn refine(problem: &mut Problem, mut best: Found, task: &Settings, wa
         let Some(there) = finer.residuals(&best.places) else { return (best, f64::INFINITY) };
         let seen = residuals(&here, &problem.lengths(), problem.parameters.len(), problem.loss);
         let error: Vec<f64> = here.iter().zip(&there).map(|(here, there)| here - there).collect();
-        let shift = trust(problem, &best.places, &seen).shift(&error);
+        let shift = uncertainty(problem, &best.places, &seen).shift(&error);
         let is_ended = watch.cancel.load(Ordering::Relaxed);
         if shift <= SHIFT || finer.parts > MOST_PARTS || is_ended {
             let is_corrected = is_polished && problem.parts > 1 && !is_ended;

@@ -218,8 +218,7 @@ fn one_load_tells_nothing_about_the_influence_of_the_load() {
     }
 }
 
-/// Two parameters of which the data know only a sum, and a third one: a unit of the first moves the second by 0.3 units,
-/// which is little until the first may move by ten.
+/// Two parameters of which the data know only a sum: on the line x_1 = 0.3 x_0, with ten units of each admitted.
 #[test]
 fn what_depends_on_the_undetermined_is_not_determined() {
     let along = nalgebra::DVector::from_vec(vec![300.0, -1000.0, 0.0]);
@@ -227,7 +226,6 @@ fn what_depends_on_the_undetermined_is_not_determined() {
     information[(2, 2)] = 1e3;
     let known = uncertainty::spread(&information, &|_| false);
     let deviation = |number: usize| known[(number, number)].sqrt();
-    // On the line x_1 = 0.3 x_0, where ten units of each are admitted.
     let first = 1.0 / (0.01 + 0.09 * 0.01f64).sqrt();
     assert!((deviation(0) - first).abs() < 1e-2 && (deviation(1) - 0.3 * first).abs() < 1e-2, "{known}");
     assert_abs_diff_eq!(deviation(2), 1.0 / 1001f64.sqrt(), epsilon = 1e-12);
@@ -255,7 +253,7 @@ fn correlated_residuals_count_as_fewer_samples() {
     let best = best(&problem, &quick(), quiet(), None, false).found;
     let plain = white_noise(0.02);
     let [narrow, wide] =
-        [plain, Residuals { correlation: 9.0, ..plain }].map(|seen| trust(&problem, &best.places, &seen));
+        [plain, Residuals { correlation: 9.0, ..plain }].map(|seen| uncertainty(&problem, &best.places, &seen));
     for (narrow, wide) in narrow.deviations.iter().zip(&wide.deviations) {
         assert!((wide / narrow - 3.0).abs() < 0.01, "{narrow} {wide}");
     }
@@ -268,11 +266,12 @@ fn a_force_that_changes_in_jumps_has_no_interval() {
     let problem = whole_problem("Bristle", &data);
     let places = vec![0.5; problem.parameters.len()];
     let seen = white_noise(1e-4);
-    let jumps = trust(&problem, &places, &seen).verdicts.iter().any(|verdict| verdict.to_string().contains("in jumps"));
-    assert!(jumps, "{:?}", trust(&problem, &places, &seen).verdicts);
+    let jumps =
+        uncertainty(&problem, &places, &seen).verdicts.iter().any(|verdict| verdict.to_string().contains("in jumps"));
+    assert!(jumps, "{:?}", uncertainty(&problem, &places, &seen).verdicts);
     let smooth = [measured("Dahl", &[], &standard(500), 0.0, 1)];
     let problem = whole_problem("Dahl", &smooth);
-    let told = trust(&problem, &[0.25, 0.6], &seen).verdicts;
+    let told = uncertainty(&problem, &[0.25, 0.6], &seen).verdicts;
     assert!(told.iter().all(|verdict| *verdict == Verdict::Determined), "{told:?}");
 }
 

@@ -259,11 +259,10 @@ fn followed(covariance: &DMatrix<f64>, values: &[f64], open: &[bool], number: us
     others.max_by(|a, b| shift(*a).total_cmp(&shift(*b)))
 }
 
-/// Looks at the sensitivities of the parameters at places.
-pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Uncertainty {
+/// Uncertainties of the parameters at places.
+pub(super) fn uncertainty(problem: &Problem, places: &[f64], seen: &Residuals) -> Uncertainty {
     let values = problem.values(places);
-    let large: Vec<f64> =
-        problem.parameters.iter().zip(&values).map(|(parameter, value)| parameter.large(*value)).collect();
+    let large = problem.large(&values);
     let columns = problem.sensitivities(places);
     let count = columns.len();
     let variance = seen.variance().max(f64::MIN_POSITIVE);

@@ -97,7 +97,7 @@ fn changes(problem: &Problem, places: &[f64]) -> Option<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::super::tests::{measured, standard, white_noise, whole_problem};
-    use super::super::uncertainty::trust;
+    use super::super::uncertainty::uncertainty;
     use super::super::{Experiment, Verdict};
     use approx::assert_relative_eq;
 
@@ -115,7 +115,7 @@ mod tests {
             let problem = whole_problem("CoulombViscous", &data);
             let places = values
                 .map(|(name, value)| problem.parameters.iter().find(|one| one.name == name).unwrap().place(value));
-            let trust = trust(&problem, &places, &white_noise(1e-3));
+            let trust = uncertainty(&problem, &places, &white_noise(1e-3));
             assert_eq!(trust.verdicts, [Verdict::Determined, Verdict::Determined]);
             assert_relative_eq!(
                 trust.deviations[0].powi(2),
@@ -149,7 +149,7 @@ mod tests {
                     one.place(problem.law.table.at(column).start)
                 })
                 .collect();
-            trust(&problem, &places, &white_noise(0.05)).verdicts.swap_remove(number)
+            uncertainty(&problem, &places, &white_noise(0.05)).verdicts.swap_remove(number)
         };
         assert_eq!(verdict(1e-6), Verdict::Determined);
         assert!(verdict(3e-3).to_string().contains("the velocity is not known well enough"), "{:?}", verdict(3e-3));
