@@ -127,7 +127,7 @@ def test_the_page_of_the_benchmark_has_every_law_and_solver():
     assert drawn == set(re.findall(r"\(work-precision/([^)]*)\)", page))
 
 
-def test_the_loop_of_the_readme_is_that_of_the_equations_of_lugre():
+def test_the_loop_in_fmpy_is_that_of_the_equations_of_lugre():
     """dz/dt = v - sigma_0 |v| z / g(v) and its work, integrated by Radau to 1e-9."""
     level, excess, scale = 0.12 * 20.0, 0.03 * 20.0, 1e-3
     sigma_0, sigma_1, sigma_2 = 1e5, 1e5**0.5, 0.1
@@ -146,7 +146,9 @@ def test_the_loop_of_the_readme_is_that_of_the_equations_of_lugre():
     samples = numpy.linspace(0.0, 1.0, 1001)
     solved = solve_ivp(rates, (0.0, 1.0), [0.0, 0.0], "Radau", samples, rtol=1e-9, atol=1e-14)
     forces = [force(t, state, rates(t, state)[0]) for t, state in zip(solved.t, solved.y.T, strict=True)]
-    loop = next(one for one in examples(README.read_text(encoding="utf-8")) if "simulate_fmu" in one.code)
+    loop = next(
+        one for one in examples((PROJECT / "docs" / "fmu.md").read_text(encoding="utf-8")) if "simulate_fmu" in one.code
+    )
     printed = loop.printed
     numbers = [float(number) for number in re.findall(r"-?\d+\.\d+", printed)]
     assert numbers == pytest.approx([min(forces), max(forces), solved.y[1, -1], solved.y[1, -1]], rel=5e-3)
