@@ -24,6 +24,8 @@ def main() -> None:
     head, tail = text.split("\n}\n", 1)
     listed.write_text(f"{head}\n{LINE}}}\n{tail}", encoding="utf-8")
 
+    # The packages are those of the project.
+    (copy.root / ".venv").symlink_to(ROOT / ".venv", target_is_directory=True)
     environment = {**os.environ, "CARGO_TARGET_DIR": str(copy.out / "target")}
 
     def run(*words: str | Path) -> None:
