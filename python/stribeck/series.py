@@ -102,9 +102,7 @@ def simulate(
     arrays = {key: _numbers(described.find(key), value) for key, value in values.items()}
     assumed = _assumed(described, arrays)
     arrays |= {key: np.asarray(value) for key, value in assumed.items()}
-    if (dt is None) == (time is None):
-        raise TypeError("give either dt or time")
-    times, step = (None, _step(dt)) if time is None else (_times(time), 0.0)
+    times, step = _sampling(dt, time)
     inputs = {key: array for key, array in arrays.items() if key in described.inputs}
     samples = _samples(inputs, times)
     runs, single = _runs(described, arrays)
@@ -130,6 +128,13 @@ def simulate(
         times *= step
     units = {key: described.variables[key].unit for key in [*results, *inputs]}
     return Result(described.name, times, columns, units, assumed, inputs)
+
+
+def _sampling(dt: float | None, time: ArrayLike | None) -> tuple[NDArray[np.float64] | None, float]:
+    """The times, or the interval between them."""
+    if (dt is None) == (time is None):
+        raise TypeError("give either dt or time")
+    return (None, _step(dt)) if time is None else (_times(time), 0.0)
 
 
 def _numbers(variable: Variable, value: Any) -> NDArray[np.float64]:

@@ -116,6 +116,20 @@ function wrong(faults: string[]): void {
   if (faults.length > 0) show(`The link was not understood in full: ${faults.join("; ")}`);
 }
 
+/** The buttons of the heading, and the keys for undo and redo. */
+function heedButtons(step: (to: "undo" | "redo") => void): void {
+  document.getElementById("undo")?.addEventListener("click", () => step("undo"));
+  document.getElementById("redo")?.addEventListener("click", () => step("redo"));
+  document.getElementById("copy-link")?.addEventListener("click", copyLink);
+  document.getElementById("theme")?.addEventListener("click", toggleTheme);
+  document.addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
+    if (event.target instanceof HTMLInputElement && event.target.type === "text") return;
+    event.preventDefault();
+    step(event.shiftKey ? "redo" : "undo");
+  });
+}
+
 async function start(): Promise<void> {
   const { answer: catalogue } = await new Lane().ask<Catalogue>({ ask: "catalogue" });
   setPalette(catalogue.palette);
@@ -146,28 +160,17 @@ async function start(): Promise<void> {
   const history = new History(toHash(first));
   const step = (to: "undo" | "redo") => {
     const hash = history.step(to);
-    if (hash === undefined) say(`Nothing to ${to}`);
-    else void open(hash);
+    if (hash !== undefined) void open(hash);
+    else say(`Nothing to ${to}`);
   };
-  document.getElementById("undo")?.addEventListener("click", () => step("undo"));
-  document.getElementById("redo")?.addEventListener("click", () => step("redo"));
-  document.getElementById("reset")?.addEventListener("click", () => {
-    const hash = toHash({ view: views.now, state: defaults(views.now) });
+  heedButtons(step);
+  const keep = (hash: string) => {
     history.keep(hash);
     void open(hash);
-  });
-  document.getElementById("copy-link")?.addEventListener("click", copyLink);
-  document.getElementById("theme")?.addEventListener("click", toggleTheme);
-  document.addEventListener("keydown", (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
-    if (event.target instanceof HTMLInputElement && event.target.type === "text") return;
-    event.preventDefault();
-    step(event.shiftKey ? "redo" : "undo");
-  });
-  window.addEventListener("hashchange", () => {
-    history.keep(location.hash);
-    void open(location.hash);
-  });
+  };
+  const reset = () => keep(toHash({ view: views.now, state: defaults(views.now) }));
+  document.getElementById("reset")?.addEventListener("click", reset);
+  window.addEventListener("hashchange", () => keep(location.hash));
   document.getElementById("version")!.textContent = catalogue.version;
   await open(location.hash);
 }

@@ -10,30 +10,29 @@ import type { Solved } from "./types";
 const HEADING = "Table 6.5 of the thesis, computed here";
 
 /** Times of the laws of Table 6.5 with the solvers of this page, beside those of the thesis. */
+/** A run on the belt, and the median of its times in ms: the first run of a worker also prepares the library. */
+async function timed(lane: Lane, law: string, solver: string): Promise<{ took: number; solved: Solved }> {
+  const runs = [];
+  for (let number = 0; number < 3; number++) {
+    runs.push(await lane.ask<Solved>({ ask: "solve", run: { system: "belt", law: [law], solver }, law }));
+  }
+  return { took: runs.map((run) => run.took).sort((a, b) => a - b)[1]!, solved: runs[0]!.answer };
+}
+
 export function thesisTables({ catalogue, fault }: Page): HTMLElement {
   const { classes, times } = catalogue.thesis;
   const solvers = catalogue.solvers.filter(({ name }) => name.startsWith("ro"));
   const head = ["Law", ...solvers.map(({ name }) => `${name}, ms`), "Events", ...classes.map((name) => `Thesis, ${name}, s`)];
   const body = h("tbody", {});
-  const table = h(
-    "table",
-    {},
-    h("caption", {}, "The belt of Table 6.1 over 40 s; DNC: did not converge"),
-    h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text)))),
-    body,
-  );
+  const caption = h("caption", {}, "The belt of Table 6.1 over 40 s; DNC: did not converge");
+  const headings = h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text))));
+  const table = h("table", {}, caption, headings, body);
   const lane = new Lane();
   const row = async ([law, printed]: [string, (number | null)[]]) => {
     const cells = [];
     let events = "";
     for (const { name: solver } of solvers) {
-      // The first run of a worker also prepares the library.
-      const runs = [];
-      for (let number = 0; number < 3; number++) {
-        runs.push(await lane.ask<Solved>({ ask: "solve", run: { system: "belt", law: [law], solver }, law }));
-      }
-      const took = runs.map((run) => run.took).sort((a, b) => a - b)[1]!;
-      const solved = runs[0]!.answer;
+      const { took, solved } = await timed(lane, law, solver);
       cells.push(solved.reached ? took.toFixed(1) : solved.end);
       events = String(solved.events.length);
     }
@@ -52,8 +51,8 @@ export function thesisTables({ catalogue, fault }: Page): HTMLElement {
     compute.disabled = false;
   });
   const laws = times.map(([law]) => law);
-  const open = h("button", { type: "button", id: "open-thesis" }, "Show these laws on the bench");
-  open.addEventListener("click", () => (location.hash = toHash({ view: "bench", state: { ...defaults("bench"), laws } })));
+  const show = () => (location.hash = toHash({ view: "bench", state: { ...defaults("bench"), laws } }));
+  const open = h("button", { type: "button", id: "open-thesis", onclick: show }, "Show these laws on the bench");
   return h(
     "details",
     { class: "thesis" },

@@ -24,6 +24,16 @@ interface Fingers {
   apart: number | undefined;
 }
 
+/** Where one or two fingers are. */
+function fingers(area: HTMLElement, { touches }: TouchEvent): Fingers | undefined {
+  const { left, top } = area.getBoundingClientRect();
+  const places = [...touches].slice(0, 2).map(({ clientX, clientY }): Place => [clientX - left, clientY - top]);
+  const [one, other = one] = places;
+  if (!one || !other) return undefined;
+  const apart = places.length > 1 ? Math.max(Math.hypot(one[0] - other[0], one[1] - other[1]), 1) : undefined;
+  return { middle: [0.5 * (one[0] + other[0]), 0.5 * (one[1] + other[1])], apart };
+}
+
 /**
  * One finger moves the cursor, or what is shown if that is a part; two show more or less; two taps show all. A finger
  * that goes up or down first scrolls the page.
@@ -32,14 +42,7 @@ export function heedTouch(area: HTMLElement, plot: Touched): void {
   let [begin, last] = [undefined as Fingers | undefined, undefined as Fingers | undefined];
   let isOurs = false;
   let tapped = -Infinity;
-  const where = ({ touches }: TouchEvent): Fingers | undefined => {
-    const { left, top } = area.getBoundingClientRect();
-    const places = [...touches].slice(0, 2).map(({ clientX, clientY }): Place => [clientX - left, clientY - top]);
-    const [one, other = one] = places;
-    if (!one || !other) return undefined;
-    const apart = places.length > 1 ? Math.max(Math.hypot(one[0] - other[0], one[1] - other[1]), 1) : undefined;
-    return { middle: [0.5 * (one[0] + other[0]), 0.5 * (one[1] + other[1])], apart };
-  };
+  const where = (event: TouchEvent) => fingers(area, event);
   const place = (event: TouchEvent) => {
     begin = last = where(event);
     isOurs = begin?.apart !== undefined;

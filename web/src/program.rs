@@ -103,7 +103,7 @@ impl Program<'_> {
             ("course", self.course()),
             ("set_up", self.set_up()),
         ];
-        Ok(filled(include_str!("program.c"), &marks.each_ref().map(|(name, value)| (*name, value.as_str()))))
+        Ok(filled(include_str!("program.c.in"), &marks.each_ref().map(|(name, value)| (*name, value.as_str()))))
     }
 
     /// Creates the parts and finds variables.

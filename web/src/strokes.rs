@@ -163,7 +163,7 @@ impl Strokes {
         let lead = names.acceleration.as_ref().map_or(String::new(), |name| format!(", {name}=acceleration"));
         let acceleration = if lead.is_empty() { "" } else { &acceleration };
         Ok(self.filled(
-            include_str!("strokes.py"),
+            include_str!("strokes.py.in"),
             &[
                 ("given", &given),
                 ("curve", if names.is_along { &curve } else { "" }),
@@ -192,7 +192,7 @@ impl Strokes {
         let acceleration = names.acceleration.as_ref().map_or(String::new(), |name| find(name, "&in[1]"));
         let places = find(&names.velocity, "&in[0]") + &acceleration + &find(&names.force, "&out");
         let text = self.filled(
-            include_str!("strokes.c"),
+            include_str!("strokes.c.in"),
             &[
                 ("values", &values.collect::<String>()),
                 ("places", &places),
