@@ -436,3 +436,20 @@ fn what_cannot_be_run_without_events_or_with_them_is_refused() {
         assert_eq!(fault.to_string(), text);
     }
 }
+
+/// A system with more states than the crate has code of its own for.
+#[test]
+fn other_solvers_agree_on_a_quarter_car() {
+    let system = System::assemble(&Source::open("quarter-car").unwrap(), Some("LuGre"), &[]).unwrap();
+    let at_end = |solver| {
+        let settings = Settings { solver, tolerance: 1e-9, until: 0.05, ..Settings::of(&system) };
+        let outcome = stribeck_solve::run::run(&system, &settings, &["car.body_height".to_owned()]).unwrap();
+        assert!(outcome.is_reached(), "{solver}: {}", outcome.end);
+        outcome.columns[0].values[50]
+    };
+    let expected = at_end(Name::Rodas5P);
+    for solver in [Name::Dopri5, Name::Bdf, Name::TrBdf2, Name::Esdirk34, Name::Rosenbrock23] {
+        let difference = at_end(solver) - expected;
+        assert!(difference.abs() < 1e-8, "{solver}: {difference:e}");
+    }
+}

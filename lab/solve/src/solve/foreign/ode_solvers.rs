@@ -164,7 +164,7 @@ impl Run<'_, '_> {
         DefaultAllocator: Allocator<D>,
     {
         let parts = self.states.iter().zip(self.scales).map(|(state, scale)| state / scale);
-        OVector::from_iterator_generic(dim, U1, parts.chain([x]))
+        OVector::from_iterator_generic(dim, U1, parts.chain([x]).take(dim.value()))
     }
 
     fn seen(&self, stretch: Stretch) -> RefCell<Seen> {
