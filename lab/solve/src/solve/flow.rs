@@ -126,6 +126,11 @@ impl<const N: usize> Course for Flow<N> {
         }
     }
 
+    fn end_slopes(&self, slopes: &mut [f64]) {
+        let rates = self.rates_after(&self.changes[QUARTERS - 1]);
+        slopes.iter_mut().zip(rates).for_each(|(slope, rate)| *slope = rate * self.length);
+    }
+
     fn fill(&self, times: &Times, columns: &mut [Vec<f64>]) {
         let mut change = self.change_at(times.fraction(times.first));
         let powers = Powers::of(self, times);

@@ -1,7 +1,8 @@
 //! Steps with error control from event to event.
 
 use super::event::{Bracket, Crossing, Watch};
-use super::recorder::{Piece, Recorder};
+use super::judge;
+use super::recorder::{Course, Piece, Recorder};
 use super::statistics::{End, Event, Statistics};
 use super::step::{Beginning, Step};
 use super::{Equations, Options};
@@ -13,6 +14,9 @@ const GROW: f64 = 6.0;
 
 /// Error, in parts of the tolerance, below which growth is not judged; the value of the code Radau5.
 const LEAST_ERROR: f64 = 1e-2;
+
+/// Factor by which a step that cannot be believed is shortened, at least (chosen).
+const DOUBT: f64 = 0.5;
 
 /// Part of a step at which a rejected step that meets an event is tried again, beyond the event (chosen).
 const BEYOND: f64 = 1.0 + 1e-3;
@@ -37,6 +41,8 @@ struct March<'a, S: Step<N>, const N: usize> {
     watch: Watch,
     /// The motion within the step made last, once it was asked for.
     course: Option<S::Course>,
+    /// The equations at the end of the step made last, if they were looked at.
+    ahead: Option<Beginning<N>>,
     statistics: Statistics,
     /// Length and error of the step before, since the last event.
     last: Option<(f64, f64)>,
@@ -92,8 +98,9 @@ pub(super) fn run<S: Step<N>, const N: usize>(
     let count = states.len();
     begin.states[..count].copy_from_slice(states);
     let statistics = Statistics::default();
-    let (step, course) = (S::default(), None);
-    let mut march = March { equations, options, recorder, scales, begin, step, watch, course, statistics, last: None };
+    let (step, course, ahead) = (S::default(), None, None);
+    let mut march =
+        March { equations, options, recorder, scales, begin, step, watch, course, ahead, statistics, last: None };
     let end = match march.go() {
         Ok(end) => end,
         Err(reason) => End::Failed { time: march.begin.time, reason },
@@ -142,14 +149,28 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
 
     /// Evaluates rates and Jacobian at the beginning of a step. After an exact one the Jacobian is that before it.
     fn look(&mut self) -> Result<(), String> {
-        let Beginning { time, states, rates, jacobian, by_time } = &mut self.begin;
-        self.statistics.evaluations += 1;
         if self.step.is_exact() {
+            let Beginning { time, states, rates, .. } = &mut self.begin;
+            self.statistics.evaluations += 1;
             self.equations.rates(*time, states, rates);
         } else {
-            self.equations.linearise(*time, states, rates, jacobian.as_flattened_mut(), by_time);
-            self.statistics.jacobians += 1;
+            self.begin = self.linearised(self.begin.time, self.begin.states);
         }
+        self.check(&self.begin)
+    }
+
+    fn linearised(&mut self, time: f64, states: [f64; N]) -> Beginning<N> {
+        let mut there = Beginning { time, states, ..self.begin };
+        let Beginning { rates, jacobian, by_time, .. } = &mut there;
+        self.equations.linearise(time, &states, rates, jacobian.as_flattened_mut(), by_time);
+        self.statistics.evaluations += 1;
+        self.statistics.jacobians += 1;
+        there
+    }
+
+    /// Refuses equations that are not finite.
+    fn check(&self, there: &Beginning<N>) -> Result<(), String> {
+        let Beginning { rates, jacobian, .. } = there;
         match rates.iter().chain(jacobian.as_flattened()).position(|number| !number.is_finite()) {
             None => Ok(()),
             Some(at) if at < N => Err(format!("the rate of {} is not finite", self.equations.state_name(at))),
@@ -221,13 +242,17 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             if error <= 1.0 {
                 let next = length * self.growth(length, error, factor);
                 let made = match crossing {
-                    None => Some((if is_last { wall } else { self.begin.time + length }, None)),
-                    Some(crossing) => {
-                        self.locate(length, crossing).map(|(at, event)| (self.begin.time + at, Some(event)))
-                    }
+                    None => Some((length, None)),
+                    Some(crossing) => self.locate(length, crossing).map(|(at, event)| (at, Some(event))),
                 };
                 match made {
-                    Some((end, event)) if self.is_confirmed(event.is_some()) => return Ok(Made { end, event, next }),
+                    Some((made, event)) if self.is_confirmed(event.is_some()) => {
+                        let end = if is_last && event.is_none() { wall } else { self.begin.time + made };
+                        match self.doubt(end, made, event.is_some())? {
+                            None => return Ok(Made { end, event, next }),
+                            Some(factor) => h = made * factor,
+                        }
+                    }
                     Some(_) => h = length,
                     None => h = 0.5 * length,
                 }
@@ -239,6 +264,30 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
                 return Err(self.too_short(h));
             }
         }
+    }
+
+    /// Looks at the equations at the end of the step made last: whether it has to be made again, and by which factor shorter.
+    /// Its end less its beginning is not its length to the last digit.
+    fn doubt(&mut self, end: f64, length: f64, to_event: bool) -> Result<Option<f64>, String> {
+        self.ahead = None;
+        if self.step.is_exact() {
+            return Ok(None);
+        }
+        let ahead = self.linearised(end, *self.step.end());
+        match self.check(&ahead) {
+            // What comes after an event has other equations.
+            Err(_) if to_event => return Ok(None),
+            checked => checked?,
+        }
+        let mut slopes = [0.0; N];
+        self.course().end_slopes(&mut slopes);
+        let defect = judge::defect(&ahead, &slopes, length, S::GAMMA);
+        let excess = defect.map_or(f64::INFINITY, |defect| self.norm(&defect, &ahead.states) / judge::DEFECT);
+        if excess > 1.0 {
+            return Ok(Some(change(excess, S::ERROR_ORDER).min(DOUBT)));
+        }
+        self.ahead = Some(ahead);
+        Ok(judge::grows(&ahead.jacobian, length).then_some(DOUBT))
     }
 
     /// Factor by which the next step is longer.
@@ -329,7 +378,13 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
                 if self.options.events && self.watch.is_needed() {
                     self.watch.go_on();
                 }
-                self.look()
+                match self.ahead.take() {
+                    None => self.look(),
+                    Some(ahead) => {
+                        self.begin = ahead;
+                        Ok(())
+                    }
+                }
             }
         }
     }

@@ -8,6 +8,7 @@ mod event;
 mod flow;
 #[cfg(feature = "foreign")]
 mod foreign;
+mod judge;
 mod march;
 mod method;
 mod piecewise;

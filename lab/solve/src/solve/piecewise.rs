@@ -53,6 +53,13 @@ impl<C: Course, const N: usize> Course for Motion<C, N> {
         }
     }
 
+    fn end_slopes(&self, slopes: &mut [f64]) {
+        match self {
+            Motion::Exact(flow) => flow.end_slopes(slopes),
+            Motion::Otherwise(course) => course.end_slopes(slopes),
+        }
+    }
+
     fn fill(&self, times: &Times, columns: &mut [Vec<f64>]) {
         match self {
             Motion::Exact(flow) => flow.fill(times, columns),
@@ -64,6 +71,7 @@ impl<C: Course, const N: usize> Course for Motion<C, N> {
 impl<S: Step<N>, const N: usize> Step<N> for Piecewise<S, N> {
     type Course = Motion<S::Course, N>;
     const ERROR_ORDER: i32 = S::ERROR_ORDER;
+    const GAMMA: f64 = S::GAMMA;
 
     fn begin(&mut self, equations: &dyn Equations, options: &Options) {
         self.flow = None;

@@ -42,6 +42,9 @@ pub(super) trait Course {
     /// The states at a fraction of the step.
     fn at(&self, fraction: f64, states: &mut [f64]);
 
+    /// Writes the slopes of the states at the end of the step, times its length.
+    fn end_slopes(&self, slopes: &mut [f64]);
+
     /// Writes the states at output times into their columns.
     fn fill(&self, times: &Times, columns: &mut [Vec<f64>]);
 }
@@ -85,6 +88,12 @@ impl<const N: usize> Course for Polynomials<N> {
     fn at(&self, fraction: f64, states: &mut [f64]) {
         for (state, coefficients) in states.iter_mut().zip(self) {
             *state = horner(coefficients, fraction);
+        }
+    }
+
+    fn end_slopes(&self, slopes: &mut [f64]) {
+        for (slope, [_, b, c, d, e]) in slopes.iter_mut().zip(self) {
+            *slope = b + 2.0 * c + 3.0 * d + 4.0 * e;
         }
     }
 

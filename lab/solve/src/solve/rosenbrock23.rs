@@ -17,6 +17,15 @@ use super::elimination::Factors;
 use super::recorder::Polynomials;
 use super::step::{Beginning, Step};
 
+/// d = 1 / (2 + sqrt 2).
+const D: f64 = 1.0 / (2.0 + std::f64::consts::SQRT_2);
+
+/// e = 6 + sqrt 2.
+const E: f64 = 6.0 + std::f64::consts::SQRT_2;
+
+/// Part of the tolerance that a step may be off (chosen).
+const PART: f64 = 0.1;
+
 /// A step of the method.
 pub(super) struct Rosenbrock23<const N: usize> {
     k: [[f64; N]; 2],
@@ -34,11 +43,10 @@ impl<const N: usize> Default for Rosenbrock23<N> {
 impl<const N: usize> Step<N> for Rosenbrock23<N> {
     type Course = Polynomials<N>;
     const ERROR_ORDER: i32 = 3;
+    const GAMMA: f64 = D;
 
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool {
-        let d = 1.0 / (2.0 + 2f64.sqrt());
-        let e = 6.0 + 2f64.sqrt();
-        let hd = h * d;
+        let hd = h * D;
         let matrix =
             std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j)) - hd * begin.jacobian[i][j]));
         let Some(factors) = Factors::of(matrix) else { return false };
@@ -53,7 +61,7 @@ impl<const N: usize> Step<N> for Rosenbrock23<N> {
         self.end = std::array::from_fn(|i| begin.states[i] + h * k2[i]);
         let mut f2 = [0.0; N];
         equations.rates(begin.time + h, &self.end, &mut f2);
-        let right = |i: usize| f2[i] - e * (k2[i] - f1[i]) - 2.0 * (k1[i] - f0[i]) + slope[i];
+        let right = |i: usize| f2[i] - E * (k2[i] - f1[i]) - 2.0 * (k1[i] - f0[i]) + slope[i];
         let k3 = factors.solve(std::array::from_fn(right));
         self.error = std::array::from_fn(|i| h / 6.0 * (k1[i] - 2.0 * k2[i] + k3[i]));
         (self.k, self.h) = ([k1, k2], h);
@@ -72,13 +80,17 @@ impl<const N: usize> Step<N> for Rosenbrock23<N> {
         &self.error
     }
 
+    /// A method of order 2 makes many steps, whose errors add up.
+    fn excess(&self, norm: impl Fn(&[f64; N], &[f64; N]) -> f64) -> f64 {
+        norm(&self.error, &self.end) / PART
+    }
+
     /// x(s) = x + h (s (1 - s) k_1 + s (s - 2 d) k_2) / (1 - 2 d).
     fn course(&self, begin: &Beginning<N>) -> Polynomials<N> {
-        let d = 1.0 / (2.0 + 2f64.sqrt());
-        let scale = self.h / (1.0 - 2.0 * d);
+        let scale = self.h / (1.0 - 2.0 * D);
         std::array::from_fn(|i| {
             let [k1, k2] = [self.k[0][i], self.k[1][i]];
-            [begin.states[i], scale * (k1 - 2.0 * d * k2), scale * (k2 - k1), 0.0, 0.0]
+            [begin.states[i], scale * (k1 - 2.0 * D * k2), scale * (k2 - k1), 0.0, 0.0]
         })
     }
 }

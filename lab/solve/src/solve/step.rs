@@ -11,6 +11,9 @@ pub(super) trait Step<const N: usize>: Default {
     /// Power of the step size with which the estimate of the error grows.
     const ERROR_ORDER: i32;
 
+    /// Coefficient of the Jacobian in the matrix of the stages.
+    const GAMMA: f64;
+
     /// Takes note of an event, such as the beginning of a run.
     fn begin(&mut self, _equations: &dyn Equations, _options: &Options) {}
 

@@ -1,6 +1,7 @@
 //! Equations of motion of a system whose parts all support Model Exchange.
 
 use stribeck::number::DIRECTIONS;
+use stribeck::table::{Meaning, Variable};
 
 use super::mover::Mover;
 use super::order::{Task, moving, tasks};
@@ -120,7 +121,7 @@ impl Motion {
     pub fn new(system: &System, recorded: &[WireSource]) -> Result<Motion, Fault> {
         let tasks = Motion::order(system)?;
         let states = states(system, recorded);
-        let scales = states.iter().map(|place| system.variable(*place).nominal).collect();
+        let scales = scales(system, &states);
         let moving = moving(system, system.influences(), &states);
         let mover = |(number, moving): (usize, &Vec<usize>)| Mover::new(system, number, &states, moving);
         let movers: Vec<Mover> = moving.iter().enumerate().map(mover).collect();
@@ -251,6 +252,23 @@ fn states(system: &System, recorded: &[WireSource]) -> Vec<Place> {
     }
     // A motion that is given has no other state.
     if states.is_empty() { unread } else { states }
+}
+
+/// Sizes of the states. A velocity is no larger than the speeds at which the laws of the system pass from rest to sliding: an
+/// error of that size would carry it across.
+fn scales(system: &System, states: &[Place]) -> Vec<f64> {
+    let is_passed = |variable: &Variable| matches!(variable.meaning, Meaning::FallSpeed | Meaning::TransitionSpeed);
+    let speeds = system.parts.iter().flat_map(|part| {
+        let passed = part.model.variables().filter(|(_, variable)| is_passed(variable));
+        passed.map(|(column, _)| part.row[column])
+    });
+    let least = speeds.filter(|speed| *speed > 0.0).fold(f64::INFINITY, f64::min);
+    let scale = |place: &Place| {
+        let nominal = system.variable(*place).nominal;
+        let is_velocity = system.unit(WireSource::Variable(*place)).name == "m/s";
+        if is_velocity { nominal.min(least) } else { nominal }
+    };
+    states.iter().map(scale).collect()
 }
 
 impl Equations for Motion {
