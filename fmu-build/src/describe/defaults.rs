@@ -5,6 +5,7 @@ use std::fmt::Write;
 use anyhow::{Context, Result};
 use stribeck::catalogue;
 use stribeck::model::{Enumeration, Kind, ModelType, Path, Segment, Variable};
+use stribeck_draw::text::typeset_unit;
 
 use crate::describe::{block, text};
 
@@ -73,7 +74,7 @@ impl Row {
         match self.elements[0].kind {
             Kind::Enumeration(choices) => names(choices).join(", "),
             Kind::Boolean => "true, false".to_owned(),
-            Kind::Real(_) | Kind::Integer => text::typeset_unit(text::unit(&self.elements[0])),
+            Kind::Real(_) | Kind::Integer => typeset_unit(text::unit(&self.elements[0])),
         }
     }
 

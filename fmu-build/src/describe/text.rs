@@ -63,12 +63,6 @@ pub fn unit(variable: &Variable) -> &'static str {
     }
 }
 
-/// `um`, `N.s/m` and `m/s2` as people write them.
-pub fn typeset_unit(unit: &str) -> String {
-    let unit = unit.replace("um", "\u{b5}m").replace('.', "\u{b7}");
-    unit.replace('2', "\u{b2}").replace('3', "\u{b3}")
-}
-
 /// The role in plain words.
 pub fn role(role: Role) -> &'static str {
     match role {

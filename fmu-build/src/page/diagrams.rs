@@ -6,7 +6,7 @@ use stribeck::model::{ModelType, Preset, Variable};
 
 use crate::describe::text;
 use crate::page::curve::{self, Curve, Law, Steady};
-use crate::page::figure::{self, Axis, Figure, Line, Style};
+use crate::page::figure::{self, Figure, Line, Quantity, Style};
 use crate::page::motion::{self, Motion};
 use crate::page::sweep::{self, Sweep};
 
@@ -51,9 +51,8 @@ fn words(variable: &Variable) -> String {
     variable.path.to_string().replace('_', " ")
 }
 
-fn axis(variable: &Variable, curves: &[Line], axis: usize) -> Axis {
-    let [low, high] = curve::limits(curves.iter().map(|line| &line.points), axis);
-    Axis::new(&words(variable), variable, low.abs().max(high.abs()))
+fn quantity(variable: &Variable) -> Quantity {
+    Quantity { name: words(variable), unit: text::unit(variable) }
 }
 
 /// Force over velocity, and the range of the velocities.
@@ -71,9 +70,8 @@ fn over_velocity(law: &Law) -> Result<(Figure, f64)> {
     } else {
         branches(steady, &mut lines);
     }
-    let [velocity, force] = [law.velocity, law.force].map(|column| law.model.table.at(column));
-    let axes = [axis(&velocity, &lines, 0), axis(&force, &lines, 1)];
-    Ok((Figure { caption: caption + ".", axes, lines }, range))
+    let quantities = [law.velocity, law.force].map(|column| quantity(&law.model.table.at(column)));
+    Ok((Figure { caption: caption + ".", quantities, lines }, range))
 }
 
 fn line(name: &str, style: Style, points: Curve) -> Line {
@@ -142,11 +140,10 @@ fn oscillation(law: &Law, range: f64, steady: &Steady) -> Result<Option<(Curve, 
 fn over_displacement(law: &Law, range: f64) -> Result<Option<Figure>> {
     let Some(scale) = law.displacement_scale(range)? else { return Ok(None) };
     let lines = vec![line("", Style::First, law.strokes(scale, range)?)];
-    let force = law.model.table.at(law.force);
-    let [low, high] = curve::limits([&lines[0].points], 0);
-    let axes = [Axis::length("displacement", low.abs().max(high.abs())), axis(&force, &lines, 1)];
+    let displacement = Quantity { name: "displacement".to_owned(), unit: "m" };
+    let quantities = [displacement, quantity(&law.model.table.at(law.force))];
     let caption = "Pre-sliding: friction force for slow reciprocating strokes of growing amplitude.".to_owned();
-    Ok(Some(Figure { caption, axes, lines }))
+    Ok(Some(Figure { caption, quantities, lines }))
 }
 
 fn of_part(model: &'static ModelType) -> Result<Vec<Figure>> {
@@ -156,8 +153,7 @@ fn of_part(model: &'static ModelType) -> Result<Vec<Figure>> {
     let with =
         model.presets.first().map_or(String::new(), |preset| format!(", with the parameter set {}", preset.name));
     let caption = format!("{} over {} in a cycle{with}.", capitalised(&words(&answer)), words(&across));
-    let axes = [axis(&across, &lines, 0), axis(&answer, &lines, 1)];
-    Ok(vec![Figure { caption, axes, lines }])
+    Ok(vec![Figure { caption, quantities: [quantity(&across), quantity(&answer)], lines }])
 }
 
 fn of_host(model: &'static ModelType) -> Result<Vec<Figure>> {
@@ -166,12 +162,12 @@ fn of_host(model: &'static ModelType) -> Result<Vec<Figure>> {
     let over_time = |index: usize| {
         let points = times.iter().zip(&values).map(|(time, value)| [*time, value[index]]).collect();
         let lines = vec![line("", Style::First, points)];
-        let axes = [Axis::time(), axis(&states[index], &lines, 1)];
-        Figure { caption: format!("{} over time.", capitalised(&words(&states[index]))), axes, lines }
+        let quantities = [Quantity { name: "time".to_owned(), unit: "s" }, quantity(&states[index])];
+        Figure { caption: format!("{} over time.", capitalised(&words(&states[index]))), quantities, lines }
     };
     let lines = vec![line("", Style::First, values.clone())];
     let caption = format!("Phase portrait, {with}.");
-    let portrait = Figure { caption, axes: [axis(&states[0], &lines, 0), axis(&states[1], &lines, 1)], lines };
+    let portrait = Figure { caption, quantities: states.each_ref().map(quantity), lines };
     Ok(vec![over_time(0), portrait])
 }
 

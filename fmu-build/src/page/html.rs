@@ -8,12 +8,12 @@ use std::fmt::Write;
 use anyhow::Result;
 use stribeck::catalogue::Family;
 use stribeck::model::{Kind, ModelType, Preset, Variable};
+use stribeck_draw::text::{escape, typeset_unit};
 
 use crate::describe::entry::Entry;
 use crate::describe::text;
 use crate::describe::xml::CAPABILITIES;
 use crate::page::diagrams;
-use crate::page::mathematics::escape;
 use crate::page::typeset;
 use crate::project::{AUTHORS, LICENSE, VERSION};
 
@@ -91,7 +91,7 @@ fn variable(reference: u32, variable: &Variable) -> [String; 8] {
     let start = if variable.role.is_computed() { String::new() } else { text::start(variable) };
     [
         format!("<code>{}</code>", variable.path),
-        text::typeset_unit(text::unit(variable)),
+        typeset_unit(text::unit(variable)),
         start,
         escape(&text::bound(variable)),
         escape(variable.help),
@@ -131,7 +131,7 @@ fn presets(page: &mut String, model: &ModelType, pictures: &[String]) {
                 Some(column) => (text::value(&model.table.at(column), *value), text::unit(&model.table.at(column))),
                 None => (text::number(*value), ""),
             };
-            [format!("<code>{name}</code>"), shown, text::typeset_unit(unit)]
+            [format!("<code>{name}</code>"), shown, typeset_unit(unit)]
         };
         if !preset.values.is_empty() {
             table(page, &["Variable", "Value", "Unit"], preset.values.iter().map(row));
@@ -316,7 +316,7 @@ mod tests {
         for preset in lugre.presets {
             assert!(text.contains(&format!("<h3><code>{}</code></h3>\n<p>{}</p>", preset.name, escape(preset.source))));
             for (name, value) in preset.values {
-                let unit = text::typeset_unit(text::unit(&lugre.table.at(lugre.find(name).unwrap())));
+                let unit = typeset_unit(text::unit(&lugre.table.at(lugre.find(name).unwrap())));
                 let row = format!("<td><code>{name}</code></td><td>{}</td><td>{unit}</td>", text::number(*value));
                 assert!(text.contains(&row), "{row}");
             }

@@ -2,8 +2,8 @@
 
 use anyhow::{Result, ensure};
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd, TextMergeStream, html};
+use stribeck_draw::text::typeset_unit;
 
-use crate::describe::text;
 use crate::page::mathematics::{self, Part, Symbols};
 
 /// The model's text as HTML, one heading level down, and without the example, which is in Rust, whereas this reader has
@@ -144,7 +144,7 @@ impl Setter {
             Event::End(TagEnd::CodeBlock) if was_equations => Vec::new(),
             // A dash stands for a missing symbol.
             Event::Text(text) if self.place.is_symbol() && &*text != "-" => vec![self.symbol(&text)],
-            Event::Text(text) if self.place.is_unit() => vec![Event::Text(text::typeset_unit(&text).into())],
+            Event::Text(text) if self.place.is_unit() => vec![Event::Text(typeset_unit(&text).into())],
             Event::Text(text) if self.place.is_prose() => self.prose(&text),
             other => vec![other],
         }

@@ -5,6 +5,8 @@
 //! equation. A line that begins with a relation or a sign continues the one before, as does an indented one without a
 //! relation.
 
+use stribeck_draw::text::escape;
+
 use super::grammar::{self, Node};
 use super::mathml::{self, Fractions};
 use super::symbols::Symbols;
@@ -30,7 +32,7 @@ pub fn block(text: &str, symbols: &Symbols) -> Result<String, Vec<String>> {
     Ok(format!(
         "<div class=\"equations\">\n<div class=\"wide\"><table>\n{rows}</table></div>\n\
          <details><summary>As text</summary><pre>{}</pre></details>\n</div>\n",
-        mathml::escape(text.trim_end())
+        escape(text.trim_end())
     ))
 }
 
@@ -284,7 +286,7 @@ fn continuation(text: &str, symbols: &Symbols) -> Result<String, String> {
     let Some(Word::Operator(sign)) = tokens.first().map(|token| &token.word) else { return Ok(String::new()) };
     let rest = text.trim_start_matches(|c: char| c.is_ascii_punctuation() && !"(|[{_".contains(c));
     let space = if grammar::is_relation(sign) { "" } else { WIDE_SPACE };
-    let sign = mathml::escape(sign);
+    let sign = escape(sign);
     Ok(format!("{space}<mo form=\"infix\">{sign}</mo>{}", elements(&pieces(rest, symbols)?)))
 }
 
@@ -380,7 +382,7 @@ fn relation(word: &str) -> Option<&'static str> {
 fn elements(pieces: &[Piece]) -> String {
     let element = |piece: &Piece| match piece {
         Piece::Equation(node) => mathml::elements(node, Fractions::Tall),
-        Piece::Relation(sign) => format!("<mo form=\"infix\">{}</mo>", mathml::escape(sign)),
+        Piece::Relation(sign) => format!("<mo form=\"infix\">{}</mo>", escape(sign)),
         Piece::Words(words) if words == ":" => mathml::text(": "),
         Piece::Words(words) => mathml::text(&format!(" {words} ")),
     };

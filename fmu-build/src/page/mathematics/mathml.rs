@@ -1,5 +1,7 @@
 //! Equations as MathML Core, the part of MathML that present browsers support.
 
+use stribeck_draw::text::escape;
+
 use super::grammar::Node;
 use super::token::greek;
 
@@ -45,11 +47,6 @@ pub fn run(parts: &[Node], fractions: Fractions) -> String {
 /// Plain words inside an equation, with their spaces.
 pub fn text(words: &str) -> String {
     format!("<mtext>{}</mtext>", escape(words).replace(' ', "\u{a0}"))
-}
-
-/// Text as written in XML.
-pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 fn operator(sign: &str) -> String {

@@ -8,6 +8,5 @@ mod symbols;
 mod token;
 
 pub use block::block;
-pub use mathml::escape;
 pub use prose::{Part, prose, symbol};
 pub use symbols::Symbols;

@@ -3,6 +3,8 @@
 //! They are not marked, so they are distinguished from words by their parts, and typeset only if one of these cannot be
 //! a word: a symbol of the page, a subscript, a derivative, a relation.
 
+use stribeck_draw::text::escape;
+
 use super::block::is_number;
 use super::grammar;
 use super::mathml::{self, Fractions};
@@ -46,7 +48,7 @@ pub fn prose(text: &str, symbols: &Symbols) -> Vec<Part> {
             Some((begin, end, elements)) => {
                 let (outer_begin, outer_end) = with_punctuation(text, begin, end);
                 parts.push(Part::Text(text[kept..outer_begin].to_owned()));
-                let [before, after] = [&text[outer_begin..begin], &text[end..outer_end]].map(mathml::escape);
+                let [before, after] = [&text[outer_begin..begin], &text[end..outer_end]].map(escape);
                 let html = format!("<span class=\"math\">{before}{}{after}</span>", inline(&elements));
                 parts.push(Part::Equation(text[begin..end].to_owned(), html));
                 kept = outer_end;

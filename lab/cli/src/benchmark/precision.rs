@@ -2,8 +2,8 @@
 
 use super::Measurement;
 use stribeck_plot::palette::{MOST_LAWS, Theme};
-use stribeck_plot::picture::axis::{Axis, Quantity};
-use stribeck_plot::picture::drawing::{Drawing, Line};
+use stribeck_plot::picture::drawing::{Axis, Drawing, Line};
+use stribeck_plot::picture::quantity::Quantity;
 use stribeck_solve::run::Solver;
 
 /// Error that a diagram shows.
@@ -50,9 +50,10 @@ pub fn work_precision(
         Precision::Motion => (Quantity::Error, "m", "Error of the motion"),
         Precision::Switching => (Quantity::SwitchingError, "s", "Error of the switching"),
     };
-    let axes = [Axis::powers(Quantity::Evaluations, "1", range(0)), Axis::powers(quantity, unit, range(1))];
+    let quantities = [Quantity::Evaluations, quantity];
+    let axes = [Axis::powers("1", range(0)), Axis::powers(unit, range(1))];
     let title = format!("{law}: {what}, events {}", if events { "located" } else { "stepped over" });
-    Some(Drawing { title: &title, axes: &axes, lines: &lines, theme }.svg())
+    Some(Drawing { title: &title, quantities, axes: &axes, lines: &lines, theme }.svg())
 }
 
 /// The trials of a solver, from the loosest tolerance on.

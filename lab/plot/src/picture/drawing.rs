@@ -5,9 +5,13 @@
 
 use std::fmt::Write;
 
-use super::axis::{Axis, Quantity};
-use super::curve::{self, Point};
-use super::text::{FAMILY, escape, fitted, width};
+pub use stribeck_draw::axis::Axis;
+use stribeck_draw::curve::{self, Point};
+use stribeck_draw::frame::Frame;
+use stribeck_draw::text::escape;
+
+use super::quantity::Quantity;
+use super::text::{FAMILY, fitted, width};
 use crate::palette::{DASHES, Theme};
 
 /// Width of the drawing in its own units, and millimetres per unit: 150 mm is a column of a thesis.
@@ -49,19 +53,14 @@ pub struct Line {
 pub struct Drawing<'a> {
     /// Title above the diagram.
     pub title: &'a str,
+    /// What the axes show: to the right, upwards.
+    pub quantities: [Quantity; 2],
     /// Axis to the right, axis upwards.
     pub axes: &'a [Axis; 2],
     /// Lines, in the order of the legend.
     pub lines: &'a [Line],
     /// Colours.
     pub theme: Theme,
-}
-
-/// The frame of the curves.
-struct Frame {
-    left: f64,
-    right: f64,
-    bottom: f64,
 }
 
 /// Writing to a `String` cannot fail.
@@ -102,78 +101,68 @@ impl Drawing<'_> {
         let last = self.axes[0].ticks().last();
         let beyond = last.map_or(0.0, |(place, text)| 0.5 * width(&text, TICK_SIZE) - (1.0 - place) * WIDTH);
         let left = LEFT.max(widest + 38.0);
-        Frame { left, right: WIDTH - RIGHT.max(beyond + 6.0), bottom: ABOVE + FRAME }
+        Frame { left, right: WIDTH - RIGHT.max(beyond + 6.0), top: ABOVE, bottom: ABOVE + FRAME }
     }
 
     fn grid(&self, svg: &mut String, frame: &Frame) {
-        let Frame { left, right, bottom } = *frame;
         let colours = self.theme.colours();
+        let (grid, edges, zero) = (frame.grid(self.axes), frame.edges(), frame.zero_up(self.axes));
         push(
             svg,
-            format_args!("<path class=\"grid\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.7\" d=\"", colours.grid),
+            format_args!(
+                "<path class=\"grid\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.7\" d=\"{grid}\"/>\n\
+                 <path class=\"axis\" fill=\"none\" stroke=\"{}\" d=\"{edges}{zero}\" stroke-width=\"0.9\"/>\n",
+                colours.grid, colours.axis
+            ),
         );
-        for (place, _) in self.axes[0].ticks() {
-            push(svg, format_args!("M{:.2} {ABOVE}V{bottom}", frame.across(place)));
-        }
-        for (place, _) in self.axes[1].ticks() {
-            push(svg, format_args!("M{left:.2} {:.2}H{right:.2}", frame.up(place)));
-        }
-        push(svg, format_args!("\"/>\n<path class=\"axis\" fill=\"none\" stroke=\"{}\" d=\"", colours.axis));
-        push(svg, format_args!("M{left:.2} {ABOVE}V{bottom}H{right:.2}"));
-        // The line of zero where it is not the end of an axis.
-        let zero = self.axes[1].place(0.0);
-        if zero > 0.02 && zero < 0.98 && self.axes[1].from.is_empty() {
-            push(svg, format_args!("M{left:.2} {:.2}H{right:.2}", frame.up(zero)));
-        }
-        *svg += "\" stroke-width=\"0.9\"/>\n";
     }
 
     fn texts(&self, svg: &mut String, frame: &Frame) {
-        let Frame { left, right, bottom } = *frame;
+        let Frame { left, right, bottom, .. } = *frame;
         let title = escape(&fitted(self.title, TITLE_SIZE, WIDTH - left - MARGIN));
+        let [across, up] = [0, 1].map(|axis| name(self.quantities[axis], &self.axes[axis]));
         push(
             svg,
-            format_args!("<text class=\"title\" x=\"{left:.2}\" y=\"20\" font-size=\"{TITLE_SIZE}\">{title}</text>\n"),
+            format_args!(
+                "<text class=\"title\" x=\"{left:.2}\" y=\"20\" font-size=\"{TITLE_SIZE}\">{title}</text>\n\
+                 <g class=\"x\" font-size=\"{TICK_SIZE}\" text-anchor=\"middle\">\n{}</g>\n\
+                 <g class=\"y\" font-size=\"{TICK_SIZE}\" text-anchor=\"end\">\n{}</g>\n\
+                 <g class=\"names\" font-size=\"{NAME_SIZE}\" text-anchor=\"middle\">\n\
+                 <text x=\"{:.2}\" y=\"{}\">{across}</text>\n\
+                 <text transform=\"translate(18 {}) rotate(-90)\">{up}</text>\n</g>\n",
+                frame.numbers_across(self.axes, TICKS),
+                frame.numbers_up(self.axes, 7.0, 4.2),
+                0.5 * (left + right),
+                bottom + NAME,
+                bottom - 0.5 * FRAME
+            ),
         );
-        push(svg, format_args!("<g class=\"x\" font-size=\"{TICK_SIZE}\" text-anchor=\"middle\">\n"));
-        for (place, text) in self.axes[0].ticks() {
-            let (x, y) = (frame.across(place), bottom + TICKS);
-            push(svg, format_args!("<text x=\"{x:.2}\" y=\"{y}\">{text}</text>\n"));
-        }
-        push(svg, format_args!("</g>\n<g class=\"y\" font-size=\"{TICK_SIZE}\" text-anchor=\"end\">\n"));
-        for (place, text) in self.axes[1].ticks() {
-            let (x, y) = (left - 7.0, frame.up(place) + 4.2);
-            push(svg, format_args!("<text x=\"{x:.2}\" y=\"{y:.2}\">{text}</text>\n"));
-        }
-        push(svg, format_args!("</g>\n<g class=\"names\" font-size=\"{NAME_SIZE}\" text-anchor=\"middle\">\n"));
-        let [across, up] = self.axes.each_ref().map(name);
-        let (x, y) = (0.5 * (left + right), bottom + NAME);
-        push(svg, format_args!("<text x=\"{x:.2}\" y=\"{y}\">{across}</text>\n"));
-        let middle = bottom - 0.5 * FRAME;
-        push(svg, format_args!("<text transform=\"translate(18 {middle}) rotate(-90)\">{up}</text>\n</g>\n"));
     }
 
     fn curves(&self, svg: &mut String, frame: &Frame) {
         *svg += "<g class=\"curves\" fill=\"none\" stroke-width=\"1.8\" stroke-linejoin=\"round\">\n";
-        let place = |[x, y]: &Point| [frame.across(self.axes[0].place(*x)), frame.up(self.axes[1].place(*y))];
-        let is_over_time = self.axes[0].quantity == Quantity::Time;
+        let is_over_time = self.quantities[0] == Quantity::Time;
         for (number, line) in self.lines.iter().enumerate() {
-            let points = line.points.iter().map(place);
+            let points = line.points.iter().map(|point| frame.place(self.axes, *point));
             let data = if is_over_time { curve::over_time(points) } else { curve::going_round(points) };
             let look = line.look.unwrap_or(number);
             push(svg, format_args!("<path class=\"law law-{}\" {} d=\"{data}\"/>\n", look + 1, self.stroke(look)));
         }
         for (number, line) in self.lines.iter().enumerate().filter(|(_, line)| line.is_cut) {
-            let is_finite = |point: &&Point| point.iter().all(|value| value.is_finite());
-            if let Some([x, y]) = line.points.iter().rev().find(is_finite).map(place) {
-                let look = line.look.unwrap_or(number);
-                let colour = self.theme.colours().laws[look];
-                let start = format!("M{:.2} {:.2}", x - 4.5, y - 4.5);
-                push(svg, format_args!("<path class=\"stop law-{}\" stroke=\"{colour}\" d=\"{start}", look + 1));
-                *svg += "l9 9m0 -9l-9 9\"/>\n";
-            }
+            self.cross(svg, frame, line, line.look.unwrap_or(number));
         }
         *svg += "</g>\n";
+    }
+
+    /// A cross at the end of a curve.
+    fn cross(&self, svg: &mut String, frame: &Frame, line: &Line, look: usize) {
+        let is_finite = |point: &&Point| point.iter().all(|value| value.is_finite());
+        let Some(end) = line.points.iter().rev().find(is_finite) else { return };
+        let [x, y] = frame.place(self.axes, *end);
+        let colour = self.theme.colours().laws[look];
+        let start = format!("M{:.2} {:.2}", x - 4.5, y - 4.5);
+        push(svg, format_args!("<path class=\"stop law-{}\" stroke=\"{colour}\" d=\"{start}", look + 1));
+        *svg += "l9 9m0 -9l-9 9\"/>\n";
     }
 
     /// Colour and dashes of a law.
@@ -206,16 +195,6 @@ impl Drawing<'_> {
     }
 }
 
-impl Frame {
-    fn across(&self, place: f64) -> f64 {
-        self.left + place * (self.right - self.left)
-    }
-
-    fn up(&self, place: f64) -> f64 {
-        self.bottom - place * FRAME
-    }
-}
-
 /// Places of the entries of a legend below the frame.
 struct Legend {
     columns: usize,
@@ -240,15 +219,13 @@ impl Legend {
 }
 
 /// Name of an axis: quantity, letter in italics with its index, unit.
-fn name(axis: &Axis) -> String {
-    let (name, letter, index) = axis.quantity.names();
+fn name(quantity: Quantity, axis: &Axis) -> String {
+    let (name, letter, index) = quantity.names();
     let mut text = format!("{name} <tspan font-style=\"italic\">{letter}</tspan>");
     if !index.is_empty() {
         push(&mut text, format_args!("<tspan dy=\"3\" font-size=\"{}\">{index}</tspan>", 0.75 * NAME_SIZE));
     }
-    let from = if axis.from.is_empty() { String::new() } else { format!(" \u{2212} {}", axis.from) };
-    let unit = if axis.unit.is_empty() { String::new() } else { format!(" in {}", axis.unit) };
-    let rest = escape(&format!("{from}{unit}"));
+    let rest = escape(&axis.counted());
     match index {
         "" => text + &rest,
         // A space that begins an element is not drawn by all programs.

@@ -1,8 +1,7 @@
 //! Pictures of runs: the usual seven diagrams, with all laws in one, as SVG and PNG.
 
-pub mod axis;
-mod curve;
 pub mod drawing;
+pub mod quantity;
 mod text;
 mod zoom;
 
@@ -12,10 +11,12 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::Tree;
 
 pub use crate::palette::{MOST_LAWS, Theme};
-pub(crate) use text::{escape, typeset_unit};
+pub(crate) use stribeck_draw::text::{escape, typeset_unit};
 
-use axis::{Axis, Quantity};
 use drawing::{Drawing, Line};
+use quantity::Quantity;
+use stribeck_draw::axis::Axis;
+use stribeck_draw::text::digits;
 use stribeck_solve::run::Outcome;
 use stribeck_solve::solve::End;
 use stribeck_solve::system::{Fault, System};
@@ -147,7 +148,7 @@ pub fn curves(kind: Kind, title: &str, curves: Vec<Named>, theme: Theme) -> Opti
     let quantities = kind.quantities();
     let units = quantities.map(Quantity::unit);
     let axes = axes(quantities, units, &lines, &None);
-    let svg = Drawing { title, axes: &axes, lines: &lines, theme }.svg();
+    let svg = Drawing { title, quantities, axes: &axes, lines: &lines, theme }.svg();
     Some(Picture { kind, part: 1, parts: 1, title: title.to_owned(), svg })
 }
 
@@ -215,7 +216,7 @@ fn pictures(kind: Kind, system: &System, outcomes: &[(String, Outcome)], options
             let first = number * size;
             title += &format!(" (laws {} to {} of {})", first + 1, first + lines.len(), outcomes.len());
         }
-        let svg = Drawing { title: &title, axes: &axes, lines, theme: options.theme }.svg();
+        let svg = Drawing { title: &title, quantities, axes: &axes, lines, theme: options.theme }.svg();
         Picture { kind, part: number + 1, parts, title, svg }
     };
     lines.chunks(size).enumerate().map(picture).collect()
@@ -237,7 +238,7 @@ fn line(system: &System, quantities: [Quantity; 2], name: &str, outcome: &Outcom
     let (name, end) = match outcome.end {
         End::Reached => (name.to_owned(), None),
         End::Failed { time, .. } | End::Cancelled { time } => {
-            (format!("{name} (stopped at {} s)", text::digits(time, 4)), Some(time))
+            (format!("{name} (stopped at {} s)", digits(time, 4)), Some(time))
         }
     };
     match zoom {
@@ -270,7 +271,7 @@ fn axes(quantities: [Quantity; 2], units: [&str; 2], lines: &[Line], zoom: &Opti
     };
     let across = zoom.as_ref().map_or_else(|| range(0), |zoom| [zoom.from, zoom.to]);
     let is_time = quantities[0] == Quantity::Time;
-    [Axis::new(quantities[0], units[0], across, 8.0, is_time), Axis::new(quantities[1], units[1], range(1), 6.0, false)]
+    [Axis::new(units[0], across, 8.0, is_time), Axis::new(units[1], range(1), 6.0, false)]
 }
 
 #[cfg(test)]

@@ -1,9 +1,8 @@
 //! The time range of a zoom.
 
+use stribeck_draw::axis::tick_step;
+use stribeck_draw::text::digits;
 use stribeck_solve::run::Outcome;
-
-use super::axis::tick_step;
-use super::text::digits;
 
 /// Part of the longest run that a zoom shows before and after what it is about (chosen).
 const HALF: f64 = 0.015;

@@ -46,63 +46,23 @@ fn data(pieces: &[Vec<Point>]) -> String {
     data
 }
 
-/// Passage of a curve through a column: points with their numbers.
-struct Passage {
-    column: i64,
-    first: (usize, Point),
-    low: (usize, Point),
-    high: (usize, Point),
-    last: (usize, Point),
-}
-
-impl Passage {
-    fn begin(column: i64, number: usize, point: Point) -> Passage {
-        let at = (number, point);
-        Passage { column, first: at, low: at, high: at, last: at }
-    }
-
-    fn add(&mut self, number: usize, point: Point) {
-        self.last = (number, point);
-        if point[1] < self.low.1[1] {
-            self.low = self.last;
-        }
-        if point[1] > self.high.1[1] {
-            self.high = self.last;
-        }
-    }
-
-    /// The kept points in their order.
-    fn points(&self) -> impl Iterator<Item = Point> {
-        let middle = if self.low.0 < self.high.0 { [self.low, self.high] } else { [self.high, self.low] };
-        let all = [self.first, middle[0], middle[1], self.last];
-        (0..4).filter(move |at| *at == 0 || all[*at].0 != all[at - 1].0).map(move |at| all[at].1)
-    }
-}
-
 /// The pieces of a curve, with at most four points for each passage through a column.
 fn envelope(points: impl Iterator<Item = Point>) -> Vec<Vec<Point>> {
-    let mut pieces = Vec::new();
-    let mut piece: Vec<Point> = Vec::new();
-    let mut passage: Option<Passage> = None;
-    for (number, point) in points.enumerate() {
-        if !(point[0].is_finite() && point[1].is_finite()) {
-            piece.extend(passage.take().iter().flat_map(Passage::points));
-            pieces.push(std::mem::take(&mut piece));
-            continue;
-        }
-        let column = (point[0] / COLUMN).floor() as i64;
-        match &mut passage {
-            Some(passage) if passage.column == column => passage.add(number, point),
-            other => {
-                piece.extend(other.iter().flat_map(|passage| passage.points()));
-                *other = Some(Passage::begin(column, number, point));
-            }
-        }
-    }
-    piece.extend(passage.iter().flat_map(Passage::points));
-    pieces.push(piece);
-    pieces.retain(|piece| !piece.is_empty());
-    pieces
+    let points: Vec<Point> = points.collect();
+    let pieces = points.split(|[x, y]| !(x.is_finite() && y.is_finite())).filter(|piece| !piece.is_empty());
+    let column = |point: &Point| (point[0] / COLUMN).floor() as i64;
+    pieces.map(|piece| piece.chunk_by(|a, b| column(a) == column(b)).flat_map(extremes).collect()).collect()
+}
+
+/// The first, lowest, highest and last point of a passage, in their order.
+fn extremes(passage: &[Point]) -> Vec<Point> {
+    let up = |a: &usize, b: &usize| passage[*a][1].total_cmp(&passage[*b][1]);
+    let numbers = || 0..passage.len();
+    let (low, high) = (numbers().min_by(up), numbers().min_by(|a, b| up(b, a)));
+    let mut kept: Vec<usize> = [numbers().next(), low, high, numbers().last()].into_iter().flatten().collect();
+    kept.sort_unstable();
+    kept.dedup();
+    kept.into_iter().map(|number| passage[number]).collect()
 }
 
 /// Leaves out lines along which the curve has been before.
@@ -252,5 +212,14 @@ mod tests {
             going_round((0..=200_000).map(|number| cycle(number, if number > 198_000 { 110.0 } else { 100.0 })));
         let right = read(&grown).iter().map(|point| point[0]).fold(0.0, f64::max);
         assert!((right - 310.0).abs() < 0.03, "{right}");
+    }
+
+    #[test]
+    fn thinning_keeps_ends_and_corners() {
+        let points = [[0.0, 0.0], [1.0, 0.01], [2.0, 0.0], [3.0, 5.0], [4.0, 5.0]];
+        assert_eq!(thinned(&points), [[0.0, 0.0], [2.0, 0.0], [3.0, 5.0], [4.0, 5.0]]);
+        assert_eq!(thinned(&[]), Vec::<Point>::new());
+        // A curve that returns to where it began.
+        assert_eq!(thinned(&[[0.0, 0.0], [9.0, 0.0], [0.0, 0.0]]).len(), 3);
     }
 }

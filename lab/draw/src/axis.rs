@@ -2,59 +2,7 @@
 
 use stribeck::unit::UNITS;
 
-use super::text::{decimal, digits, typeset_unit};
-
-/// Quantity on an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// Time.
-    Time,
-    /// Position of a body.
-    Position,
-    /// Displacement between two bodies.
-    Displacement,
-    /// Velocity between two bodies.
-    Velocity,
-    /// Acceleration of a body.
-    Acceleration,
-    /// Friction force.
-    Force,
-    /// Evaluations of the equations.
-    Evaluations,
-    /// Error of a motion.
-    Error,
-    /// Error of the times of switching.
-    SwitchingError,
-}
-
-impl Quantity {
-    /// SI unit.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Quantity::Time | Quantity::SwitchingError => "s",
-            Quantity::Position | Quantity::Displacement | Quantity::Error => "m",
-            Quantity::Velocity => "m/s",
-            Quantity::Acceleration => "m/s2",
-            Quantity::Force => "N",
-            Quantity::Evaluations => "1",
-        }
-    }
-
-    /// Name, letter and index.
-    pub fn names(self) -> (&'static str, &'static str, &'static str) {
-        match self {
-            Quantity::Time => ("Time", "t", ""),
-            Quantity::Position => ("Position", "x", ""),
-            Quantity::Displacement => ("Displacement", "x", ""),
-            Quantity::Velocity => ("Relative velocity", "v", ""),
-            Quantity::Acceleration => ("Acceleration", "a", ""),
-            Quantity::Force => ("Friction force", "f", "f"),
-            Quantity::Evaluations => ("Evaluations of the rates", "n", ""),
-            Quantity::Error => ("Largest error of the position", "e", "x"),
-            Quantity::SwitchingError => ("Largest error of a time of switching", "e", "t"),
-        }
-    }
-}
+use crate::text::{decimal, digits, typeset_unit};
 
 /// Values that differ by less than this part of their size are drawn as a constant: the rest is rounding.
 const CONSTANT: f64 = 1e-9;
@@ -65,16 +13,13 @@ const ROOM: f64 = 0.04;
 
 /// An axis: value shown = (value - offset) factor, or its logarithm.
 pub struct Axis {
-    /// Quantity on the axis.
-    pub quantity: Quantity,
     /// Unit of the values shown, as printed.
-    pub unit: String,
+    unit: String,
     /// The offset with its unit, as printed; empty if there is none.
-    pub from: String,
-    /// Value at the lower end.
-    pub low: f64,
-    /// Value at the upper end.
-    pub high: f64,
+    from: String,
+    /// Values shown at the ends.
+    low: f64,
+    high: f64,
     factor: f64,
     offset: f64,
     step: f64,
@@ -83,44 +28,45 @@ pub struct Axis {
 
 impl Axis {
     /// An axis for values from `low` to `high` with about `count` ticks; `tight` if it ends where they do.
-    pub fn new(quantity: Quantity, unit: &str, [low, high]: [f64; 2], count: f64, tight: bool) -> Axis {
+    pub fn new(unit: &str, [low, high]: [f64; 2], count: f64, tight: bool) -> Axis {
         let size = low.abs().max(high.abs());
         let is_constant = high - low <= CONSTANT * size;
-        let (mut from, mut offset) = (String::new(), 0.0);
-        if !is_constant && high - low < CLOSE * size {
-            let step = tick_step(high - low);
-            offset = (low / step).round() * step;
-            from = format!("{} {}", decimal(offset, decimals(step)), typeset_unit(unit));
-        }
-        let [mut low, mut high] = [low - offset, high - offset];
-        if is_constant {
-            let room = if size > 0.0 { 0.5 * size } else { 1.0 };
-            [low, high] = [low - room, high + room];
-        } else if !tight {
-            let room = ROOM * (high - low);
-            [low, high] = [low - room, high + room];
-        }
-        let largest = if is_constant { size } else { low.abs().max(high.abs()) };
-        let (unit, factor) = handy(unit, largest);
+        let (offset, from) = if is_constant { (0.0, String::new()) } else { origin(unit, [low, high]) };
+        let [low, high] = [low - offset, high - offset];
+        let room = if is_constant { constant_room(size) } else { ROOM * (high - low) };
+        let [low, high] = if tight && !is_constant { [low, high] } else { [low - room, high + room] };
+        let (unit, factor) = handy(unit, if is_constant { size } else { low.abs().max(high.abs()) });
         let [low, high] = [low * factor, high * factor];
-        let step = tick_step((high - low) / count);
-        Axis { quantity, unit, from, low, high, factor, offset, step, is_logarithmic: false }
+        Axis { unit, from, low, high, factor, offset, step: tick_step((high - low) / count), is_logarithmic: false }
     }
 
     /// A logarithmic axis for positive values from `low` to `high`, between powers of ten.
-    pub fn powers(quantity: Quantity, unit: &str, [low, high]: [f64; 2]) -> Axis {
+    pub fn powers(unit: &str, [low, high]: [f64; 2]) -> Axis {
         let low = low.log10().floor();
         let high = high.log10().ceil().max(low + 1.0);
         // A tick for each power, or for every second or fifth one.
         let step = tick_step((high - low) / 8.0).max(1.0);
         let unit = if unit == "1" { String::new() } else { typeset_unit(unit) };
-        Axis { quantity, unit, from: String::new(), low, high, factor: 1.0, offset: 0.0, step, is_logarithmic: true }
+        Axis { unit, from: String::new(), low, high, factor: 1.0, offset: 0.0, step, is_logarithmic: true }
     }
 
     /// Place of a value, as a part of the axis.
     pub fn place(&self, value: f64) -> f64 {
         let shown = if self.is_logarithmic { value.log10() } else { (value - self.offset) * self.factor };
         (shown - self.low) / (self.high - self.low)
+    }
+
+    /// Place of zero, if it is inside and the values are not counted from elsewhere.
+    pub fn zero(&self) -> Option<f64> {
+        let place = self.place(0.0);
+        (place > 0.02 && place < 0.98 && self.from.is_empty()).then_some(place)
+    }
+
+    /// The offset and the unit as they stand behind the name of the quantity: " in mm".
+    pub fn counted(&self) -> String {
+        let from = if self.from.is_empty() { String::new() } else { format!(" \u{2212} {}", self.from) };
+        let unit = if self.unit.is_empty() { String::new() } else { format!(" in {}", self.unit) };
+        from + &unit
     }
 
     /// Places of the ticks with their texts.
@@ -135,6 +81,21 @@ impl Axis {
             (place, if is_power { format!("10{}", raised(value)) } else { decimal(value, decimals(self.step)) })
         })
     }
+}
+
+/// The value from which others are counted, and its text: a round one if the range is narrow, else zero.
+fn origin(unit: &str, [low, high]: [f64; 2]) -> (f64, String) {
+    if high - low >= CLOSE * low.abs().max(high.abs()) {
+        return (0.0, String::new());
+    }
+    let step = tick_step(high - low);
+    let offset = (low / step).round() * step;
+    (offset, format!("{} {}", decimal(offset, decimals(step)), typeset_unit(unit)))
+}
+
+/// Room on both sides of a constant.
+fn constant_room(size: f64) -> f64 {
+    if size > 0.0 { 0.5 * size } else { 1.0 }
 }
 
 /// 1, 2 or 5 times a power of ten, at least `least`.
@@ -179,8 +140,8 @@ fn raised(power: f64) -> String {
 mod tests {
     use super::*;
 
-    fn unit(quantity: Quantity, unit: &str, largest: f64) -> String {
-        Axis::new(quantity, unit, [0.0, largest], 6.0, true).unit
+    fn unit(unit: &str, largest: f64) -> String {
+        Axis::new(unit, [0.0, largest], 6.0, true).unit
     }
 
     #[test]
@@ -197,17 +158,17 @@ mod tests {
             ("N.m", 3e7, "10⁶ N·m"),
             ("1", 0.5, ""),
         ] {
-            assert_eq!(unit(Quantity::Position, name, largest), expected, "{largest} {name}");
+            assert_eq!(unit(name, largest), expected, "{largest} {name}");
         }
     }
 
     #[test]
     fn logarithmic_axes_go_from_power_to_power() {
-        let axis = Axis::powers(Quantity::Error, "m", [3e-9, 2e-4]);
+        let axis = Axis::powers("m", [3e-9, 2e-4]);
         let ticks: Vec<(f64, String)> = axis.ticks().collect();
         assert_eq!((ticks.len(), ticks[0].1.as_str(), ticks[6].1.as_str()), (7, "10⁻⁹", "10⁻³"));
         assert_eq!((axis.place(1e-9), axis.place(1e-6), axis.place(1e-3)), (0.0, 0.5, 1.0));
-        assert_eq!(Axis::powers(Quantity::Evaluations, "1", [10.0, 10.0]).ticks().count(), 2);
+        assert_eq!(Axis::powers("1", [10.0, 10.0]).ticks().count(), 2);
     }
 
     #[test]
@@ -216,7 +177,7 @@ mod tests {
             [[0.0, 40.0], [-1.4715, 1.4715], [-3e-7, 1e-8], [7.3, 7.9], [2e4, 9e4], [5.0, 5.0], [0.0, 0.0]]
         {
             for tight in [false, true] {
-                let axis = Axis::new(Quantity::Force, "N", [low, high], 6.0, tight);
+                let axis = Axis::new("N", [low, high], 6.0, tight);
                 let ticks: Vec<(f64, String)> = axis.ticks().collect();
                 assert!((3..=9).contains(&ticks.len()), "{low} {high}: {ticks:?}");
                 for (place, text) in &ticks {
@@ -233,7 +194,7 @@ mod tests {
     /// The ticks of a range of a microsecond, seven seconds after the start, count from a round time.
     #[test]
     fn narrow_ranges_are_counted_from_a_round_value() {
-        let axis = Axis::new(Quantity::Time, "s", [7.357_500_2, 7.357_501_4], 8.0, true);
+        let axis = Axis::new("s", [7.357_500_2, 7.357_501_4], 8.0, true);
         assert_eq!((axis.from.as_str(), axis.unit.as_str()), ("7.357500 s", "10⁻⁶ s"));
         assert!(axis.ticks().all(|(_, text)| text.len() <= 3), "{:?}", axis.ticks().collect::<Vec<_>>());
         assert!((axis.place(7.357_500_2)).abs() < 1e-6 && (axis.place(7.357_501_4) - 1.0).abs() < 1e-6);

@@ -1,0 +1,53 @@
+//! Quantities that pictures show.
+
+/// Quantity on an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Time.
+    Time,
+    /// Position of a body.
+    Position,
+    /// Displacement between two bodies.
+    Displacement,
+    /// Velocity between two bodies.
+    Velocity,
+    /// Acceleration of a body.
+    Acceleration,
+    /// Friction force.
+    Force,
+    /// Evaluations of the equations.
+    Evaluations,
+    /// Error of a motion.
+    Error,
+    /// Error of the times of switching.
+    SwitchingError,
+}
+
+impl Quantity {
+    /// SI unit.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Quantity::Time | Quantity::SwitchingError => "s",
+            Quantity::Position | Quantity::Displacement | Quantity::Error => "m",
+            Quantity::Velocity => "m/s",
+            Quantity::Acceleration => "m/s2",
+            Quantity::Force => "N",
+            Quantity::Evaluations => "1",
+        }
+    }
+
+    /// Name, letter and index.
+    pub fn names(self) -> (&'static str, &'static str, &'static str) {
+        match self {
+            Quantity::Time => ("Time", "t", ""),
+            Quantity::Position => ("Position", "x", ""),
+            Quantity::Displacement => ("Displacement", "x", ""),
+            Quantity::Velocity => ("Relative velocity", "v", ""),
+            Quantity::Acceleration => ("Acceleration", "a", ""),
+            Quantity::Force => ("Friction force", "f", "f"),
+            Quantity::Evaluations => ("Evaluations of the rates", "n", ""),
+            Quantity::Error => ("Largest error of the position", "e", "x"),
+            Quantity::SwitchingError => ("Largest error of a time of switching", "e", "t"),
+        }
+    }
+}
