@@ -5,13 +5,10 @@ use stribeck::catalogue::Family;
 use stribeck::model::{ModelType, Preset, Variable};
 
 use crate::describe::text;
-use crate::page::curve::{self, Curve, Law, Steady};
+use crate::page::curve::{self, Curve, Law};
 use crate::page::figure::{self, Figure, Line, Quantity, Style};
 use crate::page::motion::{self, Motion};
 use crate::page::sweep::{self, Sweep};
-
-/// Two branches of a curve are one if they are closer than this, relative to the range of the force.
-const SAME: f64 = 0.02;
 
 /// The diagrams of a model as HTML.
 pub fn html(model: &'static ModelType, family: Family) -> Result<String> {
@@ -24,16 +21,10 @@ pub fn html(model: &'static ModelType, family: Family) -> Result<String> {
     Ok(row(&figures))
 }
 
-/// The friction curve with the values of a preset, as HTML.
+/// The diagrams of a friction law with the values of a preset, as HTML.
 pub fn preset(model: &'static ModelType, preset: &'static Preset) -> Result<String> {
-    let law = Law::new(model, Some(preset))?;
     let context = || format!("cannot draw {} with the preset {}", model.name, preset.name);
-    let figures = over_velocity(&law).and_then(|(figure, range)| {
-        let mut figures = vec![figure];
-        figures.extend(over_displacement(&law, range)?);
-        Ok(figures)
-    });
-    Ok(row(&figures.with_context(context)?))
+    Ok(row(&of_law(&Law::new(model, Some(preset))?).with_context(context)?))
 }
 
 fn row(figures: &[Figure]) -> String {
@@ -59,7 +50,7 @@ fn quantity(variable: &Variable) -> Quantity {
 fn over_velocity(law: &Law) -> Result<(Figure, f64)> {
     let range = law.velocity_range()?;
     let steady = law.steady(range, 0.0)?;
-    let mut caption = format!("Friction force at held velocities{}", conditions(law));
+    let mut caption = format!("Friction force at held velocities{}", conditions(law)?);
     let mut lines = Vec::new();
     if let Some((curve, period)) = oscillation(law, range, &steady)? {
         caption += &format!(", and for a velocity that oscillates with a period of {}", duration(period));
@@ -68,7 +59,7 @@ fn over_velocity(law: &Law) -> Result<(Figure, f64)> {
     if law.has_external_force() {
         external(law, range, &steady, &mut lines)?;
     } else {
-        branches(steady, &mut lines);
+        lines.push(line("held velocity", Style::First, steady));
     }
     let quantities = [law.velocity, law.force].map(|column| quantity(&law.model.table.at(column)));
     Ok((Figure { caption: caption + ".", quantities, lines }, range))
@@ -79,9 +70,9 @@ fn line(name: &str, style: Style, points: Curve) -> Line {
 }
 
 /// The other input of all laws, which does not change.
-fn conditions(law: &Law) -> String {
-    let Some((column, value)) = law.held("normal_force") else { return String::new() };
-    format!(", normal force {} {}", text::number(value), text::unit(&law.model.table.at(column)))
+fn conditions(law: &Law) -> Result<String> {
+    let Some((column, value)) = law.normal_force()? else { return Ok(String::new()) };
+    Ok(format!(", normal force {} {}", text::number(value), text::unit(&law.model.table.at(column))))
 }
 
 fn duration(seconds: f64) -> String {
@@ -90,24 +81,11 @@ fn duration(seconds: f64) -> String {
     if seconds < 1.0 { format!("{} ms", text::number(milliseconds)) } else { format!("{} s", text::number(seconds)) }
 }
 
-/// One curve, or two if the force depends on whether the speed grows.
-fn branches(steady: Steady, lines: &mut Vec<Line>) {
-    let [low, high] = curve::limits([&steady.growing, &steady.fading], 1);
-    let same = f64::max(SAME, 6.0 * steady.noise / (high - low));
-    if curve::distance(&steady.growing, &steady.fading) < same {
-        lines.push(line("held velocity", Style::First, steady.growing));
-    } else {
-        lines.push(line("held velocity, after lower speed", Style::First, steady.growing));
-        lines.push(line("held velocity, after higher speed", Style::Third, steady.fading));
-    }
-}
-
 /// The region of the friction forces that an external force can cause, where it determines them; elsewhere the curve.
-fn external(law: &Law, range: f64, steady: &Steady, lines: &mut Vec<Line>) -> Result<()> {
-    let [low, high] = curve::limits([&steady.growing], 1);
+fn external(law: &Law, range: f64, steady: &Curve, lines: &mut Vec<Line>) -> Result<()> {
+    let [low, high] = curve::limits([steady], 1);
     let large = 1e3 * low.abs().max(high.abs()).max(1e-3);
-    let [lower, upper] = [-large, large].map(|force| law.steady(range, force).map(|steady| steady.growing));
-    let (lower, upper) = (lower?, upper?);
+    let (lower, upper) = (law.steady(range, -large)?, law.steady(range, large)?);
     let is_free = |at: &usize| (upper[*at][1] - lower[*at][1]).abs() > 1e-3 * (high - low);
     let Some(first) = (0..upper.len()).find(is_free) else {
         lines.push(line("held velocity", Style::First, upper));
@@ -122,15 +100,10 @@ fn external(law: &Law, range: f64, steady: &Steady, lines: &mut Vec<Line>) -> Re
 }
 
 /// The curve of an oscillating velocity and its period, for a law that has a memory.
-fn oscillation(law: &Law, range: f64, steady: &Steady) -> Result<Option<(Curve, f64)>> {
-    let response = law.response_time(range)?;
-    let period = match response {
-        0.0 if law.has_acceleration() => 1.0,
-        0.0 => return Ok(None),
-        response => curve::round_up(15.0 * response),
-    };
+fn oscillation(law: &Law, range: f64, steady: &Curve) -> Result<Option<(Curve, f64)>> {
+    let Some(period) = law.period(range)? else { return Ok(None) };
     let oscillation = law.oscillation(range, period)?;
-    let [held, moving] = [&steady.growing, &oscillation].map(|curve| curve::limits([curve], 1));
+    let [held, moving] = [steady, &oscillation].map(|curve| curve::limits([curve], 1));
     // False for a response too violent to be drawn in the same figure.
     let is_fit = moving[1] - moving[0] < 4.0 * (held[1] - held[0]);
     Ok(is_fit.then_some((oscillation, period)))

@@ -30,8 +30,6 @@ pub enum Style {
     First,
     /// A second one.
     Second,
-    /// A third one.
-    Third,
     /// A filled region.
     Region,
 }
@@ -63,30 +61,35 @@ pub fn html(figure: &Figure) -> String {
 }
 
 fn svg(figure: &Figure) -> String {
-    let Figure { caption, quantities: [right, up], lines } = figure;
+    let Figure { caption, quantities, lines } = figure;
     let range = |axis: usize| limits(lines.iter().map(|line| &line.points), axis);
-    let axes = [Axis::new(right.unit, range(0), 8.0, true), Axis::new(up.unit, range(1), 8.0, false)];
-    let label = |quantity: &Quantity, axis: &Axis| escape(&format!("{}{}", quantity.name, axis.counted()));
+    let axes =
+        [Axis::new(quantities[0].unit, range(0), 8.0, true), Axis::new(quantities[1].unit, range(1), 8.0, false)];
     // Regions below the curves.
     let (regions, curves): (Vec<_>, Vec<_>) = lines.iter().partition(|line| line.style == Style::Region);
     let paths: String = regions.into_iter().chain(curves).map(|line| path(line, &axes)).collect();
     format!(
         "<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\" role=\"img\" \
-         aria-label=\"{}\">\n<path d=\"{}\"/>\n<path class=\"axis\" d=\"{}{}{}\"/>\n\
-         <g class=\"x\">\n{}</g>\n<g class=\"y\">\n{}</g>\n\
-         <text class=\"x\" x=\"{:.2}\" y=\"{}\">{}</text>\n<text x=\"8\" y=\"16\">{}</text>\n{paths}</svg>\n",
+         aria-label=\"{}\">\n{}{}{paths}</svg>\n",
         escape(caption),
-        FRAME.grid(&axes),
-        FRAME.edges(),
-        FRAME.zero_across(&axes),
-        FRAME.zero_up(&axes),
-        FRAME.numbers_across(&axes, 18.0),
-        FRAME.numbers_up(&axes, 8.0, 4.0),
-        0.5 * (FRAME.left + FRAME.right),
-        HEIGHT - 8.0,
-        label(right, &axes[0]),
-        label(up, &axes[1]),
+        grid(&axes),
+        names(quantities, &axes)
     )
+}
+
+fn grid(axes: &[Axis; 2]) -> String {
+    let (grid, edges, zero) = (FRAME.grid(axes), FRAME.edges(), FRAME.zero_across(axes) + &FRAME.zero_up(axes));
+    let (across, up) = (FRAME.numbers_across(axes, 18.0), FRAME.numbers_up(axes, 8.0, 4.0));
+    format!(
+        "<path d=\"{grid}\"/>\n<path class=\"axis\" d=\"{edges}{zero}\"/>\n\
+         <g class=\"x\">\n{across}</g>\n<g class=\"y\">\n{up}</g>\n"
+    )
+}
+
+fn names(quantities: &[Quantity; 2], axes: &[Axis; 2]) -> String {
+    let [right, up] = [0, 1].map(|axis| escape(&format!("{}{}", quantities[axis].name, axes[axis].counted())));
+    let (x, y) = (0.5 * (FRAME.left + FRAME.right), HEIGHT - 8.0);
+    format!("<text class=\"x\" x=\"{x:.2}\" y=\"{y}\">{right}</text>\n<text x=\"8\" y=\"16\">{up}</text>\n")
 }
 
 fn path(line: &Line, axes: &[Axis; 2]) -> String {
@@ -99,7 +102,6 @@ fn class_name(style: Style) -> &'static str {
     match style {
         Style::First => "first",
         Style::Second => "second",
-        Style::Third => "third",
         Style::Region => "region",
     }
 }

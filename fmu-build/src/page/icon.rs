@@ -36,8 +36,7 @@ pub fn png(model: &'static ModelType, family: Family) -> Result<Vec<u8>> {
 fn force_over_velocity(model: &'static ModelType) -> Result<Curve> {
     let law = Law::new(model, None)?;
     let range = law.velocity_range()?;
-    let response = law.response_time(range)?;
-    law.oscillation(range, if response > 0.0 { 15.0 * response } else { 1.0 })
+    law.oscillation(range, law.period(range)?.unwrap_or(1.0))
 }
 
 fn draw(curve: &Curve) -> Result<Vec<u8>> {
