@@ -16,8 +16,8 @@ crate::model! {
     /// f_C = mu_k f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first one reached from v in the direction of the acceleration (implicit Euler):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end, and of several solutions
+    /// the first one reached from $v$ in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -30,7 +30,7 @@ crate::model! {
     /// | f_e    | `external_force`      | N    | all other tangential forces on body 1           |
     /// | mu_k   | `mu_k`                | 1    | kinetic coefficient of friction                 |
     /// | v_0    | `transition_velocity` | m/s  | velocity at which the ramp begins               |
-    /// | v_1    | `sliding_velocity`    | m/s  | velocity at which f_C is reached                |
+    /// | v_1    | `sliding_velocity`    | m/s  | velocity at which $f_C$ is reached              |
     /// | m      | `mass`                | kg   | effective mass of the host, 0 = the printed law |
     /// | h      | `step_size`           | s    | last communication step                         |
     /// | f_f    | `friction_force`      | N    | friction force                                  |
@@ -41,23 +41,23 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(v_0) =
-    /// f_C / (v_1 - v_0) in place of f'(0) (1090 N.s/m for the defaults: 1.8 ms for 1 kg); above, a held body chatters.
-    /// With `mass` there is no largest step. `sticking` means |v| < v_1.
+    /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
+    /// $f'(v_0) = f_C / (v_1 - v_0)$ in place of $f'(0)$ (1090 N.s/m for the defaults: 1.8 ms for 1 kg); above, a held
+    /// body chatters. With `mass` there is no largest step. `sticking` means $|v| < v_1$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `sliding_velocity` <= `transition_velocity`.
     ///
     /// # Limits
-    /// No stiction: friction never exceeds f_C. No resistance at all for |v| < v_0; a loaded body creeps with v_0 < |v|
-    /// < v_1. v_0 = 0 is the linear form of Rooney-Deravi friction with its v_0 := v_1. `normal_force` = 0 gives force
-    /// 0.
+    /// No stiction: friction never exceeds $f_C$. No resistance at all for $|v| < v_0$; a loaded body creeps with
+    /// $v_0 < |v| < v_1$. $v_0 = 0$ is the linear form of Rooney-Deravi friction with its $v_0 := v_1$. `normal_force`
+    /// = 0 gives force 0.
     ///
     /// # Source
     /// Ambrosio (2003), in Virtual Nonlinear Multibody Systems, 57-81; equation (6.6) of F. Novais, "A critical
     /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), defaults of
-    /// Table 6.2. Differs from the thesis: (6.6) shows v - v_0 in the ramp, which must be |v| - v_0 for v < 0.
+    /// Table 6.2. Differs from the thesis: (6.6) shows $v - v_0$ in the ramp, which must be $|v| - v_0$ for $v < 0$.
     ///
     /// # Example
     /// ```

@@ -14,8 +14,8 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first one reached from v in the direction of the acceleration (implicit Euler):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end, and of several solutions
+    /// the first one reached from $v$ in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -30,7 +30,7 @@ crate::model! {
     /// | mu_s   | `mu_s`                | 1     | static coefficient of friction                  |
     /// | v_S    | `stribeck_velocity`   | m/s   | Stribeck velocity                               |
     /// | p      | `stribeck_exponent`   | 1     | shape of the Stribeck curve                     |
-    /// | k_t    | `transition_slope`    | s/m   | slope at rest over f_s                          |
+    /// | k_t    | `transition_slope`    | s/m   | slope at rest over $f_s$                        |
     /// | f_v    | `viscous_coefficient` | N.s/m | viscous coefficient                             |
     /// | m      | `mass`                | kg    | effective mass of the host, 0 = the printed law |
     /// | h      | `step_size`           | s     | last communication step                         |
@@ -42,9 +42,10 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_s
-    /// k_t + f_v (14715 N.s/m for the defaults: 0.14 ms for 1 kg, the shortest of all static laws); above, a held body
-    /// chatters. With `mass` there is no largest step. `sticking` means |v| < 3 / k_t (chosen: 99.5 % of the rise).
+    /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
+    /// $f'(0) = f_s k_t + f_v$ (14715 N.s/m for the defaults: 0.14 ms for 1 kg, the shortest of all static laws);
+    /// above, a held body chatters. With `mass` there is no largest step. `sticking` means $|v| < 3 / k_t$ (chosen:
+    /// 99.5 % of the rise).
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -52,14 +53,15 @@ crate::model! {
     ///
     /// # Limits
     /// Cannot hold a load: a stuck body creeps at the speed where the force equals the load. The peak is always below
-    /// f_s (0.9678 f_s at 0.272 mm/s for the defaults, 0.9991 f_s for k_t = 1e5 s/m) and needs k_t v_S well above 1,
-    /// say 10: for k_t v_S = 1 there is none, and friction never exceeds f_C. `mu_s` = `mu_k` is f_C tanh(k_t v). No
-    /// pre-sliding displacement. `normal_force` = 0 gives force 0, also of the viscous part.
+    /// $f_s$ ($0.9678 f_s$ at 0.272 mm/s for the defaults, $0.9991 f_s$ for $k_t = 1e5$ s/m) and needs $k_t v_S$ well
+    /// above 1, say 10: for $k_t v_S = 1$ there is none, and friction never exceeds $f_C$. `mu_s` = `mu_k` is
+    /// $f_C tanh(k_t v)$. No pre-sliding displacement. `normal_force` = 0 gives force 0, also of the viscous part.
     ///
     /// # Source
     /// Andersson, Soderberg, Bjorklund (2007), doi:10.1016/j.triboint.2005.11.014, and Nikravesh, Planar Multibody
     /// Dynamics, whose programs have the same function. No equation of the thesis was available. Defaults as in those
-    /// programs. Some public implementations have mu_k - mu_s in the bracket, which turns the stiction peak into a dip.
+    /// programs. Some public implementations have $mu_k - mu_s$ in the bracket, which turns the stiction peak into a
+    /// dip.
     ///
     /// # Example
     /// ```

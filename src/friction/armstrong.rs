@@ -26,7 +26,7 @@ crate::model! {
     /// stuck -> slipping    sigma_0 |z| reaches f_C + F_S(gamma, t_d) in the direction of v; F_S is kept as mu_a f_n
     /// slipping -> stuck    v reaches or passes 0; mu_a := mu_a / (1 + (w / v_S)^2), t_d := 0, sigma_0 z := f_f
     /// w                    the velocity of slip: it is 0 while the contact is stuck
-    /// start                stuck, z = 0, t_d = 0, mu_a = 0
+    /// start:               stuck, z = 0, t_d = 0, mu_a = 0
     /// ```
     ///
     /// | symbol  | variable               | unit  | meaning                                                 |
@@ -36,16 +36,16 @@ crate::model! {
     /// | mu_k    | `mu_k`                 | 1     | kinetic coefficient of friction                         |
     /// | mu_s    | `mu_s`                 | 1     | static coefficient of friction after a long rest        |
     /// | sigma_0 | `sigma_0`              | N/m   | stiffness of the stuck contact                          |
-    /// | v_S     | `stribeck_velocity`    | m/s   | speed at which the excess F_S has fallen to 1/2         |
+    /// | v_S     | `stribeck_velocity`    | m/s   | speed at which the excess $F_S$ has fallen to 1/2       |
     /// | f_v     | `viscous_coefficient`  | N.s/m | viscous coefficient                                     |
     /// | tau_L   | `time_lag`             | s     | time by which the Stribeck effect lags behind           |
     /// | gamma   | `gamma`                | s     | dwell time after which half of the rise has occurred    |
     /// |         | `slipping`             |       | whether the contact has broken away                     |
-    /// | z       | `bristle_deflection`   | m     | displacement since sticking; slipping: f_f / sigma_0    |
+    /// | z       | `bristle_deflection`   | m     | displacement since sticking; slipping: $f_f / sigma_0$  |
     /// | t_d     | `dwell_time`           | s     | time since sticking; 0 while slipping                   |
     /// | mu_a    | `stribeck_coefficient` | 1     | Stribeck magnitude of the last change, per normal force |
     /// | w       | `lagged_velocity`      | m/s   | velocity of slip one time lag ago                       |
-    /// |         | `history[i].duration`  | s     | pieces of the history of w, the latest first            |
+    /// |         | `history[i].duration`  | s     | pieces of the history of $w$, the latest first          |
     /// |         | `history[i].begin`     | m/s   | velocity of slip at the beginning of a piece            |
     /// |         | `history[i].end`       | m/s   | velocity of slip at the end of a piece                  |
     /// | f_f     | `friction_force`       | N     | friction force                                          |
@@ -60,10 +60,10 @@ crate::model! {
     /// located to the last bit within the step; the return to sticking is the zero of the velocity, or the beginning of
     /// the step if a held velocity jumps across zero. So the instants of both do not depend on how an interval is
     /// divided, up to rounding (relative 1e-10 after a million steps). The history of the velocity is kept as in
-    /// `FrictionalLag`: 64 pieces, exact for up to 64 different velocities within tau_L; with steps shorter than about
-    /// tau_L / 63 they are thinned: the error of w is then at most (tau_L / 31)^2 / 8 times the second derivative of v,
-    /// plus the change of v over one step. The dissipated energy is a closed form where the inputs and w are constant,
-    /// and otherwise a quadrature with a relative error below 1e-10.
+    /// `FrictionalLag`: 64 pieces, exact for up to 64 different velocities within $tau_L$; with steps shorter than
+    /// about $tau_L / 63$ they are thinned: the error of $w$ is then at most $(tau_L / 31)^2 / 8$ times the second
+    /// derivative of $v$, plus the change of $v$ over one step. The dissipated energy is a closed form where the inputs
+    /// and $w$ are constant, and otherwise a quadrature with a relative error below 1e-10.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
@@ -78,23 +78,23 @@ crate::model! {
     /// No damping while stuck: a mass on the contact oscillates. With a positive `time_lag` the force stays at the
     /// breakaway level for that time, regardless of the velocity. `time_lag` = 0 and `gamma` = 0 leave a spring and the
     /// curve of Hess and Soom; `mu_s` = `mu_k` leaves a spring, the Coulomb level and viscous friction. A stuck contact
-    /// at v = 0 holds. If the load falls, the displacement is cut to what the level can carry: at the beginning of a
+    /// at $v = 0$ holds. If the load falls, the displacement is cut to what the level can carry: at the beginning of a
     /// step, at the end of one with slopes, and in the force at once.
     ///
-    /// Passive at constant load: the energy stored while stuck, (sigma_0 z)^2 / (2 sigma_0), was put in before. A load
-    /// that rises during slip from f_n1 to f_n2 charges the contact at the next stop, so that it may return up to
-    /// mu_s^2 (f_n2^2 - f_n1^2) / (2 sigma_0) more than was put in. `normal_force` = 0 releases the contact: force 0,
-    /// and the next step resets it to its initial state.
+    /// Passive at constant load: the energy stored while stuck, $(sigma_0 z)^2 / (2 sigma_0)$, was put in before. A
+    /// load that rises during slip from $f_n1$ to $f_n2$ charges the contact at the next stop, so that it may return up
+    /// to $mu_s^2 (f_n2^2 - f_n1^2) / (2 sigma_0)$ more than was put in. `normal_force` = 0 releases the contact: force
+    /// 0, and the next step resets it to its initial state.
     ///
     /// # Source
     /// Armstrong-Helouvry, Dupont and Canudas de Wit (1994), doi:10.1016/0005-1098(94)90209-7, in the form of Olsson et
     /// al. (1998), European Journal of Control 4, 176-195, who remark that an eighth parameter is probably needed; the
-    /// choices above are ours. The papers give F_Sinf, F_Sa and f_C in newtons and friction as a force on the body;
-    /// here they are coefficients, so that they follow the load, and the sign is that of the resistance. A public
-    /// transcription has the brackets of the rising static friction as F_Sa + [F_Sinf - F_Sa t_d / (t_d + gamma)],
-    /// which is wrong: at t_d = 0 it must be F_Sa. The pages of F. Novais, "A critical analysis on friction force
+    /// choices above are ours. The papers give $F_Sinf$, $F_Sa$ and $f_C$ in newtons and friction as a force on the
+    /// body; here they are coefficients, so that they follow the load, and the sign is that of the resistance. A public
+    /// transcription has the brackets of the rising static friction as $F_Sa + [F_Sinf - F_Sa t_d / (t_d + gamma)]$,
+    /// which is wrong: at $t_d = 0$ it must be $F_Sa$. The pages of F. Novais, "A critical analysis on friction force
     /// models in dynamical systems", MSc thesis, University of Minho (2024), on this law and its Table 6.4 were not
-    /// available: v_S is that of its Table 7.1, tau_L and gamma are chosen.
+    /// available: $v_S$ is that of its Table 7.1, $tau_L$ and $gamma$ are chosen.
     ///
     /// # Example
     /// ```

@@ -19,8 +19,8 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first one reached from v in the direction of the acceleration (implicit Euler):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end, and of several solutions
+    /// the first one reached from $v$ in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -42,28 +42,28 @@ crate::model! {
     /// # Sign
     /// `friction_force` has the sign of `velocity` outside the band and the sign of `external_force` at rest; body 1
     /// feels `-friction_force`. Dissipated power is `friction_force * velocity`; inside the band it is negative where
-    /// the external force acts against the motion and is the larger part of the force, with at most f_s v_0.
+    /// the external force acts against the motion and is the larger part of the force, with at most $f_s v_0$.
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) must be
-    /// replaced by the largest slope 3 f_s / v_0 (4415 N.s/m for the defaults: 0.45 ms for 1 kg); above, a held body
-    /// chatters. With `mass` there is no largest step. `sticking` means |v| < v_0.
+    /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where $f'(0)$
+    /// must be replaced by the largest slope $3 f_s / v_0$ (4415 N.s/m for the defaults: 0.45 ms for 1 kg); above, a
+    /// held body chatters. With `mass` there is no largest step. `sticking` means $|v| < v_0$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// Holds at v = 0 exactly; inside the band, under a load below f_s, the net force is A (f_s sgn(v) - f_e), which
-    /// vanishes with v^2: in the end a body slows down as 1 / t instead of stopping. Passive outside the band only. The
-    /// peak is exactly f_s at v_0. No pre-sliding displacement. `normal_force` = 0 gives force 0.
+    /// Holds at $v = 0$ exactly; inside the band, under a load below $f_s$, the net force is $A (f_s sgn(v) - f_e)$,
+    /// which vanishes with $v^2$: in the end a body slows down as 1 / t instead of stopping. Passive outside the band
+    /// only. The peak is exactly $f_s$ at $v_0$. No pre-sliding displacement. `normal_force` = 0 gives force 0.
     ///
     /// # Source
     /// Awrejcewicz, Grzelczyk, Pyryev (2008), Journal of Vibroengineering 10, 475-482; equations (6.22) and (6.23) of
     /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
-    /// (2024), of which only one reading is continuous in v and in f_e. S is left open there; the law is continuous
-    /// only if S(v_0) = f_s, so the exponential starts at v_0. v_0 and xi are chosen.
+    /// (2024), of which only one reading is continuous in $v$ and in $f_e$. $S$ is left open there; the law is
+    /// continuous only if $S(v_0) = f_s$, so the exponential starts at $v_0$. $v_0$ and $xi$ are chosen.
     ///
     /// # Example
     /// ```

@@ -27,8 +27,8 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first one reached from v in the direction of the acceleration (implicit Euler):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end, and of several solutions
+    /// the first one reached from $v$ in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -42,7 +42,7 @@ crate::model! {
     /// | mu_k   | `mu_k`                | 1    | kinetic coefficient of friction                    |
     /// | mu_s   | `mu_s`                | 1    | static coefficient of friction                     |
     /// |        | `variant`             |      | one of the two forms                               |
-    /// | beta   | `transition_slope`    | s/m  | Thesis: slope at rest over f_s                     |
+    /// | beta   | `transition_slope`    | s/m  | Thesis: slope at rest over $f_s$                   |
     /// | alpha  | `stiction_decay`      | s/m  | decay of stiction with speed; xi in Marques et al. |
     /// | v_0    | `transition_velocity` | m/s  | Marques: velocity of the peak                      |
     /// | m      | `mass`                | kg   | effective mass of the host, 0 = the printed law    |
@@ -55,10 +55,10 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_s
-    /// beta for Thesis (7358 N.s/m for the defaults: 0.27 ms for 1 kg) and 2 f_s / v_0 for Marques (2943 N.s/m: 0.68
-    /// ms); above, a held body chatters. With `mass` there is no largest step. `sticking` means |v| < 3 / beta (Thesis,
-    /// chosen: 95 % of the rise) or |v| < v_0 (Marques).
+    /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
+    /// $f'(0) = f_s beta$ for Thesis (7358 N.s/m for the defaults: 0.27 ms for 1 kg) and $2 f_s / v_0$ for Marques
+    /// (2943 N.s/m: 0.68 ms); above, a held body chatters. With `mass` there is no largest step. `sticking` means
+    /// $|v| < 3 / beta$ (Thesis, chosen: 95 % of the rise) or $|v| < v_0$ (Marques).
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -66,16 +66,17 @@ crate::model! {
     ///
     /// # Limits
     /// Cannot hold a load: a stuck body creeps at the speed where the force equals the load. Thesis: the peak is always
-    /// below f_s (0.8747 f_s at 0.737 mm/s for the defaults) and tends to it for beta / alpha to infinity; alpha must
-    /// be well below beta. Marques: the peak is exactly f_s at v_0, with a kink. `mu_s` = `mu_k` in the form Thesis is
-    /// Threlfall friction with v_0 = 3 / beta. No pre-sliding displacement. `normal_force` = 0 gives force 0.
+    /// below $f_s$ ($0.8747 f_s$ at 0.737 mm/s for the defaults) and tends to it for $beta / alpha$ to infinity;
+    /// $alpha$ must be well below $beta$. Marques: the peak is exactly $f_s$ at $v_0$, with a kink. `mu_s` = `mu_k` in
+    /// the form Thesis is Threlfall friction with $v_0 = 3 / beta$. No pre-sliding displacement. `normal_force` = 0
+    /// gives force 0.
     ///
     /// # Source
     /// Bengisu and Akay (1994), Journal of Sound and Vibration 171, 557-570; equations (6.8) and (6.9) of F. Novais, "A
     /// critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024); the
     /// second form as in Marques, Flores, Claro, Lankarani (2016), doi:10.1007/s11071-016-2999-3. Differs from the
-    /// thesis: its text calls f_s / f_C the ratio of the asymptotic value to the maximum, which contradicts (6.9). The
-    /// values in the thesis are on a page that was not available: beta, alpha and v_0 are chosen.
+    /// thesis: its text calls $f_s / f_C$ the ratio of the asymptotic value to the maximum, which contradicts (6.9).
+    /// The values in the thesis are on a page that was not available: $beta$, $alpha$ and $v_0$ are chosen.
     ///
     /// # Example
     /// ```

@@ -13,23 +13,23 @@ crate::model! {
     /// f_C = mu_k f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first one reached from v in the direction of the acceleration (implicit Euler):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end, and of several solutions
+    /// the first one reached from $v$ in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
     /// ```
     ///
-    /// | symbol | variable           | unit | meaning                                          |
-    /// |--------|--------------------|------|--------------------------------------------------|
-    /// | v      | `velocity`         | m/s  | velocity of body 1 relative to body 2            |
-    /// | f_n    | `normal_force`     | N    | force pressing the surfaces together             |
-    /// | f_e    | `external_force`   | N    | all other tangential forces on body 1            |
-    /// | mu_k   | `mu_k`             | 1    | kinetic coefficient of friction                  |
-    /// | k_l    | `transition_slope` | s/m  | slope at rest over f_C; the band ends at 1 / k_l |
-    /// | m      | `mass`             | kg   | effective mass of the host, 0 = the printed law  |
-    /// | h      | `step_size`        | s    | last communication step                          |
-    /// | f_f    | `friction_force`   | N    | friction force                                   |
+    /// | symbol | variable           | unit | meaning                                              |
+    /// |--------|--------------------|------|------------------------------------------------------|
+    /// | v      | `velocity`         | m/s  | velocity of body 1 relative to body 2                |
+    /// | f_n    | `normal_force`     | N    | force pressing the surfaces together                 |
+    /// | f_e    | `external_force`   | N    | all other tangential forces on body 1                |
+    /// | mu_k   | `mu_k`             | 1    | kinetic coefficient of friction                      |
+    /// | k_l    | `transition_slope` | s/m  | slope at rest over $f_C$; the band ends at $1 / k_l$ |
+    /// | m      | `mass`             | kg   | effective mass of the host, 0 = the printed law      |
+    /// | h      | `step_size`        | s    | last communication step                              |
+    /// | f_f    | `friction_force`   | N    | friction force                                       |
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity`; body 1 feels `-friction_force`. Dissipated power is
@@ -37,17 +37,18 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_C
-    /// k_l (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body chatters. With `mass` there is no largest
-    /// step. `sticking` means |v| < 1 / k_l.
+    /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
+    /// $f'(0) = f_C k_l$ (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body chatters. With `mass` there
+    /// is no largest step. `sticking` means $|v| < 1 / k_l$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound.
     ///
     /// # Limits
-    /// No stiction: friction never exceeds f_C. Cannot hold a load: a stuck body creeps with |v| < 1 / k_l. The default
-    /// k_l = 2000 s/m saturates at 0.5 mm/s, half of the band of the other laws. `normal_force` = 0 gives force 0.
+    /// No stiction: friction never exceeds $f_C$. Cannot hold a load: a stuck body creeps with $|v| < 1 / k_l$. The
+    /// default $k_l = 2000$ s/m saturates at 0.5 mm/s, half of the band of the other laws. `normal_force` = 0 gives
+    /// force 0.
     ///
     /// # Source
     /// Bernard (1974), as cited in F. Novais, "A critical analysis on friction force models in dynamical systems", MSc

@@ -32,15 +32,15 @@ crate::model! {
     /// f_C = f_1 - f_2 = mu_k f_n,   f_2 = mu_2 f_n
     /// ```
     ///
-    /// The states are kept in units of their own level, x_1 = f_1 y_1 and x_2 = -f_2 y_2 with |y| <= 1, so that the
-    /// force follows the load:
+    /// The states are kept in units of their own level, $x_1 = f_1 y_1$ and $x_2 = -f_2 y_2$ with $|y| <= 1$, so that
+    /// the force follows the load:
     ///
     /// ```text
     /// dy_1/dt = (v - |v| y_1) / (eta eps_f),   dy_2/dt = (v - |v| y_2) / eps_f
     /// f_f     = f_C y_1 + f_2 (y_1 - y_2)
     /// ```
     ///
-    /// First order is this with f_2 = 0 and eta = 1.
+    /// First order is this with $f_2 = 0$ and $eta = 1$.
     ///
     /// | symbol | variable         | unit | meaning                                        |
     /// |--------|------------------|------|------------------------------------------------|
@@ -55,12 +55,12 @@ crate::model! {
     /// | y_2    | `y_2`            | 1    | slow relaxation                                |
     /// | f_f    | `friction_force` | N    | friction force                                 |
     ///
-    /// From rest the second order has, with f_1 = (mu_k + mu_2) f_n,
+    /// From rest the second order has, with $f_1 = (mu_k + mu_2) f_n$,
     ///
     /// ```text
-    /// initial stiffness   (f_1 / eta - f_2) / eps_f
-    /// peak at             s_p    = eta eps_f / (1 - eta) ln(f_1 / (eta f_2))
-    /// peak force          f_peak = f_1 - f_2 + (1 - eta) f_2 (eta f_2 / f_1)^(eta / (1 - eta))
+    /// initial stiffness:  (f_1 / eta - f_2) / eps_f
+    /// peak at:            s_p    = eta eps_f / (1 - eta) ln(f_1 / (eta f_2))
+    /// peak force:         f_peak = f_1 - f_2 + (1 - eta) f_2 (eta f_2 / f_1)^(eta / (1 - eta))
     /// ```
     ///
     /// # Sign
@@ -84,23 +84,23 @@ crate::model! {
     ///
     /// # Limits
     /// No dependence on the speed. A reversal out of steady sliding doubles the change of the force, so the peak of the
-    /// second order is then 2 f_peak - f_C (1.962 N for the defaults), which no path exceeds. The peak of the second
-    /// order needs a fresh path of a few eps_f: a contact that is caught again after slipping has no stiction peak, so
-    /// the belt benchmark shows one stick-slip cycle only. Drifts under a load that cycles below the peak.
+    /// second order is then $2 f_peak - f_C$ (1.962 N for the defaults), which no path exceeds. The peak of the second
+    /// order needs a fresh path of a few $eps_f$: a contact that is caught again after slipping has no stiction peak,
+    /// so the belt benchmark shows one stick-slip cycle only. Drifts under a load that cycles below the peak.
     ///
     /// Passive at constant load, for both orders: from the start values `dissipated_energy` never becomes negative,
-    /// because Re C (j w - A)^-1 B = f_1 / (1 + (eta eps_f w)^2) - f_2 / (1 + (eps_f w)^2) > 0 for eta <= 1 and f_1 >
-    /// f_2. `normal_force` = 0 releases the contact (force 0, y_1 = y_2 = 0). `mu_2` = 0 is the first order with the
-    /// length eta eps_f, and so is `eta` = 1 with the length eps_f.
+    /// because Re $C (j w - A)^-1 B = f_1 / (1 + (eta eps_f w)^2) - f_2 / (1 + (eps_f w)^2) > 0$ for $eta <= 1$ and
+    /// $f_1 > f_2$. `normal_force` = 0 releases the contact (force 0, $y_1 = y_2 = 0$). `mu_2` = 0 is the first order
+    /// with the length $eta eps_f$, and so is `eta` = 1 with the length $eps_f$.
     ///
     /// # Source
     /// Bliman and Sorine (1995), "Easy-to-use realistic dry friction models for automatic control", European Control
     /// Conference; equations (7.12) to (7.14) of F. Novais, "A critical analysis on friction force models in dynamical
     /// systems", MSc thesis, University of Minho (2024); second order as in Olsson et al. (1998),
-    /// doi:10.1016/S0947-3580(98)70113-X. In (7.13) f_f also has a term D sgn(v); D is 0 in both orders. The levels are
-    /// given as coefficients, and the states in units of their level: both are our choice, and make no difference at
-    /// constant load. The defaults are calibrated to f_C = 0.981 N, f_peak = 1.4715 N and the initial stiffness 1e5 N/m
-    /// of Table 7.1 at eta = 0.5: mu_2 = 0.1 + sqrt(0.03), eps_f = (3 + sqrt(3)) f_C / sigma_0.
+    /// doi:10.1016/S0947-3580(98)70113-X. In (7.13) $f_f$ also has a term $D sgn(v)$; $D$ is 0 in both orders. The
+    /// levels are given as coefficients, and the states in units of their level: both are our choice, and make no
+    /// difference at constant load. The defaults are calibrated to $f_C = 0.981$ N, $f_peak = 1.4715$ N and the initial
+    /// stiffness 1e5 N/m of Table 7.1 at $eta = 0.5$: $mu_2 = 0.1 + sqrt(0.03)$, $eps_f = (3 + sqrt(3)) f_C / sigma_0$.
     ///
     /// # Example
     /// ```

@@ -33,35 +33,35 @@ crate::model! {
     /// # Equations
     ///
     /// ```text
-    /// f_f = sum of sigma_i (x - b_i), i = 1 .. N                                        (7.7)
+    /// f_f = sum_i sigma_i (x - b_i),  i = 1 .. N                                        (7.7)
     /// |x - b_i| >= delta:   b_i <- b_i + uniform(0, Delta) sgn(x - b_i)                 (7.8)
     /// dx/dt = v
     /// sigma_i = f_s / (N delta),   Delta = 3 delta (1 - f_C / f_s)
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// | symbol  | variable           | unit | meaning                                                |
-    /// |---------|--------------------|------|--------------------------------------------------------|
-    /// | v       | `velocity`         | m/s  | velocity of body 1 relative to body 2                  |
-    /// | f_n     | `normal_force`     | N    | force pressing the surfaces together                   |
-    /// | mu_k    | `mu_k`             | 1    | kinetic coefficient of friction: the mean when sliding |
-    /// | mu_s    | `mu_s`             | 1    | static coefficient of friction: all bonds at delta     |
-    /// | delta   | `delta`            | m    | strain at which a bond snaps                           |
-    /// | N       | `bristle_count`    | -    | number of bristles                                     |
-    /// | -       | `seed`             | -    | selects the sequence of random numbers                 |
-    /// | -       | `initial_bonds`    | -    | state of the bristles when the motion starts           |
-    /// | x - b_i | `bristle[i].strain` | m   | strain of bristle i                                    |
-    /// | -       | `bristle[i].draws` | 1    | random numbers that bristle i has used                 |
-    /// | f_f     | `friction_force`   | N    | friction force                                         |
+    /// | symbol  | variable            | unit | meaning                                                |
+    /// |---------|---------------------|------|--------------------------------------------------------|
+    /// | v       | `velocity`          | m/s  | velocity of body 1 relative to body 2                  |
+    /// | f_n     | `normal_force`      | N    | force pressing the surfaces together                   |
+    /// | mu_k    | `mu_k`              | 1    | kinetic coefficient of friction: the mean when sliding |
+    /// | mu_s    | `mu_s`              | 1    | static coefficient of friction: all bonds at $delta$   |
+    /// | delta   | `delta`             | m    | strain at which a bond snaps                           |
+    /// | N       | `bristle_count`     | -    | number of bristles                                     |
+    /// | -       | `seed`              | -    | selects the sequence of random numbers                 |
+    /// | -       | `initial_bonds`     | -    | state of the bristles when the motion starts           |
+    /// | x - b_i | `bristle[i].strain` | m    | strain of bristle $i$                                  |
+    /// | -       | `bristle[i].draws`  | 1    | random numbers that bristle $i$ has used               |
+    /// | f_f     | `friction_force`    | N    | friction force                                         |
     ///
-    /// Renewal theory gives for a long slide, where delta - |x - b_i| has the density 2 / Delta (1 - d / Delta) on [0,
-    /// Delta],
+    /// Renewal theory gives for a long slide, where $delta - |x - b_i|$ has the density $2 / Delta (1 - d / Delta)$ on
+    /// $[0, Delta]$,
     ///
     /// ```text
-    /// mean               N sigma (delta - Delta / 3) = f_C
-    /// standard deviation sigma Delta sqrt(N / 18)    = 3 (f_s - f_C) / sqrt(18 N)
-    /// first peak         N sigma delta               = f_s     (all bonded at x(0))
-    /// initial stiffness  N sigma                     = f_s / delta
+    /// mean:                N sigma (delta - Delta / 3) = f_C
+    /// standard deviation:  sigma Delta sqrt(N / 18)    = 3 (f_s - f_C) / sqrt(18 N)
+    /// first peak:          N sigma delta               = f_s     all bonded at x(0)
+    /// initial stiffness:   N sigma                     = f_s / delta
     /// ```
     ///
     /// # Sign
@@ -70,18 +70,18 @@ crate::model! {
     ///
     /// # Step
     /// The law depends on the displacement only. The snaps of a step are followed one by one, at the places where they
-    /// happen, so the step is exact and needs no events. The k-th random number of bristle i is a function of seed, i
-    /// and k only (the mixing function of SplitMix64), so the same path gives the same force however it is divided into
-    /// steps, and a saved and restored instance repeats its future.
+    /// happen, so the step is exact and needs no events. The k-th random number of bristle $i$ is a function of seed,
+    /// $i$ and k only (the mixing function of SplitMix64), so the same path gives the same force however it is divided
+    /// into steps, and a saved and restored instance repeats its future.
     ///
-    /// A bristle that would slide by more than 20 Delta (about 40 snaps) in one step is instead drawn from the density
-    /// above, which it approaches as exp(-2.09 s / Delta): the work of a step is bounded, the force is the same in
-    /// distribution to 1e-18, and the energy of such a slide is its expectation. With a linearly moving velocity the
-    /// displacement, and with it the force, is exact between the instants where it changes sign; the energy takes the
-    /// load in the middle, which is of second order. A contact at rest keeps its bonds, however long.
+    /// A bristle that would slide by more than $20 Delta$ (about 40 snaps) in one step is instead drawn from the
+    /// density above, which it approaches as $exp(-2.09 s / Delta)$: the work of a step is bounded, the force is the
+    /// same in distribution to 1e-18, and the energy of such a slide is its expectation. With a linearly moving
+    /// velocity the displacement, and with it the force, is exact between the instants where it changes sign; the
+    /// energy takes the load in the middle, which is of second order. A contact at rest keeps its bonds, however long.
     ///
-    /// `sticking` means that the force is less than half (chosen) of f_C in the direction of the motion. Steady sliding
-    /// of 25 bristles is 7 standard deviations away from that; a single bristle passes below it occasionally.
+    /// `sticking` means that the force is less than half (chosen) of $f_C$ in the direction of the motion. Steady
+    /// sliding of 25 bristles is 7 standard deviations away from that; a single bristle passes below it occasionally.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
@@ -90,26 +90,26 @@ crate::model! {
     /// friction first.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_k` < `mu_s` / 3, for which Delta > 2 delta and a
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_k` < `mu_s` / 3, for which $Delta > 2 delta$ and a
     /// bond could form again beyond its own strength.
     ///
     /// # Limits
     /// No damping and no dependence on the speed; no stiction after the first breakaway other than by chance, because
-    /// the bristles stay spread. Steady sliding gives a force against the motion at every instant only if Delta <=
-    /// delta (`mu_k` >= 2/3 `mu_s`); below that it does so on average. Passive at constant load: a snap removes strain
-    /// energy, 1/2 sigma (delta^2 - (delta - u)^2) >= 0 for u <= Delta <= 2 delta, so from bonded bristles
-    /// `dissipated_energy` never becomes negative. A stationary start contains strain energy, at most f_s delta /
-    /// 2. Strains do not depend on the load, forces are proportional to it. `normal_force` = 0 releases the contact
-    /// (force 0, strains 0; the random numbers continue), and the bristles then bond in place. `mu_s` = `mu_k` has
-    /// Delta = 0: elastic and perfectly plastic, no random numbers.
+    /// the bristles stay spread. Steady sliding gives a force against the motion at every instant only if
+    /// $Delta <= delta$ (`mu_k` >= 2/3 `mu_s`); below that it does so on average. Passive at constant load: a snap
+    /// removes strain energy, $1/2 sigma (delta^2 - (delta - u)^2) >= 0$ for $u <= Delta <= 2 delta$, so from bonded
+    /// bristles `dissipated_energy` never becomes negative. A stationary start contains strain energy, at most
+    /// $f_s delta / 2$. Strains do not depend on the load, forces are proportional to it. `normal_force` = 0 releases
+    /// the contact (force 0, strains 0; the random numbers continue), and the bristles then bond in place. `mu_s` =
+    /// `mu_k` has $Delta = 0$: elastic and perfectly plastic, no random numbers.
     ///
     /// # Source
     /// Haessig and Friedland (1991), doi:10.1115/1.2896418; equations (7.7) and (7.8) of F. Novais, "A critical
     /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), where the
-    /// argument of sgn and the interval of uniform( ) are lost and x carries an index, though all bristles share it.
-    /// sigma_i, Delta and delta = f_s / sigma_0 follow from the levels and the stiffness 1e5 N/m of Table 7.1; the
-    /// choice that the stiffness, not delta, is proportional to the load is ours. N = 25 is chosen. Random numbers:
-    /// Steele, Lea, Flood (2014), doi:10.1145/2660193.2660195.
+    /// argument of sgn and the interval of uniform( ) are lost and $x$ carries an index, though all bristles share it.
+    /// $sigma_i$, $Delta$ and $delta = f_s / sigma_0$ follow from the levels and the stiffness 1e5 N/m of Table 7.1;
+    /// the choice that the stiffness, not $delta$, is proportional to the load is ours. $N = 25$ is chosen. Random
+    /// numbers: Steele, Lea, Flood (2014), doi:10.1145/2660193.2660195.
     ///
     /// # Example
     /// ```

@@ -16,8 +16,8 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first one reached from v in the direction of the acceleration (implicit Euler):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end, and of several solutions
+    /// the first one reached from $v$ in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -43,23 +43,23 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = (4
-    /// f_C + 16/9 (f_s - f_C)) / v_0 (4796 N.s/m for the defaults: 0.42 ms for 1 kg); above, a held body chatters. With
-    /// `mass` there is no largest step. `sticking` means |v| < v_0.
+    /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
+    /// $f'(0) = (4 f_C + 16/9 (f_s - f_C)) / v_0$ (4796 N.s/m for the defaults: 0.42 ms for 1 kg); above, a held body
+    /// chatters. With `mass` there is no largest step. `sticking` means $|v| < v_0$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// Cannot hold a load: a stuck body creeps with |v| < v_0. The peak is not exactly f_s: f(v_0) is
-    /// f_s - 6.707e-4 f_C, because tanh 4 = 0.99933; the largest force is within 6.7e-4 f_C below f_s. No pre-sliding
-    /// displacement. `normal_force` = 0 gives force 0.
+    /// Cannot hold a load: a stuck body creeps with $|v| < v_0$. The peak is not exactly $f_s$: $f(v_0)$ is
+    /// $f_s - 6.707e-4 f_C$, because $tanh 4 = 0.99933$; the largest force is within $6.7e-4 f_C$ below $f_s$. No
+    /// pre-sliding displacement. `normal_force` = 0 gives force 0.
     ///
     /// # Source
     /// Brown and McPhee (2016), doi:10.1115/1.4033658; equations (6.30) and (6.31) of F. Novais, "A critical analysis
-    /// on friction force models in dynamical systems", MSc thesis, University of Minho (2024). mu_v must be in N.s/m
-    /// for the printed equation to have consistent units. The defaults of v_0 and f_nt are chosen.
+    /// on friction force models in dynamical systems", MSc thesis, University of Minho (2024). $mu_v$ must be in N.s/m
+    /// for the printed equation to have consistent units. The defaults of $v_0$ and $f_nt$ are chosen.
     ///
     /// # Example
     /// ```

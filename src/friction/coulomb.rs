@@ -15,9 +15,9 @@ crate::model! {
     /// f_C = mu_k f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end; the jump at rest is part of f_f.
-    /// Of several solutions it is the first one reached from v in the direction of the acceleration (implicit Euler;
-    /// time stepping in the sense of Moreau):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end; the jump at rest is part
+    /// of $f_f$. Of several solutions it is the first one reached from $v$ in the direction of the acceleration
+    /// (implicit Euler; time stepping in the sense of Moreau):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -40,7 +40,7 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A host
-    /// that integrates the body itself never reaches v = 0 exactly, so the force of a contact at rest then alternates
+    /// that integrates the body itself never reaches $v = 0$ exactly, so the force of a contact at rest then alternates
     /// at any step. With `mass` the body is caught where it comes to rest and neither chatters nor creeps; there is no
     /// largest step. In Model Exchange a contact is held or slides in one direction from one event to the next. A held
     /// contact returns `external_force`: connect it, or the body is released and caught again endlessly.
@@ -52,7 +52,7 @@ crate::model! {
     /// # Limits
     /// No stiction: the holding force does not exceed the sliding force. No Stribeck effect, no viscous part, no
     /// pre-sliding displacement. `normal_force` = 0 releases the contact (force 0, not sticking). `sticking` means that
-    /// the step ends at rest or, without `mass`, that v = 0 and |f_e| is within the level.
+    /// the step ends at rest or, without `mass`, that $v = 0$ and $|f_e|$ is within the level.
     ///
     /// # Source
     /// Coulomb (1785); section 4.1.2 of F. Novais, "A critical analysis on friction force models in dynamical systems",

@@ -15,8 +15,8 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is the one that brings the body to rest within the step, limited to
-    /// the static level while stuck and to the kinetic level while sliding (time stepping in the sense of Moreau):
+    /// With `mass` $m > 0$ the force over a step $h$ is the one that brings the body to rest within the step, limited
+    /// to the static level while stuck and to the kinetic level while sliding (time stepping in the sense of Moreau):
     ///
     /// ```text
     /// f_stop = f_e + m v / h
@@ -50,7 +50,7 @@ crate::model! {
     ///
     /// # Limits
     /// No Stribeck effect, no pre-sliding displacement, no viscous part. Without `mass` a host that integrates the body
-    /// itself never reaches v = 0 exactly, so the force alternates: use `mass`, or a regularised or bristle law.
+    /// itself never reaches $v = 0$ exactly, so the force alternates: use `mass`, or a regularised or bristle law.
     /// `normal_force` = 0 releases the contact (force 0, not stuck). `mu_s` = `mu_k` is plain Coulomb friction.
     ///
     /// # Source

@@ -26,11 +26,12 @@ crate::model! {
     /// f_C = mu_k f_n
     /// ```
     ///
-    /// In (5.3) |v| stands for |v| / (1 m/s), so that f_v has the same unit for every exponent up to a factor 1 m/s.
+    /// In (5.3) $|v|$ stands for $|v|$ / (1 m/s), so that $f_v$ has the same unit for every exponent up to a factor 1
+    /// m/s.
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end; the jump at rest is part of f_f.
-    /// Of several solutions it is the first one reached from v in the direction of the acceleration (implicit Euler;
-    /// time stepping in the sense of Moreau):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end; the jump at rest is part
+    /// of $f_f$. Of several solutions it is the first one reached from $v$ in the direction of the acceleration
+    /// (implicit Euler; time stepping in the sense of Moreau):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -56,7 +57,7 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A host
-    /// that integrates the body itself never reaches v = 0 exactly, so the force of a contact at rest then alternates
+    /// that integrates the body itself never reaches $v = 0$ exactly, so the force of a contact at rest then alternates
     /// at any step. With `mass` the body is caught where it comes to rest and neither chatters nor creeps; there is no
     /// largest step. In Model Exchange a contact is held or slides in one direction from one event to the next. A held
     /// contact returns `external_force`: connect it, or the body is released and caught again endlessly.
@@ -67,13 +68,14 @@ crate::model! {
     ///
     /// # Limits
     /// No stiction, no Stribeck effect, no pre-sliding displacement. `normal_force` = 0 releases the contact: force 0,
-    /// also of the viscous part. d_v < 1 gives the force an infinite slope at rest. f_v = 0 is plain Coulomb friction.
-    /// `sticking` means that the step ends at rest or, without `mass`, that v = 0 and |f_e| is within the level.
+    /// also of the viscous part. $d_v < 1$ gives the force an infinite slope at rest. $f_v = 0$ is plain Coulomb
+    /// friction. `sticking` means that the step ends at rest or, without `mass`, that $v = 0$ and $|f_e|$ is within the
+    /// level.
     ///
     /// # Source
     /// Equations (5.2) and (5.3) of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc
     /// thesis, University of Minho (2024); the same form in Olsson et al. (1998), European Journal of Control 4,
-    /// 176-195. f_v = 0.1 N.s/m is chosen. Time stepping: Moreau (1988), doi:10.1007/978-3-7091-2624-0_1. The choice
+    /// 176-195. $f_v = 0.1$ N.s/m is chosen. Time stepping: Moreau (1988), doi:10.1007/978-3-7091-2624-0_1. The choice
     /// `exchange` is ours.
     ///
     /// # Example

@@ -16,7 +16,8 @@ crate::model! {
     /// f_C = mu_k f_n
     /// ```
     ///
-    /// The first line is (7.1), which has df_f/dx, times v. For alpha = 1 it is dz/dt = v - sigma_0 |v| z / f_C (7.5).
+    /// The first line is (7.1), which has $df_f/dx$, times $v$. For $alpha = 1$ it is $dz/dt = v - sigma_0 |v| z / f_C$
+    /// (7.5).
     ///
     /// | symbol  | variable             | unit | meaning                                               |
     /// |---------|----------------------|------|-------------------------------------------------------|
@@ -34,15 +35,15 @@ crate::model! {
     /// load the dissipated energy is not negative.
     ///
     /// # Step
-    /// The force depends on the displacement only, so with held inputs the step is exact for every alpha and every step
-    /// size, and two half steps equal one. With y = 1 - (f_f / f_C) sgn v and q = sigma_0 |x| / f_C:
+    /// The force depends on the displacement only, so with held inputs the step is exact for every $alpha$ and every
+    /// step size, and two half steps equal one. With $y = 1 - (f_f / f_C) sgn v$ and $q = sigma_0 |x| / f_C$:
     ///
     /// ```text
     /// y(q) = y_0 exp(-q)                                            alpha  = 1
     /// y(q) = (y_0^(1 - alpha) - (1 - alpha) q)_+^(1 / (1 - alpha))  alpha != 1
     /// ```
     ///
-    /// For alpha < 1 sliding is reached after a finite distance; the bracket is then zero. `sticking` means that more
+    /// For $alpha < 1$ sliding is reached after a finite distance; the bracket is then zero. `sticking` means that more
     /// than 1 % (chosen) of the motion is still elastic.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
@@ -57,14 +58,14 @@ crate::model! {
     /// reach their full deflection with an infinite slope, where solvers stop.
     ///
     /// # Limits
-    /// No stiction and no Stribeck effect. Drifts under a load that cycles below f_C. If the load falls while the
+    /// No stiction and no Stribeck effect. Drifts under a load that cycles below $f_C$. If the load falls while the
     /// contact is at rest, the force keeps the old deflection until there is motion. `normal_force` = 0 releases the
     /// contact (force 0, deflection 0).
     ///
     /// # Source
     /// Dahl (1968), "A solid friction model", TOR-0158(3107-18)-1, The Aerospace Corporation; equations (7.1) to (7.6)
     /// of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of
-    /// Minho (2024), whose Table 7.1 gives sigma_0. alpha = 1, the form (7.5), is chosen as the default.
+    /// Minho (2024), whose Table 7.1 gives $sigma_0$. $alpha = 1$, the form (7.5), is chosen as the default.
     ///
     /// # Example
     /// ```

@@ -31,7 +31,7 @@ crate::model! {
     /// is `friction_force * velocity`; it is negative while the asperities spring back.
     ///
     /// # Step
-    /// With held inputs the equation of z is linear and solved exactly, so the result does not depend on how an
+    /// With held inputs the equation of $z$ is linear and solved exactly, so the result does not depend on how an
     /// interval is divided; the energy is its closed form. No events. `sticking` means that more than 1 % (chosen) of
     /// the motion is still elastic.
     ///
@@ -46,18 +46,18 @@ crate::model! {
     /// Refused: a parameter outside its bound.
     ///
     /// # Limits
-    /// At constant load this is Dahl's law with alpha = 1 and sigma_0 = f_C / delta_t: no stiction, no Stribeck effect,
-    /// drift under a load that cycles below f_C. The normal motion and the second time scale of the original paper are
-    /// not part of it. `normal_force` = 0 releases the contact (force 0, deflection 0). Passive at constant load: from
-    /// the start values `dissipated_energy` never becomes negative.
+    /// At constant load this is Dahl's law with $alpha = 1$ and $sigma_0 = f_C / delta_t$: no stiction, no Stribeck
+    /// effect, drift under a load that cycles below $f_C$. The normal motion and the second time scale of the original
+    /// paper are not part of it. `normal_force` = 0 releases the contact (force 0, deflection 0). Passive at constant
+    /// load: from the start values `dissipated_energy` never becomes negative.
     ///
     /// # Source
     /// Reconstructed after the summary of Dankowicz (1999), "On the modeling of dynamic friction phenomena", ZAMM 79,
     /// 399-409, in Andersson, Soderberg and Bjorklund (2007), doi:10.1016/j.triboint.2005.11.014, where the law is one
     /// of friction as a function of displacement; the paper itself was not available. F. Novais, "A critical analysis
     /// on friction force models in dynamical systems", MSc thesis, University of Minho (2024), Table 7.1 has no value
-    /// of its own for delta_t; the default is f_C / sigma_0 with the sigma_0 = 1e5 N/m that the table gives for all
-    /// models.
+    /// of its own for $delta_t$; the default is $f_C / sigma_0$ with the $sigma_0 = 1e5$ N/m that the table gives for
+    /// all models.
     ///
     /// # Example
     /// ```

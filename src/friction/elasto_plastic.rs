@@ -27,72 +27,74 @@ crate::model! {
     /// sigma_1(v) = sigma_1 exp(-(v / v_d)^2)     if v_d > 0, else sigma_1
     /// ```
     ///
-    /// | symbol  | variable              | unit  | meaning                                         |
-    /// |---------|-----------------------|-------|-------------------------------------------------|
-    /// | v       | `velocity`            | m/s   | velocity of body 1 relative to body 2           |
-    /// | f_n     | `normal_force`        | N     | force pressing the surfaces together            |
-    /// | mu_k    | `mu_k`                | 1     | kinetic coefficient of friction                 |
-    /// | mu_s    | `mu_s`                | 1     | static coefficient of friction                  |
-    /// | v_S     | `stribeck_velocity`   | m/s   | speed at which the level has fallen             |
-    /// | delta   | `stribeck_exponent`   | 1     | shape of the Stribeck curve                     |
-    /// | kappa   | `breakaway_ratio`     | 1     | z_ba / z_ss: part that is purely elastic        |
-    /// | i       | `plastic_exponent`    | -     | shape of the transition, odd                    |
-    /// | sigma_0 | `sigma_0`             | N/m   | stiffness of the bristles                       |
-    /// | sigma_1 | `sigma_1`             | N.s/m | damping of the bristles                         |
-    /// | sigma_2 | `viscous_coefficient` | N.s/m | viscous coefficient                             |
-    /// | v_d     | `damping_velocity`    | m/s   | speed at which the bristle damping fades        |
-    /// | z       | `bristle_deflection`  | m     | mean deflection of the bristles                 |
-    /// | f_f     | `friction_force`      | N     | friction force                                  |
+    /// | symbol  | variable              | unit  | meaning                                    |
+    /// |---------|-----------------------|-------|--------------------------------------------|
+    /// | v       | `velocity`            | m/s   | velocity of body 1 relative to body 2      |
+    /// | f_n     | `normal_force`        | N     | force pressing the surfaces together       |
+    /// | mu_k    | `mu_k`                | 1     | kinetic coefficient of friction            |
+    /// | mu_s    | `mu_s`                | 1     | static coefficient of friction             |
+    /// | v_S     | `stribeck_velocity`   | m/s   | speed at which the level has fallen        |
+    /// | delta   | `stribeck_exponent`   | 1     | shape of the Stribeck curve                |
+    /// | kappa   | `breakaway_ratio`     | 1     | $z_ba / z_ss$: part that is purely elastic |
+    /// | i       | `plastic_exponent`    | -     | shape of the transition, odd               |
+    /// | sigma_0 | `sigma_0`             | N/m   | stiffness of the bristles                  |
+    /// | sigma_1 | `sigma_1`             | N.s/m | damping of the bristles                    |
+    /// | sigma_2 | `viscous_coefficient` | N.s/m | viscous coefficient                        |
+    /// | v_d     | `damping_velocity`    | m/s   | speed at which the bristle damping fades   |
+    /// | z       | `bristle_deflection`  | m     | mean deflection of the bristles            |
+    /// | f_f     | `friction_force`      | N     | friction force                             |
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity` in steady sliding; body 1 feels `-friction_force`. Dissipated power
     /// is `friction_force * velocity`; it is negative while the bristles spring back.
     ///
     /// # Step
-    /// With held inputs the deflection depends on the sliding distance only. Where alpha is 0 (elastic) or 1 (level
-    /// exceeded) the step is exact, and the distance at which z_ba is reached is located. Between them, with y = 1 -
-    /// |z| / z_ss and q the distance in units of z_ss, the law is integrated in a variable in which it is not stiff:
+    /// With held inputs the deflection depends on the sliding distance only. Where $alpha$ is 0 (elastic) or 1 (level
+    /// exceeded) the step is exact, and the distance at which $z_ba$ is reached is located. Between them, with
+    /// $y = 1 - |z| / z_ss$ and $q$ the distance in units of $z_ss$, the law is integrated in a variable in which it is
+    /// not stiff:
     ///
     /// ```text
     /// p     = -ln(y)   if i = 1, else   y^(1 - i) / (i - 1)
     /// dp/dq = ((1 - alpha |z| / z_ss) / y)^i                 falls from (1 - kappa)^-i to 1
     /// ```
     ///
-    /// The approach to steady sliding, p = q, is therefore exact over any distance, and for the rest an explicit method
-    /// of order 5 (Dormand and Prince) with error control is as stable as an implicit one would be for z itself. If a
-    /// slide leaves nothing of y and i = 1, only its energy is unknown, which is an integral over y. The error per step
-    /// is below 1e-12 z_ss (chosen), and two half steps equal one to 1e-10 of the level. `sticking` means that more
-    /// than 1 % (chosen) of the motion still goes into the bristles.
+    /// The approach to steady sliding, $p = q$, is therefore exact over any distance, and for the rest an explicit
+    /// method of order 5 (Dormand and Prince) with error control is as stable as an implicit one would be for $z$
+    /// itself. If a slide leaves nothing of $y$ and $i = 1$, only its energy is unknown, which is an integral over $y$.
+    /// The error per step is below $1e-12 z_ss$ (chosen), and two half steps equal one to 1e-10 of the level.
+    /// `sticking` means that more than 1 % (chosen) of the motion still goes into the bristles.
     ///
-    /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
-    /// damping c of the contact at rest, sigma_0 and sigma_1 + sigma_2 as with `LuGre`. If the friction steps first, a
-    /// held body stays still for communication steps h with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and
-    /// 1 kg; above, it chatters within the bounds of the force. If all models step at once and exchange afterwards, the
-    /// limit is h < 1 / (k / c + c / m), 1.6 ms.
+    /// A master that integrates a mass $m$ with the force it reads couples it explicitly to the stiffness $k$ and the
+    /// damping $c$ of the contact at rest, $sigma_0$ and $sigma_1 + sigma_2$ as with `LuGre`. If the friction steps
+    /// first, a held body stays still for communication steps $h$ with $k h^2 + 2 c h < 4 m$, which is 3.9 ms for the
+    /// defaults and 1 kg; above, it chatters within the bounds of the force. If all models step at once and exchange
+    /// afterwards, the limit is $h < 1 / (k / c + c / m)$, 1.6 ms.
     ///
     #[doc = include_str!("slopes.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; an even `plastic_exponent`, for which the bracket
-    /// cannot become negative, so that z could not return when z_ss(v) falls below |z|; in Model Exchange `mu_k` = 0.
+    /// cannot become negative, so that $z$ could not return when $z_ss(v)$ falls below $|z|$; in Model Exchange `mu_k`
+    /// = 0.
     ///
     /// # Limits
-    /// No drift as long as |z| stays below z_ba = kappa z_ss. The damping has the weakness of LuGre: with the bracket
-    /// r = 1 - |z| / z_ss(v) >= 1 - f_s / f_C the power is above -sigma_1 (f_s / f_C - 1)^i v^2, so that the law is
-    /// passive for every motion at constant load only if sigma_2 >= sigma_1 (f_s / f_C - 1)^i, or if `mu_s` = `mu_k`,
-    /// or `sigma_1` = 0. A velocity that jumps from full stiction to 0.1 m/s gives -14.3 N; `damping_velocity` (of the
-    /// size of v_S) removes that, and the default 0 keeps the law of the paper. For i > 1 steady sliding is approached
-    /// as q^(-1 / (i - 1)) only. `breakaway_ratio` = 1 is elastic and perfectly plastic; small values come close to
-    /// LuGre without reaching it, because alpha still rises with |z|. `normal_force` = 0 releases the contact (force 0,
-    /// deflection 0).
+    /// No drift as long as $|z|$ stays below $z_ba = kappa z_ss$. The damping has the weakness of LuGre: with the
+    /// bracket $r = 1 - |z| / z_ss(v) >= 1 - f_s / f_C$ the power is above $-sigma_1 (f_s / f_C - 1)^i v^2$, so that
+    /// the law is passive for every motion at constant load only if $sigma_2 >= sigma_1 (f_s / f_C - 1)^i$, or if
+    /// `mu_s` = `mu_k`, or `sigma_1` = 0. A velocity that jumps from full stiction to 0.1 m/s gives -14.3 N;
+    /// `damping_velocity` (of the size of $v_S$) removes that, and the default 0 keeps the law of the paper. For
+    /// $i > 1$ steady sliding is approached as $q^(-1 / (i - 1))$ only. `breakaway_ratio` = 1 is elastic and perfectly
+    /// plastic; small values come close to LuGre without reaching it, because $alpha$ still rises with $|z|$.
+    /// `normal_force` = 0 releases the contact (force 0, deflection 0).
     ///
     /// # Source
     /// Dupont, Hayward, Armstrong, Altpeter (2002), "Single state elastoplastic friction models",
     /// doi:10.1109/TAC.2002.1000274; equations (7.30) to (7.34) of F. Novais, "A critical analysis on friction force
-    /// models in dynamical systems", MSc thesis, University of Minho (2024), whose Table 7.1 gives sigma_0, sigma_1,
-    /// sigma_2, v_S and i, and whose text gives kappa = 0.7. Differences: the sine (7.34) is printed with z, which is
-    /// right for z > 0 only; here it has |z|. i is any integer there and odd here. `damping_velocity`: Olsson (1996),
-    /// PhD thesis, Lund University. A public library of friction models has z instead of |z|, and lacks alpha = 0 for
-    /// sgn v != sgn z.
+    /// models in dynamical systems", MSc thesis, University of Minho (2024), whose Table 7.1 gives $sigma_0$,
+    /// $sigma_1$, $sigma_2$, $v_S$ and $i$, and whose text gives $kappa = 0.7$. Differences: the sine (7.34) is printed
+    /// with $z$, which is right for $z > 0$ only; here it has $|z|$. $i$ is any integer there and odd here.
+    /// `damping_velocity`: Olsson (1996), PhD thesis, Lund University. A public library of friction models has $z$
+    /// instead of $|z|$, and lacks $alpha = 0$ for $sgn v != sgn z$.
     ///
     /// # Example
     /// ```

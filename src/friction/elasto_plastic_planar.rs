@@ -29,9 +29,9 @@ crate::model! {
     /// sigma_1(v) = sigma_1 exp(-(|v| / v_d)^2)     if v_d > 0, else sigma_1
     /// ```
     ///
-    /// v, z and f_f are vectors in the plane; max(0, e^T v) is the velocity along the bristle if it loads it, else 0.
-    /// Along a line this is the rule alpha = 0 for sgn v != sgn z of the scalar law, and without its jump: in the plane
-    /// a motion can turn from loading to unloading without coming to rest.
+    /// $v$, $z$ and $f_f$ are vectors in the plane; $max(0, e^T v)$ is the velocity along the bristle if it loads it,
+    /// else 0. Along a line this is the rule $alpha = 0$ for $sgn v != sgn z$ of the scalar law, and without its jump:
+    /// in the plane a motion can turn from loading to unloading without coming to rest.
     ///
     /// | symbol  | variable                 | unit  | meaning                                                  |
     /// |---------|--------------------------|-------|----------------------------------------------------------|
@@ -57,8 +57,8 @@ crate::model! {
     /// power is the scalar product of friction force and velocity; it is negative while the bristles spring back.
     ///
     /// # Step
-    /// With held inputs z depends on the distance only. The elastic part of the path is solved exactly and its end is
-    /// located; the plastic part is integrated with error control (Dormand-Prince, 1e-13 of z_ss per step), and its
+    /// With held inputs $z$ depends on the distance only. The elastic part of the path is solved exactly and its end is
+    /// located; the plastic part is integrated with error control (Dormand-Prince, 1e-13 of $z_ss$ per step), and its
     /// end, the approach to steady sliding, is an exponential again. The result does not depend on how an interval is
     /// divided by more than 1e-10. `sticking` means that more than 1 % (chosen) of the motion still goes into the
     /// bristles. For the largest communication step see `LuGrePlanar`, which has the same stiffness and damping at
@@ -66,20 +66,20 @@ crate::model! {
     /// with the inputs of their middle; the error is of second order.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; in Model Exchange `mu_k` = 0. kappa <= 0.99 (chosen):
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; in Model Exchange `mu_k` = 0. $kappa <= 0.99$ (chosen):
     /// at 1 the law is that of `Liang` with RadialReturn, which solves it exactly.
     ///
     /// # Limits
-    /// Not passive for sampled velocities unless sigma_2 >= sigma_1 (f_s - f_C) / f_C or `damping_velocity` > 0, as
-    /// LuGre. Without damping (sigma_1 = 0) it is passive at constant load. No drift as long as |f_f| < kappa g.
+    /// Not passive for sampled velocities unless $sigma_2 >= sigma_1 (f_s - f_C) / f_C$ or `damping_velocity` > 0, as
+    /// LuGre. Without damping ($sigma_1 = 0$) it is passive at constant load. No drift as long as $|f_f| < kappa g$.
     /// Isotropic. No spin about the normal. `normal_force` = 0 releases the contact (force 0, deflection 0).
     ///
     /// # Source
     /// The law along a line: Dupont, Hayward, Armstrong, Altpeter (2002), "Single state elastoplastic friction models",
     /// IEEE Transactions on Automatic Control 47, 787-792; equations (7.30) to (7.34) of F. Novais, "A critical
     /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), here with the
-    /// exponent i = 1. The sine (7.34) is printed with z; |z| is meant. The extension to the plane is ours. Defaults:
-    /// Tables 6.1 and 7.1 of the thesis and kappa = 0.7 from its text.
+    /// exponent $i = 1$. The sine (7.34) is printed with $z$; $|z|$ is meant. The extension to the plane is ours.
+    /// Defaults: Tables 6.1 and 7.1 of the thesis and $kappa = 0.7$ from its text.
     ///
     /// # Example
     /// ```

@@ -33,21 +33,21 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// | symbol | variable               | unit  | meaning                                               |
-    /// |--------|------------------------|-------|-------------------------------------------------------|
-    /// | v      | `velocity`             | m/s   | velocity of body 1 relative to body 2                 |
-    /// | f_n    | `normal_force`         | N     | force pressing the surfaces together                  |
-    /// | mu_k   | `mu_k`                 | 1     | kinetic coefficient of friction                       |
-    /// | mu_s   | `mu_s`                 | 1     | static coefficient of friction                        |
-    /// | v_S    | `stribeck_velocity`    | m/s   | speed at which the excess over f_C has fallen to 1/e  |
-    /// | delta  | `stribeck_exponent`    | 1     | shape of the falling level; 2 = Gaussian              |
-    /// | f_v    | `viscous_coefficient`  | N.s/m | viscous coefficient                                   |
-    /// | tau_L  | `time_lag`             | s     | time by which the force lags behind                   |
-    /// | w      | `lagged_velocity`      | m/s   | velocity of a time lag ago, or filtered               |
-    /// |        | `history[i].duration`  | s     | pieces of the past, the latest first: their durations |
-    /// |        | `history[i].begin`     | m/s   | velocity at the beginning of a piece                  |
-    /// |        | `history[i].end`       | m/s   | velocity at the end of a piece                        |
-    /// | f_f    | `friction_force`       | N     | friction force                                        |
+    /// | symbol | variable              | unit  | meaning                                                |
+    /// |--------|-----------------------|-------|--------------------------------------------------------|
+    /// | v      | `velocity`            | m/s   | velocity of body 1 relative to body 2                  |
+    /// | f_n    | `normal_force`        | N     | force pressing the surfaces together                   |
+    /// | mu_k   | `mu_k`                | 1     | kinetic coefficient of friction                        |
+    /// | mu_s   | `mu_s`                | 1     | static coefficient of friction                         |
+    /// | v_S    | `stribeck_velocity`   | m/s   | speed at which the excess over $f_C$ has fallen to 1/e |
+    /// | delta  | `stribeck_exponent`   | 1     | shape of the falling level; 2 = Gaussian               |
+    /// | f_v    | `viscous_coefficient` | N.s/m | viscous coefficient                                    |
+    /// | tau_L  | `time_lag`            | s     | time by which the force lags behind                    |
+    /// | w      | `lagged_velocity`     | m/s   | velocity of a time lag ago, or filtered                |
+    /// |        | `history[i].duration` | s     | pieces of the past, the latest first: their durations  |
+    /// |        | `history[i].begin`    | m/s   | velocity at the beginning of a piece                   |
+    /// |        | `history[i].end`      | m/s   | velocity at the end of a piece                         |
+    /// | f_f    | `friction_force`      | N     | friction force                                         |
     ///
     /// # Sign
     /// `friction_force` has the sign of the present `velocity`; body 1 feels `-friction_force`. Dissipated power is
@@ -57,29 +57,29 @@ crate::model! {
     /// Exact for inputs that are held and for inputs that move linearly: two half steps equal one. A held velocity is
     /// taken as a staircase, and the delayed velocity is the same staircase later. If it stands for a smooth velocity,
     /// it is late by up to one communication step (half of one on average); slopes of the inputs
-    /// (fmi2SetRealInputDerivatives) remove that. A step may be longer than tau_L: the force at its end then follows
+    /// (fmi2SetRealInputDerivatives) remove that. A step may be longer than $tau_L$: the force at its end then follows
     /// the velocity of the same step.
     ///
     /// The past is kept in 64 pieces with a linear velocity each, a constant one however long it lasts. If the delay
-    /// holds more different velocities, that is for a communication step below about tau_L / 63, neighbouring pieces
-    /// are joined by straight lines: the past still spans tau_L, no joined piece is longer than tau_L / 31, and the
-    /// error of w is at most |d2v/dt2| (tau_L / 31)^2 / 8, and for a held velocity its change over one step in
+    /// holds more different velocities, that is for a communication step below about $tau_L / 63$, neighbouring pieces
+    /// are joined by straight lines: the past still spans $tau_L$, no joined piece is longer than $tau_L / 31$, and the
+    /// error of $w$ is at most $|d2v/dt2| (tau_L / 31)^2 / 8$, and for a held velocity its change over one step in
     /// addition.
     ///
-    /// A host that integrates the body itself never reaches v = 0 exactly: the force alternates, and the velocity of
-    /// the body alternates by up to f_s h / m, which has to stay well below v_S, or the level at rest is not the static
-    /// one. For a block of 1 kg on a belt the stick-slip period is 0.2 % too short at h = 31 us, 4 % at 125 us and 39 %
-    /// at 1 ms.
+    /// A host that integrates the body itself never reaches $v = 0$ exactly: the force alternates, and the velocity of
+    /// the body alternates by up to $f_s h / m$, which has to stay well below $v_S$, or the level at rest is not the
+    /// static one. For a block of 1 kg on a belt the stick-slip period is 0.2 % too short at $h = 31$ us, 4 % at 125 us
+    /// and 39 % at 1 ms.
     ///
-    /// Before the first step, and again after the contact was released, w is the velocity with which the contact
-    /// begins. The dissipated energy is a closed form where w and the inputs are constant, otherwise a quadrature with
-    /// a relative error below 1e-10. `sticking` means that the velocity is exactly zero.
+    /// Before the first step, and again after the contact was released, $w$ is the velocity with which the contact
+    /// begins. The dissipated energy is a closed form where $w$ and the inputs are constant, otherwise a quadrature
+    /// with a relative error below 1e-10. `sticking` means that the velocity is exactly zero.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// No stiction: the force is zero at v = 0, so the law cannot hold a load, and a host that integrates the body
+    /// No stiction: the force is zero at $v = 0$, so the law cannot hold a load, and a host that integrates the body
     /// itself sees the force alternate around rest. No pre-sliding displacement. When the velocity changes its sign,
     /// the level still follows the speed one time lag earlier, so the force need not pass the static level.
     /// `time_lag` = 0 is the static law; `mu_s` = `mu_k` leaves only the viscous part to lag. `normal_force` = 0
@@ -91,7 +91,7 @@ crate::model! {
     /// Armstrong-Helouvry (1991); the viscous part lags with it. The pages of F. Novais, "A critical analysis on
     /// friction force models in dynamical systems", MSc thesis, University of Minho (2024), on frictional lag were not
     /// available: the equations are those of the literature. The variant FirstOrder, which needs no past, is a common
-    /// substitute. The default tau_L = 5 ms is chosen.
+    /// substitute. The default $tau_L = 5$ ms is chosen.
     ///
     /// # Example
     /// ```

@@ -46,39 +46,41 @@ crate::model! {
     /// is `friction_force * velocity`; it is negative while the bristles spring back.
     ///
     /// # Step
-    /// With held inputs both states relax linearly and are solved exactly; the instants at which f_br passes f_max are
-    /// located for the energy. So the result does not depend on how an interval is divided. `sticking` means that f_br
-    /// is within f_max and more than 1 % (chosen) of the motion still goes into the bristles.
+    /// With held inputs both states relax linearly and are solved exactly; the instants at which $f_br$ passes $f_max$
+    /// are located for the energy. So the result does not depend on how an interval is divided. `sticking` means that
+    /// $f_br$ is within $f_max$ and more than 1 % (chosen) of the motion still goes into the bristles.
     ///
-    /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
-    /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
-    /// with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds of the
-    /// force. If all models step at once and exchange afterwards, the limit is h < 1 / (k / c + c / m), 1.6 ms.
+    /// A master that integrates a mass $m$ with the force it reads couples it explicitly to the stiffness $k$ and the
+    /// damping $c$ of the contact at rest. If the friction steps first, a held body stays still for communication steps
+    /// $h$ with $k h^2 + 2 c h < 4 m$, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds
+    /// of the force. If all models step at once and exchange afterwards, the limit is $h < 1 / (k / c + c / m)$, 1.6
+    /// ms.
     ///
     #[doc = include_str!("slopes.md")]
     /// # Errors
-    /// Refused: a parameter outside its bound (sigma_1 must be > 0: it divides); `mu_s` < `mu_k`.
+    /// Refused: a parameter outside its bound ($sigma_1$ must be > 0: it divides); `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// The steady force is min{f_C + sigma_1 v / (exp(v^2 / v_S^2) - 1), f_C + (f_s - f_C) exp(-v^2 / v_S^2)} + sigma_2
-    /// v, the second of the two for all v if 1.56697399 sigma_1 v_S >= f_s - f_C, as the defaults just satisfy. f_max
-    /// starts from f_C (s_d = 0): a new contact has no stiction yet.
+    /// The steady force is
+    /// $min{f_C + sigma_1 v / (exp(v^2 / v_S^2) - 1), f_C + (f_s - f_C) exp(-v^2 / v_S^2)} + sigma_2 v$, the second of
+    /// the two for all $v$ if $1.56697399 sigma_1 v_S >= f_s - f_C$, as the defaults just satisfy. $f_max$ starts from
+    /// $f_C (s_d = 0)$: a new contact has no stiction yet.
     ///
-    /// The limit acts on the force, not on the bristle: at speeds far below v_S the deflection continues to grow while
-    /// the force stays at f_max, up to about sigma_1 v_S^2 / (sigma_0 v), and the same distance back is driven, not
-    /// braked, by the bristle. Slow strokes therefore dissipate little, and if f_max has risen in between, the law
-    /// returns more energy than it received: it is not passive, but returns no more than (f_s - f_C) times the distance
-    /// travelled. For f_s = f_C and constant load it is passive in all histories that were tried. `normal_force` = 0
-    /// releases the contact (force, deflection and s_d 0).
+    /// The limit acts on the force, not on the bristle: at speeds far below $v_S$ the deflection continues to grow
+    /// while the force stays at $f_max$, up to about $sigma_1 v_S^2 / (sigma_0 v)$, and the same distance back is
+    /// driven, not braked, by the bristle. Slow strokes therefore dissipate little, and if $f_max$ has risen in
+    /// between, the law returns more energy than it received: it is not passive, but returns no more than ($f_s - f_C$)
+    /// times the distance travelled. For $f_s = f_C$ and constant load it is passive in all histories that were tried.
+    /// `normal_force` = 0 releases the contact (force, deflection and $s_d 0$).
     ///
     /// # Source
     /// Gonthier, McPhee, Lange, Piedboeuf (2004), "A regularized contact model with asymmetric damping and dwell-time
     /// dependent friction", Multibody System Dynamics 11, 209-233; equations (7.38) to (7.47) and Table 7.1 of F.
     /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
     /// (2024). Only two of the equations above carry their number: those of the others were not legible in the copy
-    /// that was available. The thesis calls v_0 at least one tenth of v_S and commonly one hundredth, which contradicts
-    /// itself: it should be at most one tenth, and here it is one hundredth. This is the scalar form; for a motion in a
-    /// plane the paper uses vectors.
+    /// that was available. The thesis calls $v_0$ at least one tenth of $v_S$ and commonly one hundredth, which
+    /// contradicts itself: it should be at most one tenth, and here it is one hundredth. This is the scalar form; for a
+    /// motion in a plane the paper uses vectors.
     ///
     /// # Example
     /// ```

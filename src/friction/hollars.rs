@@ -15,8 +15,8 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first one reached from v in the direction of the acceleration (implicit Euler):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end, and of several solutions
+    /// the first one reached from $v$ in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -41,24 +41,24 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = (2
-    /// f_s - f_C) / v_0 + mu_v f_n (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body chatters. With
-    /// `mass` there is no largest step. `sticking` means |v| < v_0.
+    /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
+    /// $f'(0) = (2 f_s - f_C) / v_0 + mu_v f_n$ (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body
+    /// chatters. With `mass` there is no largest step. `sticking` means $|v| < v_0$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// Cannot hold a load: a stuck body creeps with |v| < v_0. Without viscous part the peak is exactly f_s at v_0,
-    /// with a kink there. The excess over f_C falls as 2 (f_s - f_C) / r^2, slower than the exponential laws. `mu_s` =
-    /// `mu_k` is the linear form of Rooney-Deravi friction. No pre-sliding displacement. `normal_force` = 0 gives force
-    /// 0.
+    /// Cannot hold a load: a stuck body creeps with $|v| < v_0$. Without viscous part the peak is exactly $f_s$ at
+    /// $v_0$, with a kink there. The excess over $f_C$ falls as $2 (f_s - f_C) / r^2$, slower than the exponential
+    /// laws. `mu_s` = `mu_k` is the linear form of Rooney-Deravi friction. No pre-sliding displacement. `normal_force`
+    /// = 0 gives force 0.
     ///
     /// # Source
     /// Hollars, Rosenthal, Sherman (1994), SD/FAST manual, as documented for Simbody: Sherman, Seth, Delp (2011),
-    /// doi:10.1016/j.piutam.2011.04.023. No equation of the thesis was available. The default v_0 = 0.001 m/s is chosen
-    /// (Simbody: 0.01 m/s, preset `simbody`). Newer contact models of Simbody use a quintic transition instead.
+    /// doi:10.1016/j.piutam.2011.04.023. No equation of the thesis was available. The default $v_0 = 0.001$ m/s is
+    /// chosen (Simbody: 0.01 m/s, preset `simbody`). Newer contact models of Simbody use a quintic transition instead.
     ///
     /// # Example
     /// ```

@@ -15,8 +15,8 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is the one that brings the body to rest within the step, limited to
-    /// the static level inside the band and to the kinetic level outside (time stepping in the sense of Moreau):
+    /// With `mass` $m > 0$ the force over a step $h$ is the one that brings the body to rest within the step, limited
+    /// to the static level inside the band and to the kinetic level outside (time stepping in the sense of Moreau):
     ///
     /// ```text
     /// f_stop = f_e + m v / h
@@ -40,9 +40,9 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory. Inside the band its force balances the external force, so the velocity
-    /// stays constant instead of going to zero: a captured body creeps with up to v_0. With `mass` it is brought to
+    /// stays constant instead of going to zero: a captured body creeps with up to $v_0$. With `mass` it is brought to
     /// rest and neither chatters nor creeps, at any step size. In Model Exchange a contact is inside the band, or
-    /// slides in one direction, from one event to the next. Inside the band it returns `external_force`, up to f_s:
+    /// slides in one direction, from one event to the next. Inside the band it returns `external_force`, up to $f_s$:
     /// connect it, or nothing is held and events repeat endlessly at the edge of the band.
     ///
     #[doc = include_str!("coupling.md")]
@@ -50,15 +50,15 @@ crate::model! {
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// The force jumps at |v| = v_0, and after breakaway the static level acts until the body has left the band. No
+    /// The force jumps at $|v| = v_0$, and after breakaway the static level acts until the body has left the band. No
     /// Stribeck effect, no pre-sliding displacement. `normal_force` = 0 releases the contact (force 0, not stuck).
     /// `mu_s` = `mu_k` is regularised Coulomb friction.
     ///
     /// # Source
     /// Karnopp (1985), doi:10.1115/1.3140698; equation (6.7) of F. Novais, "A critical analysis on friction force
     /// models in dynamical systems", MSc thesis, University of Minho (2024). Differs: outside the band (6.7) allows any
-    /// f(v), here it is f_C sgn(v) without a viscous or a Stribeck part. The default v_0 = 0.001 m/s is chosen. Time
-    /// stepping: Moreau (1988), doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is our addition.
+    /// $f(v)$, here it is $f_C sgn(v)$ without a viscous or a Stribeck part. The default $v_0 = 0.001$ m/s is chosen.
+    /// Time stepping: Moreau (1988), doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is our addition.
     ///
     /// # Example
     /// ```

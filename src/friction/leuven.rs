@@ -31,70 +31,70 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n,   sum_i k_i = sigma_0,   sum_i W_i = w f_s
     /// ```
     ///
-    /// | symbol        | variable                     | unit  | meaning                                            |
-    /// |---------------|------------------------------|-------|----------------------------------------------------|
-    /// | v             | `velocity`                   | m/s   | velocity of body 1 relative to body 2              |
-    /// | f_n           | `normal_force`               | N     | force pressing the surfaces together               |
-    /// | mu_k          | `mu_k`                       | 1     | kinetic coefficient of friction                    |
-    /// | mu_s          | `mu_s`                       | 1     | static coefficient of friction                     |
-    /// | v_S           | `stribeck_velocity`          | m/s   | speed at which the level has fallen                |
-    /// | delta         | `stribeck_exponent`          | 1     | shape of the falling level                         |
-    /// | sigma_0       | `sigma_0`                    | N/m   | stiffness of all elements together                 |
-    /// | sigma_1       | `sigma_1`                    | N.s/m | damping of the bristles                            |
-    /// | sigma_2       | `viscous_coefficient`        | N.s/m | viscous coefficient                                |
-    /// | n             | `approach_exponent`          | 1     | shape of the transition to sliding                 |
-    /// | w             | `hysteresis_strength`        | 1     | strength of the elements, as a multiple of f_s     |
-    /// |               | `distribution`               |       | where the shares come from                         |
-    /// |               | `element_count`              |       | number of elements in use                          |
-    /// | k_i / sigma_0 | `element[i].stiffness_share` | 1     | share of an element in the stiffness               |
-    /// | W_i / (w f_s) | `element[i].strength_share`  | 1     | share of an element in the strength                |
-    /// | F_i           | `element[i].force`           | N     | force of an element                                |
-    /// | z             | `bristle_deflection`         | m     | mean deflection                                    |
-    /// | f_f           | `friction_force`             | N     | friction force                                     |
+    /// | symbol        | variable                     | unit  | meaning                                          |
+    /// |---------------|------------------------------|-------|--------------------------------------------------|
+    /// | v             | `velocity`                   | m/s   | velocity of body 1 relative to body 2            |
+    /// | f_n           | `normal_force`               | N     | force pressing the surfaces together             |
+    /// | mu_k          | `mu_k`                       | 1     | kinetic coefficient of friction                  |
+    /// | mu_s          | `mu_s`                       | 1     | static coefficient of friction                   |
+    /// | v_S           | `stribeck_velocity`          | m/s   | speed at which the level has fallen              |
+    /// | delta         | `stribeck_exponent`          | 1     | shape of the falling level                       |
+    /// | sigma_0       | `sigma_0`                    | N/m   | stiffness of all elements together               |
+    /// | sigma_1       | `sigma_1`                    | N.s/m | damping of the bristles                          |
+    /// | sigma_2       | `viscous_coefficient`        | N.s/m | viscous coefficient                              |
+    /// | n             | `approach_exponent`          | 1     | shape of the transition to sliding               |
+    /// | w             | `hysteresis_strength`        | 1     | strength of the elements, as a multiple of $f_s$ |
+    /// |               | `distribution`               |       | where the shares come from                       |
+    /// |               | `element_count`              |       | number of elements in use                        |
+    /// | k_i / sigma_0 | `element[i].stiffness_share` | 1     | share of an element in the stiffness             |
+    /// | W_i / (w f_s) | `element[i].strength_share`  | 1     | share of an element in the strength              |
+    /// | F_i           | `element[i].force`           | N     | force of an element                              |
+    /// | z             | `bristle_deflection`         | m     | mean deflection                                  |
+    /// | f_f           | `friction_force`             | N     | friction force                                   |
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity` in steady sliding; body 1 feels `-friction_force`. Dissipated power
     /// is `friction_force * velocity`; it is negative while the bristles spring back.
     ///
     /// # Step
-    /// Between two slips of elements F_h is linear in z. With held inputs and r = F_h / |s| such a piece is
+    /// Between two slips of elements $F_h$ is linear in $z$. With held inputs and $r = F_h / |s|$ such a piece is
     ///
     /// ```text
     /// dr/dt = (K |v| / |s|) (1 - sgn(r) |r|^n),   K = stiffness of the elements that do not slip
     /// ```
     ///
-    /// (for motion forwards), and a deflection that grows or falls throughout the step. For n = 1 the pieces are solved
-    /// in closed form, otherwise by quadrature of time over force to 1e-13; each slip is located inside the step. So
-    /// the result does not depend on how an interval is divided. `sticking` means that more than 1 % (chosen) of the
-    /// motion still goes into the bristles.
+    /// (for motion forwards), and a deflection that grows or falls throughout the step. For $n = 1$ the pieces are
+    /// solved in closed form, otherwise by quadrature of time over force to 1e-13; each slip is located inside the
+    /// step. So the result does not depend on how an interval is divided. `sticking` means that more than 1 % (chosen)
+    /// of the motion still goes into the bristles.
     ///
-    /// With linearly moving inputs the step is of second order, in 4 to 19 pieces (chosen): it is cut where v changes
-    /// sign and where the level is curved, and in each piece level and strengths count as linear. F_h follows a moving
-    /// level as closely as the bristles do. An element that slips while the load rises stays at its strength unless the
-    /// strength grows faster than the element's force can.
+    /// With linearly moving inputs the step is of second order, in 4 to 19 pieces (chosen): it is cut where $v$ changes
+    /// sign and where the level is curved, and in each piece level and strengths count as linear. $F_h$ follows a
+    /// moving level as closely as the bristles do. An element that slips while the load rises stays at its strength
+    /// unless the strength grows faster than the element's force can.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `hysteresis_strength` < 1, because elements that are
-    /// together weaker than f_s all slip before the level is reached, and z grows without limit; `approach_exponent` <
-    /// 0.1 (chosen), where nearly all motion would be sliding from the start.
+    /// together weaker than $f_s$ all slip before the level is reached, and $z$ grows without limit;
+    /// `approach_exponent` < 0.1 (chosen), where nearly all motion would be sliding from the start.
     ///
     /// # Limits
-    /// Not passive for sampled velocities if sigma_1 > 0 and f_s > f_C, for the same reason as LuGre and by the same
-    /// bound: sigma_2 >= sigma_1 (f_s - f_C) / f_C for n = 1; for n > 1 the spike grows as (f_s / f_C)^n. Without
-    /// damping (sigma_1 = 0) it is passive at constant load. One element with n = 1 is LuGre exactly. If the load
-    /// falls, an element above its new strength keeps its force until it moves back. `normal_force` = 0 releases the
-    /// contact (force 0, deflections 0). The force at v = 0 is held.
+    /// Not passive for sampled velocities if $sigma_1 > 0$ and $f_s > f_C$, for the same reason as LuGre and by the
+    /// same bound: $sigma_2 >= sigma_1 (f_s - f_C) / f_C$ for $n = 1$; for $n > 1$ the spike grows as $(f_s / f_C)^n$.
+    /// Without damping ($sigma_1 = 0$) it is passive at constant load. One element with $n = 1$ is LuGre exactly. If
+    /// the load falls, an element above its new strength keeps its force until it moves back. `normal_force` = 0
+    /// releases the contact (force 0, deflections 0). The force at $v = 0$ is held.
     ///
     /// # Source
     /// Lampaert, Swevers, Al-Bender (2002), "Modification of the Leuven integrated friction model structure", IEEE
     /// Transactions on Automatic Control 47, 683-687, after Swevers, Al-Bender, Ganseman, Prajogo (2000), "An
     /// integrated friction model structure with improved presliding behavior for accurate friction compensation", the
-    /// same journal 45, 675-686. Deviations: s(v) and the strengths carry the normal force; the deflections of the
-    /// slipping ends of the elements are replaced by the forces F_i. The hysteresis of 2000, with a stack of reversal
-    /// points, is not included. Levels, sigma_0, sigma_1, sigma_2: Tables 6.1 and 7.1 of F. Novais, "A critical
+    /// same journal 45, 675-686. Deviations: $s(v)$ and the strengths carry the normal force; the deflections of the
+    /// slipping ends of the elements are replaced by the forces $F_i$. The hysteresis of 2000, with a stack of reversal
+    /// points, is not included. Levels, $sigma_0$, $sigma_1$, $sigma_2$: Tables 6.1 and 7.1 of F. Novais, "A critical
     /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), for its other
-    /// bristle models; n, the elements and their strength are chosen. A public implementation misplaces a parenthesis
-    /// in the equation of z and has v (1 - sgn r) |r|^n.
+    /// bristle models; $n$, the elements and their strength are chosen. A public implementation misplaces a parenthesis
+    /// in the equation of $z$ and has $v (1 - sgn r) |r|^n$.
     ///
     /// # Example
     /// ```

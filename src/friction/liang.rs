@@ -35,8 +35,8 @@ crate::model! {
     /// v_t   = v - (n^T v) n,   f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// z, v_t and f_f are vectors in the plane with the normal n. While z slides along the circle |z| = z_max,
-    /// RadialReturn keeps only the motion across z: dz/dt = v_t - (v_t . z) z / |z|^2.
+    /// $z$, $v_t$ and $f_f$ are vectors in the plane with the normal $n$. While $z$ slides along the circle
+    /// $|z| = z_max$, RadialReturn keeps only the motion across $z$: $dz/dt = v_t$ - ($v_t$ . $z$) $z / |z|^2$.
     ///
     /// | symbol  | variable                 | unit  | meaning                                            |
     /// |---------|--------------------------|-------|----------------------------------------------------|
@@ -67,13 +67,13 @@ crate::model! {
     ///
     /// # Step
     /// Exact for held inputs in both variants, so the result does not depend on how an interval is divided: the bristle
-    /// moves with v_t until it reaches the circle at a located instant, and then turns towards v_t by
+    /// moves with $v_t$ until it reaches the circle at a located instant, and then turns towards $v_t$ by
     ///
     /// ```text
     /// tan(phi / 2) = tan(phi_0 / 2) exp(-|v_t| t / z_max),   phi = angle between z and v_t
     /// ```
     ///
-    /// At the start of a step z is turned into the plane of the present normal: projected, with its length kept.
+    /// At the start of a step $z$ is turned into the plane of the present normal: projected, with its length kept.
     /// `sticking` means that the bristle is not at its limit.
     ///
     /// With linearly moving inputs the step is of second order, in eight pieces (chosen); the plane turns with its
@@ -81,30 +81,32 @@ crate::model! {
     /// leaves it where the circle grows faster than the bristle moves outwards. The dissipated energy includes the
     /// damping of the motion with the growing circle; the output force, which is that of held inputs, does not.
     ///
-    /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
-    /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
-    /// with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds of the
-    /// force. If all models step at once and exchange afterwards, the limit is h < 1 / (k / c + c / m), 1.6 ms.
+    /// A master that integrates a mass $m$ with the force it reads couples it explicitly to the stiffness $k$ and the
+    /// damping $c$ of the contact at rest. If the friction steps first, a held body stays still for communication steps
+    /// $h$ with $k h^2 + 2 c h < 4 m$, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds
+    /// of the force. If all models step at once and exchange afterwards, the limit is $h < 1 / (k / c + c / m)$, 1.6
+    /// ms.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`. A normal of length 0, as given by importers that start
     /// from zeros, is accepted with a warning: there is no tangent plane, and the whole velocity counts as tangential.
     ///
     /// # Limits
-    /// No Stribeck curve: the limit falls at once by f_s - f_C when the speed passes v_0, and the damping force ends
-    /// where the bristle reaches its limit, so the force jumps. A contact that creeps below v_0 stays at the static
-    /// level. Passive in both variants, also while load or limit change. Printed: if the limit shrinks below a
-    /// deflection that opposes the velocity, the force flips by up to 2 f_C; at v_t = 0, where the printed rule says
-    /// nothing, z keeps its direction. `normal_force` = 0 releases the contact (force 0, deflection 0). In one
-    /// dimension this is the reset integrator without its stiction gain (a = 0) and with a limit that switches with the
-    /// speed. sigma_0 should be ten times the largest stiffness of the system that contains the contact (Liang et al.).
+    /// No Stribeck curve: the limit falls at once by $f_s - f_C$ when the speed passes $v_0$, and the damping force
+    /// ends where the bristle reaches its limit, so the force jumps. A contact that creeps below $v_0$ stays at the
+    /// static level. Passive in both variants, also while load or limit change. Printed: if the limit shrinks below a
+    /// deflection that opposes the velocity, the force flips by up to $2 f_C$; at $v_t = 0$, where the printed rule
+    /// says nothing, $z$ keeps its direction. `normal_force` = 0 releases the contact (force 0, deflection 0). In one
+    /// dimension this is the reset integrator without its stiction gain ($a = 0$) and with a limit that switches with
+    /// the speed. $sigma_0$ should be ten times the largest stiffness of the system that contains the contact (Liang et
+    /// al.).
     ///
     /// # Source
     /// Liang, Fillmore, Ma (2012), "An extended bristle friction force model with experimental validation", Mechanism
     /// and Machine Theory 56, 123-137; equations (7.48) to (7.51) and Tables 6.1 and 7.1 of F. Novais, "A critical
     /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024). Deviations: the
     /// sign (above); RadialReturn, which equals the printed rule as long as the motion keeps its direction, and is
-    /// continuous where the printed rule flips z or is undefined.
+    /// continuous where the printed rule flips $z$ or is undefined.
     ///
     /// # Example
     /// ```

@@ -17,8 +17,8 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first one reached from v in the direction of the acceleration (implicit Euler):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end, and of several solutions
+    /// the first one reached from $v$ in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -32,7 +32,7 @@ crate::model! {
     /// | mu_k   | `mu_k`                | 1    | kinetic coefficient of friction                 |
     /// | mu_s   | `mu_s`                | 1    | static coefficient of friction                  |
     /// | v_0    | `transition_velocity` | m/s  | velocity of the stiction peak                   |
-    /// | v_1    | `sliding_velocity`    | m/s  | velocity at which f_C is reached                |
+    /// | v_1    | `sliding_velocity`    | m/s  | velocity at which $f_C$ is reached              |
     /// | m      | `mass`                | kg   | effective mass of the host, 0 = the printed law |
     /// | h      | `step_size`           | s    | last communication step                         |
     /// | f_f    | `friction_force`      | N    | friction force                                  |
@@ -43,23 +43,23 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_s /
-    /// v_0 (1472 N.s/m for the defaults: 1.4 ms for 1 kg); above, a held body chatters. With `mass` there is no largest
-    /// step. `sticking` means |v| < v_0.
+    /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
+    /// $f'(0) = f_s / v_0$ (1472 N.s/m for the defaults: 1.4 ms for 1 kg); above, a held body chatters. With `mass`
+    /// there is no largest step. `sticking` means $|v| < v_0$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `sliding_velocity` <= `transition_velocity`.
     ///
     /// # Limits
-    /// Cannot hold a load: a stuck body creeps with |v| < v_0. The peak is exactly f_s at v_0. Kinks at v_0 and v_1.
-    /// `mu_s` = `mu_k` is the linear form of Rooney-Deravi friction. No pre-sliding displacement. `normal_force` = 0
-    /// gives force 0.
+    /// Cannot hold a load: a stuck body creeps with $|v| < v_0$. The peak is exactly $f_s$ at $v_0$. Kinks at $v_0$ and
+    /// $v_1$. `mu_s` = `mu_k` is the linear form of Rooney-Deravi friction. No pre-sliding displacement. `normal_force`
+    /// = 0 gives force 0.
     ///
     /// # Source
     /// Marques, Flores, Claro, Lankarani (2016), doi:10.1007/s11071-016-2999-3; equation (6.29) of F. Novais, "A
     /// critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024). The
-    /// values in the thesis are on a page that was not available: v_0 = 1 mm/s and v_1 = 1.5 mm/s are chosen.
+    /// values in the thesis are on a page that was not available: $v_0 = 1$ mm/s and $v_1 = 1.5$ mm/s are chosen.
     ///
     /// # Example
     /// ```

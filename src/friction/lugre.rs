@@ -40,32 +40,33 @@ crate::model! {
     /// is `friction_force * velocity`; it is negative while the bristles spring back.
     ///
     /// # Step
-    /// With held inputs the equation of z is linear and solved exactly, so the result does not depend on how an
+    /// With held inputs the equation of $z$ is linear and solved exactly, so the result does not depend on how an
     /// interval is divided, from 1 us to 1 s. `sticking` means that more than 1 % (chosen) of the motion still goes
     /// into the bristles.
     ///
-    /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
-    /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
-    /// with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds of the
-    /// force. If all models step at once and exchange afterwards, the limit is h < 1 / (k / c + c / m), 1.6 ms. A force
-    /// that is read right after setting the velocity needs h < 2 m / (sigma_1 + sigma_2), or `damping_velocity` > 0.
+    /// A master that integrates a mass $m$ with the force it reads couples it explicitly to the stiffness $k$ and the
+    /// damping $c$ of the contact at rest. If the friction steps first, a held body stays still for communication steps
+    /// $h$ with $k h^2 + 2 c h < 4 m$, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds
+    /// of the force. If all models step at once and exchange afterwards, the limit is $h < 1 / (k / c + c / m)$, 1.6
+    /// ms. A force that is read right after setting the velocity needs $h < 2 m / (sigma_1 + sigma_2)$, or
+    /// `damping_velocity` > 0.
     ///
     #[doc = include_str!("slopes.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// Drifts under a load that cycles below breakaway. mu_k = 0 is refused: g would vanish at high speed, and with it
-    /// the equation of z. Passive for every motion only if sigma_2 >= sigma_1 (f_s - f_C) / f_C, which no common
-    /// parameter set satisfies: a velocity that jumps, as a sampled one does, can give a force spike of sigma_1 dz/dt
-    /// (0 -> 0.1 m/s from full stiction: -14.3 N). `damping_velocity` (of the size of v_S) removes it; the default 0
+    /// Drifts under a load that cycles below breakaway. $mu_k = 0$ is refused: $g$ would vanish at high speed, and with
+    /// it the equation of $z$. Passive for every motion only if $sigma_2 >= sigma_1 (f_s - f_C) / f_C$, which no common
+    /// parameter set satisfies: a velocity that jumps, as a sampled one does, can give a force spike of $sigma_1 dz/dt$
+    /// (0 -> 0.1 m/s from full stiction: -14.3 N). `damping_velocity` (of the size of $v_S$) removes it; the default 0
     /// keeps the law of the paper. `normal_force` = 0 releases the contact (force 0, deflection 0).
     ///
     /// # Source
-    /// Canudas de Wit, Olsson, Astrom, Lischinsky (1995), doi:10.1109/9.376053. In the paper sigma_0 g(v) is the level;
-    /// here g is in newtons and carries the normal force, and delta = 2 is a parameter. Defaults: Table 7.1 of F.
-    /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
-    /// (2024). Velocity-dependent damping: Olsson (1996), PhD thesis, Lund University.
+    /// Canudas de Wit, Olsson, Astrom, Lischinsky (1995), doi:10.1109/9.376053. In the paper $sigma_0 g(v)$ is the
+    /// level; here $g$ is in newtons and carries the normal force, and $delta = 2$ is a parameter. Defaults: Table 7.1
+    /// of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of
+    /// Minho (2024). Velocity-dependent damping: Olsson (1996), PhD thesis, Lund University.
     ///
     /// # Example
     /// ```

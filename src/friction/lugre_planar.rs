@@ -23,7 +23,7 @@ crate::model! {
     /// sigma_1(v) = sigma_1 exp(-(|v| / v_d)^2)     if v_d > 0, else sigma_1
     /// ```
     ///
-    /// v, z and f_f are vectors in the plane.
+    /// $v$, $z$ and $f_f$ are vectors in the plane.
     ///
     /// | symbol  | variable                 | unit  | meaning                                         |
     /// |---------|--------------------------|-------|-------------------------------------------------|
@@ -48,13 +48,14 @@ crate::model! {
     /// power is the scalar product of friction force and velocity; it is negative while the bristles spring back.
     ///
     /// # Step
-    /// With held inputs the equation of z is linear and solved exactly, so the result does not depend on how an
+    /// With held inputs the equation of $z$ is linear and solved exactly, so the result does not depend on how an
     /// interval is divided. `sticking` means that more than 1 % (chosen) of the motion still goes into the bristles.
     ///
-    /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
-    /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
-    /// with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds of the
-    /// force. If all models step at once and exchange afterwards, the limit is h < 1 / (k / c + c / m), 1.6 ms.
+    /// A master that integrates a mass $m$ with the force it reads couples it explicitly to the stiffness $k$ and the
+    /// damping $c$ of the contact at rest. If the friction steps first, a held body stays still for communication steps
+    /// $h$ with $k h^2 + 2 c h < 4 m$, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds
+    /// of the force. If all models step at once and exchange afterwards, the limit is $h < 1 / (k / c + c / m)$, 1.6
+    /// ms.
     ///
     #[doc = include_str!("slopes.md")]
     /// # Errors
@@ -62,14 +63,14 @@ crate::model! {
     ///
     /// # Limits
     /// Along a line it is `LuGre`, with all its limits: drift below breakaway; not passive for sampled velocities
-    /// unless sigma_2 >= sigma_1 (f_s - f_C) / f_C or `damping_velocity` > 0. Without damping (sigma_1 = 0) it is
+    /// unless $sigma_2 >= sigma_1 (f_s - f_C) / f_C$ or `damping_velocity` > 0. Without damping ($sigma_1 = 0$) it is
     /// passive at constant load. Isotropic: no preferred direction. No spin about the normal. `normal_force` = 0
     /// releases the contact (force 0, deflection 0).
     ///
     /// # Source
     /// The law along a line: Canudas de Wit, Olsson, Astrom, Lischinsky (1995), doi:10.1109/9.376053. The extension to
-    /// the plane, |v| for the magnitude and vectors for the rest, is the usual one for an isotropic contact; here it is
-    /// written down without a particular source. Defaults: Tables 6.1 and 7.1 of F. Novais, "A critical analysis on
+    /// the plane, $|v|$ for the magnitude and vectors for the rest, is the usual one for an isotropic contact; here it
+    /// is written down without a particular source. Defaults: Tables 6.1 and 7.1 of F. Novais, "A critical analysis on
     /// friction force models in dynamical systems", MSc thesis, University of Minho (2024).
     ///
     /// # Example

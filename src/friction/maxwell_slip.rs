@@ -47,17 +47,17 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n,   sum_i alpha_i = 1,   sum_i k_i = sigma_0,   sigma_i = k_i sigma_1 / sigma_0
     /// ```
     ///
-    /// An element begins to slip when, moving outwards, |F_i| reaches alpha_i s(v). It sticks again only when v comes
-    /// to rest or changes sign. `distribution` Explicit takes k_i / sigma_0 and alpha_i from the elements, each
-    /// relative to their sum; for N elements Uniform has
+    /// An element begins to slip when, moving outwards, $|F_i|$ reaches $alpha_i s(v)$. It sticks again only when $v$
+    /// comes to rest or changes sign. `distribution` Explicit takes $k_i / sigma_0$ and $alpha_i$ from the elements,
+    /// each relative to their sum; for $N$ elements Uniform has
     ///
     /// ```text
     /// k_i = sigma_0 / N,   alpha_i = (2 i - 1) / N^2,   i = 1 ... N
     /// ```
     ///
-    /// so that for many elements the virgin curve is f_s (1 - (1 - sigma_0 x / (2 f_s))^2), to within f_s / (4 N^2). Up
-    /// to 1000 elements are possible. The first 64 have variables; a larger number requires Uniform. All elements are
-    /// part of a saved state. The time of a step is proportional to N.
+    /// so that for many elements the virgin curve is $f_s (1 - (1 - sigma_0 x / (2 f_s))^2)$, to within
+    /// $f_s / (4 N^2)$. Up to 1000 elements are possible. The first 64 have variables; a larger number requires
+    /// Uniform. All elements are part of a saved state. The time of a step is proportional to $N$.
     ///
     /// | symbol           | variable                     | unit  | meaning                                           |
     /// |------------------|------------------------------|-------|---------------------------------------------------|
@@ -88,7 +88,7 @@ crate::model! {
     /// inside the step, so the result does not depend on how an interval is divided. `sticking` means that not all
     /// elements slip.
     ///
-    /// With linearly moving inputs the step is of second order, in 4 to 19 pieces (chosen): it is cut where v changes
+    /// With linearly moving inputs the step is of second order, in 4 to 19 pieces (chosen): it is cut where $v$ changes
     /// sign and where the level is curved, and in each piece the level counts as linear. The onset of slip is where the
     /// force of the element reaches its moving level.
     ///
@@ -102,33 +102,33 @@ crate::model! {
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; more than 64 elements with Explicit shares.
     ///
     /// # Limits
-    /// For sigma_1 = 0 (default, the form of 2005) a stuck body vibrates without damping on the springs of its
+    /// For $sigma_1 = 0$ (default, the form of 2005) a stuck body vibrates without damping on the springs of its
     /// elements; the preset `damped` has the damping of the form of 2003. A stuck element whose level falls below its
     /// force (by a higher speed or a smaller load) begins to slip as soon as it moves outwards, and keeps its force
-    /// while it moves inwards. v = 0 counts as rest: all elements stick, and the force is held. If the load falls at
+    /// while it moves inwards. $v = 0$ counts as rest: all elements stick, and the force is held. If the load falls at
     /// rest, the old force is held until there is motion. `normal_force` = 0 releases the contact (force 0, elements
-    /// relaxed and sticking). With equal levels (f_s = f_C) the elements are elastic and perfectly plastic, and C does
-    /// not matter. As a Rust struct the law has up to 64 elements, in `GuideContact` and `ShockAbsorber` up to 16; more
-    /// need an `Instance`, which is behind every FMU and C handle.
+    /// relaxed and sticking). With equal levels ($f_s = f_C$) the elements are elastic and perfectly plastic, and $C$
+    /// does not matter. As a Rust struct the law has up to 64 elements, in `GuideContact` and `ShockAbsorber` up to 16;
+    /// more need an `Instance`, which is behind every FMU and $C$ handle.
     ///
-    /// Passive for f_s = f_C and a constant load. Otherwise not: a slipping element that slows down gains force, and
-    /// with it elastic energy, without moving. Each rise of the level from f_C to f_s can return up to sum_i alpha_i^2
-    /// (f_s^2 - f_C^2) / (2 k_i); an element that then speeds up on its way back returns (f_s - f_C)^2 / (2 sigma_0) =
-    /// 1.2 uJ per cycle with one element and the default levels. With sigma_1 > 0 the force also has peaks of sigma_i
-    /// dz_i/dt while the level changes.
+    /// Passive for $f_s = f_C$ and a constant load. Otherwise not: a slipping element that slows down gains force, and
+    /// with it elastic energy, without moving. Each rise of the level from $f_C$ to $f_s$ can return up to
+    /// $sum_i alpha_i^2 (f_s^2 - f_C^2) / (2 k_i)$; an element that then speeds up on its way back returns
+    /// $(f_s - f_C)^2 / (2 sigma_0) = 1.2$ uJ per cycle with one element and the default levels. With $sigma_1 > 0$ the
+    /// force also has peaks of $sigma_i dz_i/dt$ while the level changes.
     ///
     /// # Source
     /// Lampaert, Al-Bender, Swevers (2003), "A generalized Maxwell-slip friction model appropriate for control
     /// purposes", PhysCon, 1170-1177; Al-Bender, Lampaert, Swevers (2005), IEEE Transactions on Automatic Control 50,
     /// 1883-1887; equations (7.35) to (7.37) of F. Novais, "A critical analysis on friction force models in dynamical
     /// systems", MSc thesis, University of Minho (2024). The thesis writes the forms of 2003 and the year 2003 beside a
-    /// figure that says 2004. Its (7.36) reads dz_i/dt = sgn(v) C_i (1 - z_i / s_i(v)), which is right only if s_i
-    /// carries the sign of v: with s_i > 0 it diverges for v < 0. Here the sign multiplies the level. C is in N/s; the
-    /// C_i of (7.36), called a gain there, is C alpha_i / k_i in m/s. Deviation: the thesis gives each element its own
-    /// C_i and sigma_i; here both follow from one C and one sigma_1, so that all elements have one time constant. The
-    /// sources leave v = 0 open. Stiffness: Table 7.1; levels: Table 6.1; the number of elements and their shares are
-    /// chosen. The thesis uses about 1000 elements for a smooth response, as the preset `smooth` does. A public library
-    /// has the form of (7.36) with s > 0, which diverges for v < 0.
+    /// figure that says 2004. Its (7.36) reads $dz_i/dt = sgn(v) C_i (1 - z_i / s_i(v))$, which is right only if $s_i$
+    /// carries the sign of $v$: with $s_i > 0$ it diverges for $v < 0$. Here the sign multiplies the level. $C$ is in
+    /// N/s; the $C_i$ of (7.36), called a gain there, is $C alpha_i / k_i$ in m/s. Deviation: the thesis gives each
+    /// element its own $C_i$ and $sigma_i$; here both follow from one $C$ and one $sigma_1$, so that all elements have
+    /// one time constant. The sources leave $v = 0$ open. Stiffness: Table 7.1; levels: Table 6.1; the number of
+    /// elements and their shares are chosen. The thesis uses about 1000 elements for a smooth response, as the preset
+    /// `smooth` does. A public library has the form of (7.36) with $s > 0$, which diverges for $v < 0$.
     ///
     /// # Example
     /// ```

@@ -21,18 +21,18 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n,   f_l0 = mu_stop f_n
     /// ```
     ///
-    /// | symbol  | variable              | unit | meaning                                             |
-    /// |---------|-----------------------|------|-----------------------------------------------------|
-    /// | v       | `velocity`            | m/s  | velocity of body 1 relative to body 2               |
-    /// | f_n     | `normal_force`        | N    | force pressing the surfaces together                |
-    /// | v'      | `acceleration`        | m/s2 | acceleration of body 1 relative to body 2           |
-    /// |         | `velocity_slope`      | m/s2 | v' as it was given by a slope of the velocity       |
-    /// | mu_k    | `mu_k`                | 1    | kinetic coefficient of friction                     |
-    /// | mu_s    | `mu_s`                | 1    | static coefficient of friction                      |
-    /// | mu_stop | `mu_stop`             | 1    | coefficient of friction reached when stopping       |
-    /// | a       | `acceleration_decay`  | s/m  | steepness of the upper curve                        |
-    /// | b       | `deceleration_decay`  | s/m  | steepness of the lower curve                        |
-    /// | f_f     | `friction_force`      | N    | friction force                                      |
+    /// | symbol  | variable             | unit | meaning                                         |
+    /// |---------|----------------------|------|-------------------------------------------------|
+    /// | v       | `velocity`           | m/s  | velocity of body 1 relative to body 2           |
+    /// | f_n     | `normal_force`       | N    | force pressing the surfaces together            |
+    /// | v'      | `acceleration`       | m/s2 | acceleration of body 1 relative to body 2       |
+    /// |         | `velocity_slope`     | m/s2 | $v'$ as it was given by a slope of the velocity |
+    /// | mu_k    | `mu_k`               | 1    | kinetic coefficient of friction                 |
+    /// | mu_s    | `mu_s`               | 1    | static coefficient of friction                  |
+    /// | mu_stop | `mu_stop`            | 1    | coefficient of friction reached when stopping   |
+    /// | a       | `acceleration_decay` | s/m  | steepness of the upper curve                    |
+    /// | b       | `deceleration_decay` | s/m  | steepness of the lower curve                    |
+    /// | f_f     | `friction_force`     | N    | friction force                                  |
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity`; body 1 feels `-friction_force`. Dissipated power is
@@ -46,29 +46,29 @@ crate::model! {
     /// it is a quadrature with a relative error below 1e-10, divided where the velocity passes through zero. `sticking`
     /// says that the velocity is exactly zero.
     ///
-    /// A host that integrates the body itself never reaches v = 0 exactly, so at rest the force alternates at any
-    /// communication step h, and its velocity alternates by up to f_s h / m. If the acceleration is computed from the
-    /// last force, the two curves alternate wherever neither agrees with the sign of the acceleration that it causes;
-    /// at any step size the body then feels their mean, and begins to slide at (f_s + f_l0) / 2.
+    /// A host that integrates the body itself never reaches $v = 0$ exactly, so at rest the force alternates at any
+    /// communication step $h$, and its velocity alternates by up to $f_s h / m$. If the acceleration is computed from
+    /// the last force, the two curves alternate wherever neither agrees with the sign of the acceleration that it
+    /// causes; at any step size the body then feels their mean, and begins to slide at $(f_s + f_l0) / 2$.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_stop` > `mu_s`.
     ///
     /// # Limits
-    /// No stiction: the force is zero at v = 0, so the law cannot hold a load, and a host that integrates the body
-    /// itself sees the force alternate around rest. The force jumps by f_fu - f_fl where the acceleration changes its
+    /// No stiction: the force is zero at $v = 0$, so the law cannot hold a load, and a host that integrates the body
+    /// itself sees the force alternate around rest. The force jumps by $f_fu - f_fl$ where the acceleration changes its
     /// sign: an acceleration that is itself computed from this force closes a loop that may switch at every step.
-    /// `mu_stop` = `mu_s` with a = b is the reversible curve of Tustin with v_S = 1 / a; `mu_stop` = `mu_k` leaves the
-    /// Coulomb level while slowing down; `mu_stop` = 2 `mu_k` - `mu_s` mirrors the upper curve. `normal_force` = 0
+    /// `mu_stop` = `mu_s` with $a = b$ is the reversible curve of Tustin with $v_S = 1 / a$; `mu_stop` = `mu_k` leaves
+    /// the Coulomb level while slowing down; `mu_stop` = 2 `mu_k` - `mu_s` mirrors the upper curve. `normal_force` = 0
     /// gives force 0.
     ///
     /// # Source
     /// Reconstructed: the pages of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc
-    /// thesis, University of Minho (2024), on non-reversibility were not available; its list of symbols names f_fu,
-    /// f_fl, a and b. The curves are of the family of Powell and Wiercigroch (1992), Machine Vibration 1, and
-    /// Wiercigroch, Sin and Liew (1999), Proc. IMechE C 213, 527-534. In the literature f_l0 is 0 or 2 f_C - f_s; which
-    /// one the thesis prints is unknown, so it is a parameter, here as a coefficient, so that it follows the load. The
-    /// defaults of f_l0 = 0 and a = b = 500 s/m are chosen.
+    /// thesis, University of Minho (2024), on non-reversibility were not available; its list of symbols names $f_fu$,
+    /// $f_fl$, a and $b$. The curves are of the family of Powell and Wiercigroch (1992), Machine Vibration 1, and
+    /// Wiercigroch, Sin and Liew (1999), Proc. IMechE C 213, 527-534. In the literature $f_l0$ is 0 or $2 f_C - f_s$;
+    /// which one the thesis prints is unknown, so it is a parameter, here as a coefficient, so that it follows the
+    /// load. The defaults of $f_l0 = 0$ and $a = b = 500$ s/m are chosen.
     ///
     /// # Example
     /// ```

@@ -19,59 +19,61 @@ crate::model! {
     /// f_C   = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// | symbol  | variable             | unit  | meaning                                             |
-    /// |---------|----------------------|-------|-----------------------------------------------------|
-    /// | v       | `velocity`           | m/s   | velocity of body 1 relative to body 2               |
-    /// | f_n     | `normal_force`       | N     | force pressing the surfaces together                |
-    /// | mu_k    | `mu_k`               | 1     | kinetic coefficient of friction                     |
-    /// | mu_s    | `mu_s`               | 1     | static coefficient of friction; 1 + a = mu_s / mu_k |
-    /// | sigma_0 | `sigma_0`            | N/m   | stiffness while sliding; (1 + a) sigma_0 at rest    |
-    /// | sigma_1 | `sigma_1`            | N.s/m | damping of the bond                                 |
-    /// | z       | `bristle_deflection` | m     | deflection of the bond, at most z_m                 |
-    /// | -       | `slip_direction`     | 1     | sign of z once z_m was reached, until v reverses    |
-    /// | f_f     | `friction_force`     | N     | friction force                                      |
+    /// | symbol  | variable             | unit  | meaning                                                |
+    /// |---------|----------------------|-------|--------------------------------------------------------|
+    /// | v       | `velocity`           | m/s   | velocity of body 1 relative to body 2                  |
+    /// | f_n     | `normal_force`       | N     | force pressing the surfaces together                   |
+    /// | mu_k    | `mu_k`               | 1     | kinetic coefficient of friction                        |
+    /// | mu_s    | `mu_s`               | 1     | static coefficient of friction; $1 + a = mu_s / mu_k$  |
+    /// | sigma_0 | `sigma_0`            | N/m   | stiffness while sliding; $(1 + a) sigma_0$ at rest     |
+    /// | sigma_1 | `sigma_1`            | N.s/m | damping of the bond                                    |
+    /// | z       | `bristle_deflection` | m     | deflection of the bond, at most $z_m$                  |
+    /// | -       | `slip_direction`     | 1     | sign of $z$ once $z_m$ was reached, until $v$ reverses |
+    /// | f_f     | `friction_force`     | N     | friction force                                         |
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity` when sliding; body 1 feels `-friction_force`. Dissipated power is
     /// `friction_force * velocity`; it is negative while the bond springs back.
     ///
     /// # Step
-    /// With held inputs the step is exact: the instant at which the deflection reaches z_m is located inside the step,
-    /// and the energy is the sum of the two parts. If the master gives slopes of the inputs, the step is exact as well:
-    /// the breakaway is located, and the energy is a closed form. A motion against the deflection bonds the contact
-    /// again at once, so the force then belongs to the first line of (7.10), also at |z| = z_m. At rest (v = 0) with
-    /// |z| = z_m the last sliding force sigma_0 z stays. `slip_direction` records that z_m has been reached. `sticking`
-    /// means that the contact is bonded or at rest.
+    /// With held inputs the step is exact: the instant at which the deflection reaches $z_m$ is located inside the
+    /// step, and the energy is the sum of the two parts. If the master gives slopes of the inputs, the step is exact as
+    /// well: the breakaway is located, and the energy is a closed form. A motion against the deflection bonds the
+    /// contact again at once, so the force then belongs to the first line of (7.10), also at $|z| = z_m$. At rest
+    /// ($v = 0$) with $|z| = z_m$ the last sliding force $sigma_0 z$ stays. `slip_direction` records that $z_m$ has
+    /// been reached. `sticking` means that the contact is bonded or at rest.
     ///
-    /// A master that steps the friction first and then reads the force gets at most f_s + 2 sigma_1 z_m / h, because a
-    /// contact that is still bonded after a step h has moved by 2 z_m at most.
+    /// A master that steps the friction first and then reads the force gets at most $f_s + 2 sigma_1 z_m / h$, because
+    /// a contact that is still bonded after a step $h$ has moved by $2 z_m$ at most.
     ///
-    /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
-    /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
-    /// with k h^2 + 2 c h < 4 m, which is 3.5 ms for the defaults and 1 kg; above, it chatters within the bounds of the
-    /// force. If all models step at once and exchange afterwards, the limit is h < 1 / (k / c + c / m), 1.3 ms.
+    /// A master that integrates a mass $m$ with the force it reads couples it explicitly to the stiffness $k$ and the
+    /// damping $c$ of the contact at rest. If the friction steps first, a held body stays still for communication steps
+    /// $h$ with $k h^2 + 2 c h < 4 m$, which is 3.5 ms for the defaults and 1 kg; above, it chatters within the bounds
+    /// of the force. If all models step at once and exchange afterwards, the limit is $h < 1 / (k / c + c / m)$, 1.3
+    /// ms.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// The force drops from f_s + sigma_1 v to f_C at breakaway, and jumps up at every reversal. The level does not
-    /// depend on the speed. A change of load takes a sliding contact to the new z_m (`bristle_deflection` keeps its
+    /// The force drops from $f_s + sigma_1 v$ to $f_C$ at breakaway, and jumps up at every reversal. The level does not
+    /// depend on the speed. A change of load takes a sliding contact to the new $z_m$ (`bristle_deflection` keeps its
     /// value at breakaway), so that it continues to slide, and limits the deflection of a bonded one. `normal_force` =
-    /// 0 releases the contact (force 0, deflection 0), and so does `mu_k` = 0, because then z_m = 0. `mu_s` = `mu_k`
-    /// with `sigma_1` = 0 is an elastic, perfectly plastic bond, Dahl's law with alpha = 0. Passive at constant load:
-    /// the stored energy (1 + a) sigma_0 z^2 / 2 is that of a spring, so from the start values `dissipated_energy`
+    /// 0 releases the contact (force 0, deflection 0), and so does `mu_k` = 0, because then $z_m = 0$. `mu_s` = `mu_k`
+    /// with `sigma_1` = 0 is an elastic, perfectly plastic bond, Dahl's law with $alpha = 0$. Passive at constant load:
+    /// the stored energy $(1 + a) sigma_0 z^2 / 2$ is that of a spring, so from the start values `dissipated_energy`
     /// never becomes negative.
     ///
     /// # Source
     /// Haessig and Friedland (1991), doi:10.1115/1.2896418; equations (7.9) to (7.11) of F. Novais, "A critical
     /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024). Differences
-    /// from the thesis: its maximum deflection z_0 is z_m here, because its Table 7.1 gives z_0 = 0 as the initial
-    /// deflection. That table prints a = 0.52, which makes the breakaway force 1.49112 N instead of f_s = 1.4715 N;
-    /// here a follows from mu_s / mu_k and is 0.5, and the preset `thesis_printed` has 0.52. The text calls a the ratio
-    /// of stiction to sliding load, which is 1 + a. (7.11), sigma_1 = 0.707 sqrt(sigma_0 m), gives a stuck mass m a
-    /// damping ratio of only 0.289; 0.707 would need 1.414 sqrt((1 + a) sigma_0 m); the default is that of Table 7.1
-    /// (damping ratio 0.408 for 1 kg). A stiffness that depends on the speed, which (7.10) allows, is left out.
+    /// from the thesis: its maximum deflection $z_0$ is $z_m$ here, because its Table 7.1 gives $z_0 = 0$ as the
+    /// initial deflection. That table prints $a = 0.52$, which makes the breakaway force 1.49112 N instead of
+    /// $f_s = 1.4715$ N; here a follows from $mu_s / mu_k$ and is 0.5, and the preset `thesis_printed` has 0.52. The
+    /// text calls a the ratio of stiction to sliding load, which is 1 + a. (7.11), $sigma_1 = 0.707 sqrt(sigma_0 m)$,
+    /// gives a stuck mass $m$ a damping ratio of only 0.289; 0.707 would need $1.414 sqrt((1 + a) sigma_0 m)$; the
+    /// default is that of Table 7.1 (damping ratio 0.408 for 1 kg). A stiffness that depends on the speed, which (7.10)
+    /// allows, is left out.
     ///
     /// # Example
     /// ```

@@ -16,9 +16,9 @@ crate::model! {
     /// f_r = f_n d / r
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end; the jump at rest is part of f_f.
-    /// Of several solutions it is the first one reached from v in the direction of the acceleration (implicit Euler;
-    /// time stepping in the sense of Moreau):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end; the jump at rest is part
+    /// of $f_f$. Of several solutions it is the first one reached from $v$ in the direction of the acceleration
+    /// (implicit Euler; time stepping in the sense of Moreau):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -36,7 +36,7 @@ crate::model! {
     /// | f_f    | `friction_force`   | N    | resistance at the wheel's centre                           |
     /// | M_r    | `resisting_moment` | N.m  | its moment                                                 |
     ///
-    /// The coefficient of rolling resistance is d / r. Where only the coefficient is known, set `lever_arm` to its
+    /// The coefficient of rolling resistance is $d / r$. Where only the coefficient is known, set `lever_arm` to its
     /// product with `wheel_radius`.
     ///
     /// # Sign
@@ -46,12 +46,12 @@ crate::model! {
     ///
     /// # Step
     /// As in `Coulomb`: without `mass` the law has no memory, and a host that integrates the wheel itself never reaches
-    /// v = 0 exactly, so the force of a wheel at rest then alternates. With `mass` the wheel is caught where it comes to
-    /// rest, at any step. In Model Exchange it is held or rolls in one direction from one event to the next. A wheel
+    /// $v = 0$ exactly, so the force of a wheel at rest then alternates. With `mass` the wheel is caught where it comes
+    /// to rest, at any step. In Model Exchange it is held or rolls in one direction from one event to the next. A wheel
     /// that is held returns `external_force`: connect it, or it is released and caught again endlessly.
     ///
-    /// A wheel of the mass m_w and the moment of inertia J that rolls without slip has the effective mass m_w + J / r^2.
-    /// A driving moment M belongs to `external_force` as M / r.
+    /// A wheel of the mass $m_w$ and the moment of inertia $J$ that rolls without slip has the effective mass
+    /// $m_w + J / r^2$. A driving moment $M$ belongs to `external_force` as $M / r$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -64,7 +64,7 @@ crate::model! {
     ///
     /// # Source
     /// Section 4.1.4 of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis,
-    /// University of Minho (2024): M_r = f_n d. The force at the centre, the state of rest and the defaults are our
+    /// University of Minho (2024): $M_r = f_n d$. The force at the centre, the state of rest and the defaults are our
     /// additions; a coefficient of 0.01 is chosen as usual for car tyres. Time stepping: Moreau (1988),
     /// doi:10.1007/978-3-7091-2624-0_1.
     ///

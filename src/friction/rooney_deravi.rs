@@ -28,8 +28,8 @@ crate::model! {
     /// f_C = mu_k f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first one reached from v in the direction of the acceleration (implicit Euler):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end, and of several solutions
+    /// the first one reached from $v$ in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -53,24 +53,24 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_C /
-    /// v_0 (981 N.s/m for the defaults: 2.0 ms for 1 kg); above, a held body chatters. With `mass` there is no largest
-    /// step. `sticking` means |v| < v_0.
+    /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
+    /// $f'(0) = f_C / v_0$ (981 N.s/m for the defaults: 2.0 ms for 1 kg); above, a held body chatters. With `mass`
+    /// there is no largest step. `sticking` means $|v| < v_0$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound.
     ///
     /// # Limits
-    /// No stiction: friction never exceeds f_C. Cannot hold a load: a stuck body creeps with |v| < v_0 (Tanh: with a
-    /// load below 0.76 f_C). Printed jumps at v_0 from 0.7616 f_C to f_C: a load in between makes a host chatter at |v|
-    /// = v_0 without `mass`; with it the body rides the jump. Linear is Bernard friction with k_l = 1 / v_0.
-    /// `normal_force` = 0 gives force 0.
+    /// No stiction: friction never exceeds $f_C$. Cannot hold a load: a stuck body creeps with $|v| < v_0$ (Tanh: with
+    /// a load below $0.76 f_C$). Printed jumps at $v_0$ from $0.7616 f_C$ to $f_C$: a load in between makes a host
+    /// chatter at $|v| = v_0$ without `mass`; with it the body rides the jump. Linear is Bernard friction with
+    /// $k_l = 1 / v_0$. `normal_force` = 0 gives force 0.
     ///
     /// # Source
     /// Rooney and Deravi (1982), Mechanism and Machine Theory 17, 207-211; equation (6.5) of F. Novais, "A critical
     /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), default of
-    /// Table 6.2. Differs from the thesis: the second branch lacks the sign of v there. Linear is the form that the
+    /// Table 6.2. Differs from the thesis: the second branch lacks the sign of $v$ there. Linear is the form that the
     /// literature on joints with clearance uses under this name (the paper itself was not seen) and the default,
     /// because (6.5) jumps; Tanh is (6.5) without its second branch.
     ///

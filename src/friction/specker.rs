@@ -17,8 +17,8 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first one reached from v in the direction of the acceleration (implicit Euler):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end, and of several solutions
+    /// the first one reached from $v$ in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -32,7 +32,7 @@ crate::model! {
     /// | mu_k   | `mu_k`                | 1     | kinetic coefficient of friction                 |
     /// | mu_s   | `mu_s`                | 1     | static coefficient of friction                  |
     /// | v_0    | `transition_velocity` | m/s   | velocity scale of the transition                |
-    /// | v_p    | `peak_velocity`       | m/s   | velocity at which f_s is reached                |
+    /// | v_p    | `peak_velocity`       | m/s   | velocity at which $f_s$ is reached              |
     /// | c_v    | `viscous_coefficient` | N.s/m | viscous coefficient                             |
     /// | m      | `mass`                | kg    | effective mass of the host, 0 = the printed law |
     /// | h      | `step_size`           | s     | last communication step                         |
@@ -44,27 +44,27 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_C /
-    /// v_0 + f_p exp(1/2) / v_p + c_v (5658 N.s/m for the defaults: 0.35 ms for 1 kg); above, a held body chatters.
-    /// With `mass` there is no largest step. `sticking` means |v| < v_p.
+    /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
+    /// $f'(0) = f_C / v_0 + f_p exp(1/2) / v_p + c_v$ (5658 N.s/m for the defaults: 0.35 ms for 1 kg); above, a held
+    /// body chatters. With `mass` there is no largest step. `sticking` means $|v| < v_p$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// Cannot hold a load: a stuck body creeps with |v| < v_p. The force at v_p is exactly f_s, but the maximum lies
-    /// beyond and a little higher: 1.0044 f_s at 0.548 mm/s for the defaults, 1.030 f_s for v_0 = v_p, at most 1.11
-    /// f_s. Choose v_0 below v_p (guidance of the authors: v_S = 4 v_0 = 2 v_p for a Stribeck velocity v_S). No
-    /// pre-sliding displacement. `normal_force` = 0 gives force 0, also of the viscous part.
+    /// Cannot hold a load: a stuck body creeps with $|v| < v_p$. The force at $v_p$ is exactly $f_s$, but the maximum
+    /// lies beyond and a little higher: $1.0044 f_s$ at 0.548 mm/s for the defaults, $1.030 f_s$ for $v_0 = v_p$, at
+    /// most $1.11 f_s$. Choose $v_0$ below $v_p$ (guidance of the authors: $v_S = 4 v_0 = 2 v_p$ for a Stribeck
+    /// velocity $v_S$). No pre-sliding displacement. `normal_force` = 0 gives force 0, also of the viscous part.
     ///
     /// # Source
     /// Specker, Buchholz, Dietmayer (2014), IFAC Proceedings Volumes 47(3), 4523-4528; equations (6.24) to (6.28) of F.
     /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
-    /// (2024), of which (6.24) is the first term, (6.27) the whole and (6.28) the guidance. Differs: f_p is kept from
+    /// (2024), of which (6.24) is the first term, (6.27) the whole and (6.28) the guidance. Differs: $f_p$ is kept from
     /// becoming negative, which would drive the motion; with `mu_s` >= `mu_k` that only concerns the viscous part at
-    /// small loads. v_0 = 0.25 mm/s and v_p = 0.5 mm/s follow the guidance for v_S = 1 mm/s, which is chosen.
-    /// Translational Friction of Simscape has the same form without the corrections in f_p (preset `simscape`).
+    /// small loads. $v_0 = 0.25$ mm/s and $v_p = 0.5$ mm/s follow the guidance for $v_S = 1$ mm/s, which is chosen.
+    /// Translational Friction of Simscape has the same form without the corrections in $f_p$ (preset `simscape`).
     ///
     /// # Example
     /// ```

@@ -20,26 +20,26 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// | symbol  | variable              | unit  | meaning                                              |
-    /// |---------|-----------------------|-------|------------------------------------------------------|
-    /// | v       | `velocity`            | m/s   | velocity of body 1 relative to body 2                |
-    /// | f_n     | `normal_force`        | N     | force pressing the surfaces together                 |
-    /// | mu_k    | `mu_k`                | 1     | kinetic coefficient of friction                      |
-    /// | mu_s    | `mu_s`                | 1     | static coefficient of friction                       |
-    /// | v_0     | `transition_velocity` | m/s   | velocity scale of the transition                     |
-    /// | v_Sp    | `peak_velocity`       | m/s   | velocity at which f_stat is f_s                      |
-    /// | c_v     | `viscous_coefficient` | N.s/m | viscous coefficient                                  |
-    /// | sigma_0 | `sigma_0`             | N/m   | stiffness seen by small and short motions            |
-    /// | T_slip  | `slip_time`           | s     | lag of the force while sliding                       |
-    /// | f_f     | `friction_force`      | N     | friction force; its state is `lagging_force`         |
+    /// | symbol  | variable              | unit  | meaning                                      |
+    /// |---------|-----------------------|-------|----------------------------------------------|
+    /// | v       | `velocity`            | m/s   | velocity of body 1 relative to body 2        |
+    /// | f_n     | `normal_force`        | N     | force pressing the surfaces together         |
+    /// | mu_k    | `mu_k`                | 1     | kinetic coefficient of friction              |
+    /// | mu_s    | `mu_s`                | 1     | static coefficient of friction               |
+    /// | v_0     | `transition_velocity` | m/s   | velocity scale of the transition             |
+    /// | v_Sp    | `peak_velocity`       | m/s   | velocity at which $f_stat$ is $f_s$          |
+    /// | c_v     | `viscous_coefficient` | N.s/m | viscous coefficient                          |
+    /// | sigma_0 | `sigma_0`             | N/m   | stiffness seen by small and short motions    |
+    /// | T_slip  | `slip_time`           | s     | lag of the force while sliding               |
+    /// | f_f     | `friction_force`      | N     | friction force; its state is `lagging_force` |
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity` in steady sliding; body 1 feels `-friction_force`. Dissipated power
     /// is `friction_force * velocity`; it is negative while the force lags behind a reversal.
     ///
     /// # Step
-    /// With held inputs the equation of f_f is linear and solved exactly, so the result does not depend on how an
-    /// interval is divided, from 1 us to 1 s; the energy is its closed form. No events. `sticking` means |v| < v_Sp.
+    /// With held inputs the equation of $f_f$ is linear and solved exactly, so the result does not depend on how an
+    /// interval is divided, from 1 us to 1 s; the energy is its closed form. No events. `sticking` means $|v| < v_Sp$.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
@@ -53,24 +53,25 @@ crate::model! {
     /// where the force has no time constant at rest, and a solver would keep the old force.
     ///
     /// # Limits
-    /// Cannot hold a load: under a constant load below f_s the body creeps with the speed at which f_stat is the load,
-    /// and after a stop the force vanishes within T_stick (57 ms for the defaults). A step of the velocity to v << v_Sp
-    /// gives f_f = K_0 v (1 - exp(-t / T_stick)), which is sigma_0 x for t << T_stick. |f_f| never exceeds the maximum
-    /// of |f_stat| (1.0044 f_s for the defaults) and the viscous part.
+    /// Cannot hold a load: under a constant load below $f_s$ the body creeps with the speed at which $f_stat$ is the
+    /// load, and after a stop the force vanishes within $T_stick$ (57 ms for the defaults). A step of the velocity to
+    /// $v << v_Sp$ gives $f_f = K_0 v (1 - exp(-t / T_stick))$, which is $sigma_0 x$ for $t << T_stick$. $|f_f|$ never
+    /// exceeds the maximum of $|f_stat|$ ($1.0044 f_s$ for the defaults) and the viscous part.
     ///
-    /// Not passive: after a reversal from a force f_0 to a speed V well above v_Sp the contact returns the energy V
-    /// T_slip (f_0 - f_C ln(1 + f_0 / f_C)), and fast cycles with slow parts in between gain energy. The power that it
-    /// returns is below |f_f v|, and vanishes with T_slip and T_stick, for which the law is the static curve.
+    /// Not passive: after a reversal from a force $f_0$ to a speed $V$ well above $v_Sp$ the contact returns the energy
+    /// $V T_slip (f_0 - f_C ln(1 + f_0 / f_C))$, and fast cycles with slow parts in between gain energy. The power that
+    /// it returns is below $|f_f v|$, and vanishes with $T_slip$ and $T_stick$, for which the law is the static curve.
     /// `normal_force` = 0 releases the contact (force 0, also of the viscous part and of the memory). `mu_s` = `mu_k`
-    /// leaves f_C tanh(v / v_0) and a remainder of 3.6 % of f_C in f_p for the defaults.
+    /// leaves $f_C tanh(v / v_0)$ and a remainder of 3.6 % of $f_C$ in $f_p$ for the defaults.
     ///
     /// # Source
     /// Reconstructed: F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis,
     /// University of Minho (2024), says that the curve of Specker, Buchholz, Dietmayer (2014), IFAC Proceedings Volumes
     /// 47(3), 4523-4528, (6.24) to (6.27), is extended to a linear parameter-varying system in the form of a
-    /// first-order low-pass filter; the law of its time constant is ours. v_0 = 0.25 mm/s and v_Sp = 0.5 mm/s follow
-    /// (6.28), v_S = 4 v_0 = 2 v_Sp, for v_S = 1 mm/s, which is chosen, and so is T_slip. sigma_0 is that of the laws
-    /// in Table 7.1, which does not list this one. f_p is kept from becoming negative, which would drive the motion.
+    /// first-order low-pass filter; the law of its time constant is ours. $v_0 = 0.25$ mm/s and $v_Sp = 0.5$ mm/s
+    /// follow (6.28), $v_S = 4 v_0 = 2 v_Sp$, for $v_S = 1$ mm/s, which is chosen, and so is $T_slip$. $sigma_0$ is
+    /// that of the laws in Table 7.1, which does not list this one. $f_p$ is kept from becoming negative, which would
+    /// drive the motion.
     ///
     /// # Example
     /// ```

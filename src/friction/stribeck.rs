@@ -30,17 +30,17 @@ crate::model! {
     /// f_f = (S(v) + f_v |v|) sgn(v)        v != 0
     /// f_f = min(|f_e|, f_s) sgn(f_e)       v  = 0
     ///
-    /// Tustin        S = f_C + (f_s - f_C) exp(-|v| / v_S)                      (5.5)
-    /// BoPavelescu   S = f_C + (f_s - f_C) exp(-(|v| / v_S)^delta)              (5.6)
-    /// HessSoom      S = f_C + (f_s - f_C) / (1 + (v / v_S)^2)                  (5.7)
-    /// PoppStelter   S = f_C + (f_s - f_C) / (1 + |v| / v_S) + eta v^2          (5.8)
-    /// Gaussian      S = f_C + (f_s - f_C) exp(-(v / v_S)^2)
+    /// Tustin:       S = f_C + (f_s - f_C) exp(-|v| / v_S)                      (5.5)
+    /// BoPavelescu:  S = f_C + (f_s - f_C) exp(-(|v| / v_S)^delta)              (5.6)
+    /// HessSoom:     S = f_C + (f_s - f_C) / (1 + (v / v_S)^2)                  (5.7)
+    /// PoppStelter:  S = f_C + (f_s - f_C) / (1 + |v| / v_S) + eta v^2          (5.8)
+    /// Gaussian:     S = f_C + (f_s - f_C) exp(-(v / v_S)^2)
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end; the jump at rest is part of f_f.
-    /// Of several solutions it is the first one reached from v in the direction of the acceleration (implicit Euler;
-    /// time stepping in the sense of Moreau):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end; the jump at rest is part
+    /// of $f_f$. Of several solutions it is the first one reached from $v$ in the direction of the acceleration
+    /// (implicit Euler; time stepping in the sense of Moreau):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -69,7 +69,7 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A host
-    /// that integrates the body itself never reaches v = 0 exactly, so the force of a contact at rest then alternates
+    /// that integrates the body itself never reaches $v = 0$ exactly, so the force of a contact at rest then alternates
     /// at any step. With `mass` the body is caught where it comes to rest and neither chatters nor creeps; there is no
     /// largest step. In Model Exchange a contact is held or slides in one direction from one event to the next. A held
     /// contact returns `external_force`: connect it, or the body is released and caught again endlessly.
@@ -79,21 +79,21 @@ crate::model! {
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// At v_S the remaining part of the excess f_s - f_C is 1/e (Tustin, BoPavelescu, Gaussian) or one half (HessSoom,
-    /// PoppStelter). No pre-sliding displacement. The falling branch takes a driven body through stick-slip; with
-    /// `mass` a step longer than about m v_S / (f_s - f_C) crosses it in one go. `mu_s` = `mu_k` is Coulomb friction,
-    /// with viscous part. `normal_force` = 0 releases the contact: force 0, also of the viscous part. `sticking` means
-    /// that the step ends at rest or, without `mass`, that v = 0 and |f_e| is within the level.
+    /// At $v_S$ the remaining part of the excess $f_s - f_C$ is 1/e (Tustin, BoPavelescu, Gaussian) or one half
+    /// (HessSoom, PoppStelter). No pre-sliding displacement. The falling branch takes a driven body through stick-slip;
+    /// with `mass` a step longer than about $m v_S / (f_s - f_C)$ crosses it in one go. `mu_s` = `mu_k` is Coulomb
+    /// friction, with viscous part. `normal_force` = 0 releases the contact: force 0, also of the viscous part.
+    /// `sticking` means that the step ends at rest or, without `mass`, that $v = 0$ and $|f_e|$ is within the level.
     ///
     /// # Source
     /// Tustin (1947), Journal of the IEE 94 (IIA), 143-151; Bo and Pavelescu (1982), doi:10.1016/0043-1648(82)90274-8;
     /// Hess and Soom (1990), Journal of Tribology 112, 147-152; Popp and Stelter (1990), Philosophical Transactions A
     /// 332, 89-105; Gaussian: Armstrong-Helouvry (1991), Control of Machines with Friction; equations (5.4) to (5.8) of
     /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
-    /// (2024). Differs from the thesis: the sign of v is missing there; (5.5) has 1 - exp(..), which would rise with
-    /// speed; the constant of (5.8) has the subscript s, which would give 2 f_s - f_C at rest. Bo and Pavelescu write
-    /// exp(-a |v|^delta), here a = v_S^-delta; Popp and Stelter write 1 + d |v|, here d = 1 / v_S. f_v is available for
-    /// every form. v_S = 0.001 m/s and delta = 2 are chosen. Time stepping: Moreau (1988),
+    /// (2024). Differs from the thesis: the sign of $v$ is missing there; (5.5) has 1 - exp(..), which would rise with
+    /// speed; the constant of (5.8) has the subscript s, which would give $2 f_s - f_C$ at rest. Bo and Pavelescu write
+    /// $exp(-a |v|^delta)$, here $a = v_S^-delta$; Popp and Stelter write $1 + d |v|$, here $d = 1 / v_S$. $f_v$ is
+    /// available for every form. $v_S = 0.001$ m/s and $delta = 2$ are chosen. Time stepping: Moreau (1988),
     /// doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is our addition.
     ///
     /// # Example

@@ -25,8 +25,8 @@ crate::model! {
     /// f_C = mu_k f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first one reached from v in the direction of the acceleration (implicit Euler):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end, and of several solutions
+    /// the first one reached from $v$ in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -39,7 +39,7 @@ crate::model! {
     /// | f_e    | `external_force`      | N    | all other tangential forces on body 1           |
     /// | mu_k   | `mu_k`                | 1    | kinetic coefficient of friction                 |
     /// |        | `variant`             |      | which of the two forms                          |
-    /// | v_0    | `transition_velocity` | m/s  | velocity at which 95 % of f_C are reached       |
+    /// | v_0    | `transition_velocity` | m/s  | velocity at which 95 % of $f_C$ are reached     |
     /// | m      | `mass`                | kg   | effective mass of the host, 0 = the printed law |
     /// | h      | `step_size`           | s    | last communication step                         |
     /// | f_f    | `friction_force`      | N    | friction force                                  |
@@ -50,23 +50,23 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = 3
-    /// f_C / v_0 (2943 N.s/m for the defaults: 0.68 ms for 1 kg); above, a held body chatters. With `mass` there is no
-    /// largest step. `sticking` means |v| < v_0.
+    /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
+    /// $f'(0) = 3 f_C / v_0$ (2943 N.s/m for the defaults: 0.68 ms for 1 kg); above, a held body chatters. With `mass`
+    /// there is no largest step. `sticking` means $|v| < v_0$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound.
     ///
     /// # Limits
-    /// No stiction: friction never exceeds f_C (Printed) or 0.9502 f_C (Capped). Cannot hold a load: a stuck body
-    /// creeps with |v| < v_0 as long as the load is below 0.95 f_C. Capped drops by 2.13e-4 f_C at v_0, because 1 -
-    /// exp(-3) is 0.9502, not 0.95. `normal_force` = 0 gives force 0.
+    /// No stiction: friction never exceeds $f_C$ (Printed) or $0.9502 f_C$ (Capped). Cannot hold a load: a stuck body
+    /// creeps with $|v| < v_0$ as long as the load is below $0.95 f_C$. Capped drops by $2.13e-4 f_C$ at $v_0$, because
+    /// 1 - exp(-3) is 0.9502, not 0.95. `normal_force` = 0 gives force 0.
     ///
     /// # Source
     /// Threlfall (1978), Mechanism and Machine Theory 13, 475-483; equation (6.2) of F. Novais, "A critical analysis on
     /// friction force models in dynamical systems", MSc thesis, University of Minho (2024), default of Table 6.2. The
-    /// thesis prints one formula for all v (Printed); the original stops at 0.95 f_C (Capped): two different laws.
+    /// thesis prints one formula for all $v$ (Printed); the original stops at $0.95 f_C$ (Capped): two different laws.
     ///
     /// # Example
     /// ```

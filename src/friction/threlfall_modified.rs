@@ -17,8 +17,8 @@ crate::model! {
     /// f_C = mu_k f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first one reached from v in the direction of the acceleration (implicit Euler):
+    /// With `mass` $m > 0$ the force over a step $h$ is that of the velocity $w$ at its end, and of several solutions
+    /// the first one reached from $v$ in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -30,7 +30,7 @@ crate::model! {
     /// | f_n    | `normal_force`        | N    | force pressing the surfaces together            |
     /// | f_e    | `external_force`      | N    | all other tangential forces on body 1           |
     /// | mu_k   | `mu_k`                | 1    | kinetic coefficient of friction                 |
-    /// | v_0    | `transition_velocity` | m/s  | velocity at which f_C is reached                |
+    /// | v_0    | `transition_velocity` | m/s  | velocity at which $f_C$ is reached              |
     /// | m      | `mass`                | kg   | effective mass of the host, 0 = the printed law |
     /// | h      | `step_size`           | s    | last communication step                         |
     /// | f_f    | `friction_force`      | N    | friction force                                  |
@@ -41,24 +41,25 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = 3.157
-    /// f_C / v_0 (3097 N.s/m for the defaults: 0.65 ms for 1 kg); above, a held body chatters. With `mass` there is no
-    /// largest step. `sticking` means |v| < v_0.
+    /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
+    /// $f'(0) = 3.157 f_C / v_0$ (3097 N.s/m for the defaults: 0.65 ms for 1 kg); above, a held body chatters. With
+    /// `mass` there is no largest step. `sticking` means $|v| < v_0$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound.
     ///
     /// # Limits
-    /// No stiction: friction never exceeds f_C. Cannot hold a load: a stuck body creeps with |v| < v_0. The slope jumps
-    /// at v_0 from 0.157 f_C / v_0 to 0. `normal_force` = 0 gives force 0.
+    /// No stiction: friction never exceeds $f_C$. Cannot hold a load: a stuck body creeps with $|v| < v_0$. The slope
+    /// jumps at $v_0$ from $0.157 f_C / v_0$ to 0. `normal_force` = 0 gives force 0.
     ///
     /// # Source
     /// Marques, Flores, Claro, Lankarani (2016), doi:10.1007/s11071-016-2999-3, after Threlfall (1978), Mechanism and
     /// Machine Theory 13, 475-483; equation (6.4) of F. Novais, "A critical analysis on friction force models in
     /// dynamical systems", MSc thesis, University of Minho (2024), default of Table 6.2. Differs from the thesis: (6.4)
-    /// has no condition; unbounded, the formula would reach 1.0524 f_C. The legible part of its denominator fits 1 -
-    /// exp(-1), with which the force at v_0 would be 1.503 f_C: a misprint for 1 - exp(-3), which gives f_C there.
+    /// has no condition; unbounded, the formula would reach $1.0524 f_C$. The legible part of its denominator fits 1 -
+    /// exp(-1), with which the force at $v_0$ would be $1.503 f_C$: a misprint for 1 - exp(-3), which gives $f_C$
+    /// there.
     ///
     /// # Example
     /// ```

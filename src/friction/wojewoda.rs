@@ -21,27 +21,27 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// The first line is the hysteretic spring f_rev + sigma_0 (s - s_rev) from the last reversal point (s_rev, f_rev)
-    /// on. The changes between the two states are chosen:
+    /// The first line is the hysteretic spring $f_rev + sigma_0 (s - s_rev)$ from the last reversal point
+    /// $(s_rev, f_rev)$ on. The changes between the two states are chosen:
     ///
     /// ```text
     /// stuck -> sliding    sigma_0 |z| reaches f_s in the direction of v
     /// sliding -> stuck    v reaches or passes 0; sigma_0 |z| := 2 f_C - f_s, where the lower curve ends
     /// ```
     ///
-    /// | symbol  | variable             | unit | meaning                                                  |
-    /// |---------|----------------------|------|----------------------------------------------------------|
-    /// | v       | `velocity`           | m/s  | velocity of body 1 relative to body 2                    |
-    /// | f_n     | `normal_force`       | N    | force pressing the surfaces together                     |
-    /// | v'      | `acceleration`       | m/s2 | acceleration of body 1 relative to body 2                |
-    /// |         | `velocity_slope`     | m/s2 | v' from a given slope of the velocity                    |
-    /// | mu_k    | `mu_k`               | 1    | kinetic coefficient of friction                          |
-    /// | mu_s    | `mu_s`               | 1    | static coefficient of friction                           |
-    /// | sigma_0 | `sigma_0`            | N/m  | stiffness of the stuck contact                           |
-    /// | a       | `branch_decay`       | s/m  | steepness of both curves                                 |
-    /// |         | `slipping`           |      | whether the contact has broken away                      |
-    /// | z       | `bristle_deflection` | m    | elastic displacement; sliding: that of the breakaway     |
-    /// | f_f     | `friction_force`     | N    | friction force                                           |
+    /// | symbol  | variable             | unit | meaning                                              |
+    /// |---------|----------------------|------|------------------------------------------------------|
+    /// | v       | `velocity`           | m/s  | velocity of body 1 relative to body 2                |
+    /// | f_n     | `normal_force`       | N    | force pressing the surfaces together                 |
+    /// | v'      | `acceleration`       | m/s2 | acceleration of body 1 relative to body 2            |
+    /// |         | `velocity_slope`     | m/s2 | $v'$ from a given slope of the velocity              |
+    /// | mu_k    | `mu_k`               | 1    | kinetic coefficient of friction                      |
+    /// | mu_s    | `mu_s`               | 1    | static coefficient of friction                       |
+    /// | sigma_0 | `sigma_0`            | N/m  | stiffness of the stuck contact                       |
+    /// | a       | `branch_decay`       | s/m  | steepness of both curves                             |
+    /// |         | `slipping`           |      | whether the contact has broken away                  |
+    /// | z       | `bristle_deflection` | m    | elastic displacement; sliding: that of the breakaway |
+    /// | f_f     | `friction_force`     | N    | friction force                                       |
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity` while sliding and of the elastic displacement while stuck; body 1
@@ -57,15 +57,15 @@ crate::model! {
     /// applies. After a step with a slope the outputs use that slope until the next step. The dissipated energy is a
     /// closed form while stuck and for held inputs, and otherwise a quadrature with a relative error below 1e-10.
     ///
-    /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
-    /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
-    /// k), which is 6.3 ms for the defaults and 1 kg; above, it chatters within the bounds of the force. If all models
-    /// step at once and exchange afterwards, it chatters at every step, since nothing damps the stiffness: take the
-    /// friction first.
+    /// A master that integrates a mass $m$ with the force it reads couples it explicitly to the stiffness k of the
+    /// contact at rest. If the friction steps first, a held body stays still for communication steps below
+    /// $2 sqrt(m / k)$, which is 6.3 ms for the defaults and 1 kg; above, it chatters within the bounds of the force.
+    /// If all models step at once and exchange afterwards, it chatters at every step, since nothing damps the
+    /// stiffness: take the friction first.
     ///
     /// Sliding needs a shorter step: at breakaway, an acceleration computed from the last force occasionally puts the
-    /// contact on the lower curve for one step, which changes the velocity by 2 (f_s - f_C) h / m. For a block of 1 kg
-    /// on a belt of 0.1 m/s the stick-slip period is 0.6 % too short at h = 16 us, 2 % at 31 us and 37 % at 1 ms.
+    /// contact on the lower curve for one step, which changes the velocity by $2 (f_s - f_C) h / m$. For a block of 1
+    /// kg on a belt of 0.1 m/s the stick-slip period is 0.6 % too short at $h = 16$ us, 2 % at 31 us and 37 % at 1 ms.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_s` > 2 `mu_k`, because the lower curve would then
@@ -74,22 +74,22 @@ crate::model! {
     /// # Limits
     /// No damping while stuck: a mass on the contact oscillates. The force jumps where the acceleration changes its
     /// sign, and at the stop to the end of the lower curve; an acceleration that is itself computed from this force
-    /// closes a loop that may switch at every step. A stuck contact at v = 0 holds. `mu_s` = `mu_k` is the elastic and
-    /// perfectly plastic contact. If the load falls, the displacement is cut to what the level can carry: at the
+    /// closes a loop that may switch at every step. A stuck contact at $v = 0$ holds. `mu_s` = `mu_k` is the elastic
+    /// and perfectly plastic contact. If the load falls, the displacement is cut to what the level can carry: at the
     /// beginning of a step, at the end of one with slopes, and in the force at once.
     ///
-    /// Passive at constant load: the curves never push, and the stop leaves (2 f_C - f_s)^2 / (2 sigma_0) in the
-    /// spring, not more than the f_s^2 / (2 sigma_0) that the breakaway left there. A load that rises from f_n1 to f_n2
-    /// while sliding charges the contact at the next stop, so that it may return up to [(2 mu_k - mu_s)^2 f_n2^2 -
-    /// mu_s^2 f_n1^2] / (2 sigma_0) more than was put in. `normal_force` = 0 releases the contact: force 0, and the
-    /// next step makes it stuck and undeflected.
+    /// Passive at constant load: the curves never push, and the stop leaves $(2 f_C - f_s)^2 / (2 sigma_0)$ in the
+    /// spring, not more than the $f_s^2 / (2 sigma_0)$ that the breakaway left there. A load that rises from $f_n1$ to
+    /// $f_n2$ while sliding charges the contact at the next stop, so that it may return up to
+    /// $[(2 mu_k - mu_s)^2 f_n2^2 - mu_s^2 f_n1^2] / (2 sigma_0)$ more than was put in. `normal_force` = 0 releases the
+    /// contact: force 0, and the next step makes it stuck and undeflected.
     ///
     /// # Source
     /// Reconstructed after Wojewoda, Stefanski, Wiercigroch and Kapitaniak (2008), "Hysteretic effects of dry friction:
     /// modelling and experimental studies", Phil. Trans. R. Soc. A 366, 747-765, which was not available: its function
     /// for sticking and the argument of its exponential could not be confirmed. The page of F. Novais, "A critical
     /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), was not
-    /// available either. The defaults a = 500 s/m and sigma_0 are chosen; the latter is that of the bristle models.
+    /// available either. The defaults $a = 500$ s/m and $sigma_0$ are chosen; the latter is that of the bristle models.
     ///
     /// # Example
     /// ```

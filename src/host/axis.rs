@@ -45,9 +45,9 @@ crate::model! {
     /// the coupling a method of first order.
     ///
     /// # Source
-    /// A. Janot, M. Gautier, M. Brunot, "Data set and reference models of EMPS", Workshop on Nonlinear System
-    /// Identification Benchmarks (2019), whose axis has M = 95.1089 kg, viscous and Coulomb friction of 203.5034 N s/m
-    /// and 20.3935 N, and b = -3.1648 N. The default mass is that one.
+    /// A. Janot, $M$. Gautier, $M$. Brunot, "Data set and reference models of EMPS", Workshop on Nonlinear System
+    /// Identification Benchmarks (2019), whose axis has $M = 95.1089$ kg, viscous and Coulomb friction of 203.5034 N
+    /// s/m and 20.3935 N, and $b = -3.1648$ N. The default mass is that one.
     ///
     /// # Example
     /// ```

@@ -30,8 +30,8 @@ crate::model! {
     /// | f_e    | `external_force`    | N    | spring force and force of inertia, in the frame of the belt   |
     /// | f_n    | `normal_force`      | N    | weight of the block on the belt                               |
     ///
-    /// The force of inertia -m a_b belongs to `external_force` because a contact that sticks must carry the block along
-    /// with the belt: with f_f = f_e the block has the acceleration of the belt.
+    /// The force of inertia $-m a_b$ belongs to `external_force` because a contact that sticks must carry the block
+    /// along with the belt: with $f_f = f_e$ the block has the acceleration of the belt.
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity` when sliding; the block feels `-friction_force`. Positions and the
@@ -51,8 +51,8 @@ crate::model! {
     ///
     /// # Source
     /// The benchmark of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis,
-    /// University of Minho (2024), equation (6.32), with its numbers of Table 6.1: m = 1 kg, g = 9.81 m/s2, k = 2 N/m,
-    /// v_b = 0.1 m/s, x(0) = 0, dx/dt(0) = 0.1 m/s. A belt that accelerates is our addition.
+    /// University of Minho (2024), equation (6.32), with its numbers of Table 6.1: $m = 1$ kg, $g = 9.81$ m/s2, $k = 2$
+    /// N/m, $v_b = 0.1$ m/s, $x(0) = 0$, $dx/dt(0) = 0.1$ m/s. A belt that accelerates is our addition.
     ///
     /// # Example
     /// ```

@@ -45,8 +45,8 @@ crate::model! {
     ///
     /// # Source
     /// Equation (6.32) and Table 6.1 of F. Novais, "A critical analysis on friction force models in dynamical systems",
-    /// MSc thesis, University of Minho (2024): m = 1 kg, g = 9.81 m/s2, k = 2 N/m, v_b = 0.1 m/s, x(0) = 0,
-    /// dx/dt(0) = 0.1 m/s.
+    /// MSc thesis, University of Minho (2024): $m = 1$ kg, $g = 9.81$ m/s2, $k = 2$ N/m, $v_b = 0.1$ m/s, $x(0) = 0$,
+    /// $dx/dt(0) = 0.1$ m/s.
     ///
     /// # Example
     /// ```

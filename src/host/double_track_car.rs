@@ -36,7 +36,7 @@ crate::model! {
     /// car on four posts.
     /// # Equations
     ///
-    /// In the plane of the road. A wheel k is X_k ahead of the car's centre of gravity; delta_k is 0 at the rear:
+    /// In the plane of the road. A wheel k is $X_k$ ahead of the car's centre of gravity; $delta_k$ is 0 at the rear:
     ///
     /// ```text
     /// m (dv_y/dt + V r) = sum_k F_k                                                     (1)
@@ -48,15 +48,15 @@ crate::model! {
     /// a_y               = dv_y/dt + V r
     /// ```
     ///
-    /// F_k and M_k are lateral force and aligning torque of a tyre: the Magic Formula 5.2, for the load f_tk, the side
-    /// slip alpha_k and no camber. Without shifts the force is
+    /// $F_k$ and $M_k$ are lateral force and aligning torque of a tyre: the Magic Formula 5.2, for the load $f_tk$, the
+    /// side slip $alpha_k$ and no camber. Without shifts the force is
     ///
     /// ```text
     /// F_k = D sin(C atan(B alpha_k - E (B alpha_k - atan(B alpha_k))))                  (4)
     /// D   = (p_1 + p_2 (f_tk - f_n) / f_n) f_tk
     /// ```
     ///
-    /// Body and wheels. A wheel is at the place (x_k, y_k) seen from the body's centre of gravity:
+    /// Body and wheels. A wheel is at the place $(x_k, y_k)$ seen from the body's centre of gravity:
     ///
     /// ```text
     /// z_k   = z - x_k theta + y_k phi
@@ -75,64 +75,64 @@ crate::model! {
     /// W_a              = 2 m_u (a_y + X_a dr/dt)
     /// ```
     ///
-    /// F_a is the lateral force of both tyres of an axle a; W_a is the part that accelerates its wheels and B_a the
-    /// part that acts on the body, at the height h_a of the roll centre. C_a tilts the axle: s_k is 1 for its left
-    /// wheel and -1 for its right wheel. h_r is the height, at the body's centre of gravity, of the line through both
-    /// roll centres.
+    /// $F_a$ is the lateral force of both tyres of an axle a; $W_a$ is the part that accelerates its wheels and $B_a$
+    /// the part that acts on the body, at the height $h_a$ of the roll centre. $C_a$ tilts the axle: $s_k$ is 1 for its
+    /// left wheel and -1 for its right wheel. $h_r$ is the height, at the body's centre of gravity, of the line through
+    /// both roll centres.
     ///
-    /// | symbol     | variable                   | unit  | meaning                                             |
-    /// |------------|----------------------------|-------|-----------------------------------------------------|
-    /// | delta      | `steering_angle`           | rad   | steering angle of both front wheels                 |
-    /// | V          | `speed`                    | m/s   | forward speed                                       |
-    /// | I_zz       | `yaw_inertia`              | kg.m2 | moment of inertia of the car about z                |
-    /// | h_s        | `cg_height`                | m     | height of the body's centre of gravity              |
-    /// | h_u        | `wheel_centre_height`      | m     | height of the wheels' centres of gravity            |
-    /// | sigma      | `relaxation_length`        | m     | relaxation length of the tyres                      |
-    /// | p_1        | `tyre.pdy1`                | 1     | friction; all of `tyre` has the names of tyre files |
-    /// | p_2        | `tyre.pdy2`                | 1     | its change with load                                |
-    /// | f_n        | `tyre.fnomin`              | N     | nominal load, here times `tyre.lfzo`                |
-    /// |            | `tyre.side`                |       | side that the tyre set was measured for             |
-    /// | m_s        | `body_mass`                | kg    | mass of the body; m is that of the car              |
-    /// | I_yy       | `pitch_inertia`            | kg.m2 | moment of inertia of the body about y               |
-    /// | I_xx       | `roll_inertia`             | kg.m2 | moment of inertia of the body about x               |
-    /// | x_1 - x_3  | `wheelbase`                | m     | distance between the axles                          |
-    /// | x_1        | `cg_to_front`              | m     | centre of gravity of the body to front axle         |
-    /// | z          | `heave`                    | m     | height of the body's centre of gravity above rest   |
-    /// | dz/dt      | `heave_rate`               | m/s   | its rate                                            |
-    /// | theta      | `pitch`                    | rad   | pitch angle                                         |
-    /// | dtheta/dt  | `pitch_rate`               | rad/s | its rate                                            |
-    /// | phi        | `roll`                     | rad   | roll angle                                          |
-    /// | dphi/dt    | `roll_rate`                | rad/s | its rate                                            |
-    /// | x          | `position_x`               | m     | position of the car's centre of gravity             |
-    /// | y          | `position_y`               | m     | position to the left                                |
-    /// | psi        | `yaw_angle`                | rad   | yaw angle                                           |
-    /// | v_y        | `lateral_velocity`         | m/s   | lateral velocity of the car's centre of gravity     |
-    /// | r          | `yaw_rate`                 | rad/s | yaw rate                                            |
-    /// | a_y        | `lateral_acceleration`     | m/s2  | lateral acceleration of the car's centre of gravity |
-    /// | h_a        | `front.roll_centre_height` | m     | height of the roll centre of an axle                |
-    /// | T          | `front.track`              | m     | distance between the wheels of an axle              |
-    /// | MR         | `front.motion_ratio`       | 1     | damper travel per wheel travel                      |
-    /// | l_0        | `front.static_length`      | m     | length of the strut at rest                         |
-    /// | f_0        | `front.static_force`       | N     | force of the strut at rest                          |
-    /// | m_u        | `front.wheel_mass`         | kg    | unsprung mass of a corner                           |
-    /// | k_t        | `front.tyre_stiffness`     | N/m   | stiffness of a tyre                                 |
-    /// | c_t        | `front.tyre_damping`       | N.s/m | damping of a tyre                                   |
-    /// | f_k        | `fl.strut_force`           | N     | force of the strut                                  |
-    /// | z_rk       | `fl.road_height`           | m     | height of the road                                  |
-    /// | v_rk       | `fl.road_velocity`         | m/s   | rate of the road's height                           |
-    /// | z_uk       | `fl.wheel_height`          | m     | height of the wheel above its height at rest        |
-    /// | dz_uk/dt   | `fl.wheel_velocity`        | m/s   | vertical velocity of the wheel                      |
-    /// | l_k        | `fl.length`                | m     | length of the strut                                 |
-    /// | dl_k/dt    | `fl.velocity`              | m/s   | rate of the strut's length                          |
-    /// | f_tk       | `fl.tyre_load`             | N     | force of the tyre on the road                       |
-    /// | alpha_k    | `fl.side_slip`             | rad   | side slip of the tyre                               |
-    /// | F_k        | `fl.lateral_force`         | N     | lateral force of the tyre                           |
+    /// | symbol    | variable                   | unit  | meaning                                             |
+    /// |-----------|----------------------------|-------|-----------------------------------------------------|
+    /// | delta     | `steering_angle`           | rad   | steering angle of both front wheels                 |
+    /// | V         | `speed`                    | m/s   | forward speed                                       |
+    /// | I_zz      | `yaw_inertia`              | kg.m2 | moment of inertia of the car about $z$              |
+    /// | h_s       | `cg_height`                | m     | height of the body's centre of gravity              |
+    /// | h_u       | `wheel_centre_height`      | m     | height of the wheels' centres of gravity            |
+    /// | sigma     | `relaxation_length`        | m     | relaxation length of the tyres                      |
+    /// | p_1       | `tyre.pdy1`                | 1     | friction; all of `tyre` has the names of tyre files |
+    /// | p_2       | `tyre.pdy2`                | 1     | its change with load                                |
+    /// | f_n       | `tyre.fnomin`              | N     | nominal load, here times `tyre.lfzo`                |
+    /// |           | `tyre.side`                |       | side that the tyre set was measured for             |
+    /// | m_s       | `body_mass`                | kg    | mass of the body; $m$ is that of the car            |
+    /// | I_yy      | `pitch_inertia`            | kg.m2 | moment of inertia of the body about $y$             |
+    /// | I_xx      | `roll_inertia`             | kg.m2 | moment of inertia of the body about $x$             |
+    /// | x_1 - x_3 | `wheelbase`                | m     | distance between the axles                          |
+    /// | x_1       | `cg_to_front`              | m     | centre of gravity of the body to front axle         |
+    /// | z         | `heave`                    | m     | height of the body's centre of gravity above rest   |
+    /// | dz/dt     | `heave_rate`               | m/s   | its rate                                            |
+    /// | theta     | `pitch`                    | rad   | pitch angle                                         |
+    /// | dtheta/dt | `pitch_rate`               | rad/s | its rate                                            |
+    /// | phi       | `roll`                     | rad   | roll angle                                          |
+    /// | dphi/dt   | `roll_rate`                | rad/s | its rate                                            |
+    /// | x         | `position_x`               | m     | position of the car's centre of gravity             |
+    /// | y         | `position_y`               | m     | position to the left                                |
+    /// | psi       | `yaw_angle`                | rad   | yaw angle                                           |
+    /// | v_y       | `lateral_velocity`         | m/s   | lateral velocity of the car's centre of gravity     |
+    /// | r         | `yaw_rate`                 | rad/s | yaw rate                                            |
+    /// | a_y       | `lateral_acceleration`     | m/s2  | lateral acceleration of the car's centre of gravity |
+    /// | h_a       | `front.roll_centre_height` | m     | height of the roll centre of an axle                |
+    /// | T         | `front.track`              | m     | distance between the wheels of an axle              |
+    /// | MR        | `front.motion_ratio`       | 1     | damper travel per wheel travel                      |
+    /// | l_0       | `front.static_length`      | m     | length of the strut at rest                         |
+    /// | f_0       | `front.static_force`       | N     | force of the strut at rest                          |
+    /// | m_u       | `front.wheel_mass`         | kg    | unsprung mass of a corner                           |
+    /// | k_t       | `front.tyre_stiffness`     | N/m   | stiffness of a tyre                                 |
+    /// | c_t       | `front.tyre_damping`       | N.s/m | damping of a tyre                                   |
+    /// | f_k       | `fl.strut_force`           | N     | force of the strut                                  |
+    /// | z_rk      | `fl.road_height`           | m     | height of the road                                  |
+    /// | v_rk      | `fl.road_velocity`         | m/s   | rate of the road's height                           |
+    /// | z_uk      | `fl.wheel_height`          | m     | height of the wheel above its height at rest        |
+    /// | dz_uk/dt  | `fl.wheel_velocity`        | m/s   | vertical velocity of the wheel                      |
+    /// | l_k       | `fl.length`                | m     | length of the strut                                 |
+    /// | dl_k/dt   | `fl.velocity`              | m/s   | rate of the strut's length                          |
+    /// | f_tk      | `fl.tyre_load`             | N     | force of the tyre on the road                       |
+    /// | alpha_k   | `fl.side_slip`             | rad   | side slip of the tyre                               |
+    /// | F_k       | `fl.lateral_force`         | N     | lateral force of the tyre                           |
     ///
     /// The corners are `fl`, `fr`, `rl`, `rr` (front left to rear right), the axles `front` and `rear`.
     ///
     /// # Sign
-    /// Axes of ISO 8855: x forward, y left, z up; angles turn about them by the right-hand rule, so steering, yaw and
-    /// yaw rate are positive to the left, roll is positive when the right side goes down, pitch when the nose goes
+    /// Axes of ISO 8855: $x$ forward, $y$ left, $z$ up; angles turn about them by the right-hand rule, so steering, yaw
+    /// and yaw rate are positive to the left, roll is positive when the right side goes down, pitch when the nose goes
     /// down. `side_slip` is positive when the wheel slips to the left; then the tyre is pushed to the right,
     /// `lateral_force` < 0. `strut_force` is positive when it pushes the eyes of the strut apart, `velocity` when the
     /// strut extends. Heights and angles of the body are deviations from rest on a level road.
@@ -149,13 +149,13 @@ crate::model! {
     ///
     /// # Limits
     /// The speed is constant: no drive, no brakes, no longitudinal forces. Small angles: the lateral forces count along
-    /// the y axis of the body, both front wheels are steered alike, wheels stay upright (no camber), and both wheels of
-    /// an axle have the path of its middle. The overturning couple of the tyres is left out. The roll centres stay
+    /// the $y$ axis of the body, both front wheels are steered alike, wheels stay upright (no camber), and both wheels
+    /// of an axle have the path of its middle. The overturning couple of the tyres is left out. The roll centres stay
     /// where they are, and nothing lifts the body when the tyres of an axle share the lateral force unequally. No
     /// anti-roll bars: add their force to `strut_force`. The relaxation length does not change with load.
     ///
     /// # Source
-    /// (1) to (4): H. B. Pacejka, "Tyre and Vehicle Dynamics", 2nd ed., Butterworth-Heinemann (2006): two-track model
+    /// (1) to (4): H. $B$. Pacejka, "Tyre and Vehicle Dynamics", 2nd ed., Butterworth-Heinemann (2006): two-track model
     /// with the roll axis, section 1.3; Magic Formula, section 4.3.2, in the form of version 5.2; relaxation in its
     /// simplest form, of the side slip. (5) to (8): rigid-body dynamics about a rest position. Defaults: body, wheels,
     /// struts and axles as `FourPostCar`; from the same car ZR26 the yaw inertia and the heights of the roll centres;

@@ -20,7 +20,7 @@ crate::model! {
     /// The four struts are other models, such as shock absorbers.
     ///
     /// # Equations
-    /// For each corner k at the place (X_k, Y_k), forward and to the left of the centre of gravity:
+    /// For each corner k at the place $(X_k, Y_k)$, forward and to the left of the centre of gravity:
     ///
     /// ```text
     /// z_k   = z - X_k theta + Y_k phi
@@ -36,7 +36,7 @@ crate::model! {
     /// m_u d2z_uk/dt2    = f_tk - f_t0 - F_k
     /// ```
     ///
-    /// The load f_t0 of a tyre at rest is the weight of its wheel and half of the body's weight on its axle.
+    /// The load $f_t0$ of a tyre at rest is the weight of its wheel and half of the body's weight on its axle.
     ///
     /// | symbol     | variable               | unit  | meaning                                            |
     /// |------------|------------------------|-------|----------------------------------------------------|
@@ -71,7 +71,7 @@ crate::model! {
     /// The corners are `fl`, `fr`, `rl`, `rr` (front left to rear right), the axles `front` and `rear`.
     ///
     /// # Sign
-    /// Axes as in ISO 8855: x forward, y left, z up. `pitch` is positive nose down, `roll` lowers the right side. A
+    /// Axes as in ISO 8855: x forward, y left, $z$ up. `pitch` is positive nose down, `roll` lowers the right side. A
     /// strut force is positive if it pushes the eyes of the strut apart; a strut's velocity is positive as it extends.
     ///
     /// # Step

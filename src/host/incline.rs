@@ -17,7 +17,7 @@ crate::model! {
     /// f_n = m g cos(alpha)
     /// ```
     ///
-    /// A block at rest begins to slide at the angle at which f_e reaches the static level, and slides at constant
+    /// A block at rest begins to slide at the angle at which $f_e$ reaches the static level, and slides at constant
     /// velocity at that of the kinetic level:
     ///
     /// ```text

@@ -29,8 +29,8 @@ crate::model! {
     /// | f_e    | `external_force` | N     | force of spring and damper on the mass              |
     /// | f_n    | `normal_force`   | N     | weight of the mass                                  |
     ///
-    /// While the mass sticks, the force on the contact grows at the rate k u. Where it breaks away, at the static level,
-    /// depends on that rate in laws with a memory.
+    /// While the mass sticks, the force on the contact grows at the rate $k u$. Where it breaks away, at the static
+    /// level, depends on that rate in laws with a memory.
     ///
     /// # Sign
     /// A positive `elongation` pulls the mass to positive positions. `friction_force` has the sign of `velocity` when

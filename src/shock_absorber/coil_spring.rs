@@ -126,7 +126,7 @@ crate::model! {
     ///
     /// # Limits
     /// The spring never separates: beyond full extension it continues along the same line. Beyond the ends of a table
-    /// the first and the last line are extended. A preload given as a length x is the force k x.
+    /// the first and the last line are extended. A preload given as a length $x$ is the force $k x$.
     ///
     /// # Source
     /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho

@@ -99,7 +99,7 @@ crate::model! {
     ///
     /// # Equations
     ///
-    /// With the compression u = x - x_b > 0 of the bump stop:
+    /// With the compression $u = x - x_b > 0$ of the bump stop:
     ///
     /// ```text
     /// F_b = k_b u                              linear
@@ -108,25 +108,25 @@ crate::model! {
     /// F_r = k_r (x - x_o)                      where x < x_o, else 0
     /// ```
     ///
-    /// Each is reduced by the damping force c v, which is limited to the size of the elastic force.
+    /// Each is reduced by the damping force $c v$, which is limited to the size of the elastic force.
     ///
-    /// | symbol | variable      | unit   | meaning                                         |
-    /// |--------|---------------|--------|-------------------------------------------------|
-    /// | x      | `compression` | m      | compression of the strut from full extension    |
-    /// | v      | `velocity`    | m/s    | velocity of extension                           |
-    /// | x_b    | `bump.gap`    | m      | compression at which the bump stop is touched   |
-    /// | x_o    | `rebound.gap` | m      | compression below which the rebound stop pulls  |
-    /// | u      | -             | m      | compression of the bump stop                    |
-    /// | k_b    | `bump.k`      | N/m    | stiffness of the bump stop                      |
-    /// | k_2    | `bump.k2`     | N/m2   | second coefficient of the cubic form            |
-    /// | k_3    | `bump.k3`     | N/m3   | third coefficient of the cubic form             |
-    /// | x_1    | `bump.x_ref`  | m      | compression at which the power form has F_1     |
-    /// | F_1    | `bump.F_ref`  | N      | force of the power form there                   |
-    /// | n      | `bump.n`      | 1      | exponent of the power form                      |
-    /// | k_r    | `rebound.k`   | N/m    | stiffness of the rebound stop                   |
-    /// | c      | `bump.c`, `rebound.c` | N.s/m | damping while a stop is touched          |
-    /// | F_b    | `force_bump`  | N      | force of the bump stop                          |
-    /// | F_r    | `force_rebound` | N    | force of the rebound stop                       |
+    /// | symbol | variable              | unit  | meaning                                        |
+    /// |--------|-----------------------|-------|------------------------------------------------|
+    /// | x      | `compression`         | m     | compression of the strut from full extension   |
+    /// | v      | `velocity`            | m/s   | velocity of extension                          |
+    /// | x_b    | `bump.gap`            | m     | compression at which the bump stop is touched  |
+    /// | x_o    | `rebound.gap`         | m     | compression below which the rebound stop pulls |
+    /// | u      | -                     | m     | compression of the bump stop                   |
+    /// | k_b    | `bump.k`              | N/m   | stiffness of the bump stop                     |
+    /// | k_2    | `bump.k2`             | N/m2  | second coefficient of the cubic form           |
+    /// | k_3    | `bump.k3`             | N/m3  | third coefficient of the cubic form            |
+    /// | x_1    | `bump.x_ref`          | m     | compression at which the power form has $F_1$  |
+    /// | F_1    | `bump.F_ref`          | N     | force of the power form there                  |
+    /// | n      | `bump.n`              | 1     | exponent of the power form                     |
+    /// | k_r    | `rebound.k`           | N/m   | stiffness of the rebound stop                  |
+    /// | c      | `bump.c`, `rebound.c` | N.s/m | damping while a stop is touched                |
+    /// | F_b    | `force_bump`          | N     | force of the bump stop                         |
+    /// | F_r    | `force_rebound`       | N     | force of the rebound stop                      |
     ///
     /// # Sign
     /// Forces are positive when they push the eyes apart: `force_bump` >= 0, `force_rebound` <= 0.

@@ -357,7 +357,8 @@ crate::model! {
     /// tau = r phi(s) r w / s
     /// ```
     ///
-    /// phi is the chosen law with the levels f_C and f_s. For motion along the axis alone (w = 0) it is f = phi(v).
+    /// $phi$ is the chosen law with the levels $f_C$ and $f_s$. For motion along the axis alone ($w = 0$) it is
+    /// $f = phi(v)$.
     ///
     /// | symbol | variable          | unit  | meaning                                         |
     /// |--------|-------------------|-------|-------------------------------------------------|
@@ -374,13 +375,13 @@ crate::model! {
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity` when sliding, `friction_torque` that of `spin_rate`; the rod feels
-    /// their negatives. Both levels are multiplied by `friction.scale`, and by 1 - `friction.asymmetry` for v > 0 or by
-    /// 1 + `friction.asymmetry` for v < 0; at rest the larger of the two applies.
+    /// their negatives. Both levels are multiplied by `friction.scale`, and by 1 - `friction.asymmetry` for $v > 0$ or
+    /// by 1 + `friction.asymmetry` for $v < 0$; at rest the larger of the two applies.
     ///
     /// # Step
     /// As that of the chosen law. If the law supports Model Exchange, its continuous states are `memory[1]` and
     /// `memory[2]`, in its order; whatever else it remembers is not a variable, but part of a saved state. It starts at
-    /// rest. If the load falls, whatever carries more than f_s slips until it carries f_s: bristles; elements, in
+    /// rest. If the load falls, whatever carries more than $f_s$ slips until it carries $f_s$: bristles; elements, in
     /// proportion, so that the forces between them stay possible too; the force of a law with a low-pass filter, apart
     /// from its viscous part and 1 % for the overshoot of its curve. If an importer integrates the states, the force is
     /// that after the slip at once, and the states follow with a time constant of 1 ms.
@@ -395,9 +396,9 @@ crate::model! {
     ///
     /// # Limits
     /// The memory of a law belongs to the axial motion only: if the rod spins, the force follows the direction of
-    /// motion at once, and a reversal of `velocity` passes through zero torque. The law sees the normal force f_C /
-    /// mu_k, the load plus a load that represents the preload. Without levels (f_C = 0) only the viscous part remains.
-    /// `external_force`, `acceleration` and `friction.mass` are used only by the laws that have them.
+    /// motion at once, and a reversal of `velocity` passes through zero torque. The law sees the normal force
+    /// $f_C / mu_k$, the load plus a load that represents the preload. Without levels ($f_C = 0$) only the viscous part
+    /// remains. `external_force`, `acceleration` and `friction.mass` are used only by the laws that have them.
     ///
     /// # Source
     /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho

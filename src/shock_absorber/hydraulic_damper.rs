@@ -242,7 +242,7 @@ crate::model! {
     /// F_d(w) = s c w                         linear
     /// F_d(w) = s c w / (1 + d |w|)           degressive
     /// F_d(w) = s F_t(w)                      table
-    /// d F_d(w) / dt = k_s (v - w)            with a stiffness in series, else w = v
+    /// d F_d(w) / dt = k_s (v - w)            with stiffness in series, else w = v
     /// F = -F_d(w)
     /// ```
     ///

@@ -46,11 +46,11 @@ crate::model! {
     /// d_i = d_0 - s - 2/9 (d_0 - 2 s),   d_j = d_0 - s - 4/9 (d_0 - 2 s)
     /// ```
     ///
-    /// F_s, F_b, F_r and F_d also have other forms, selected by `spring.mode`, `bump.mode` and `damper.mode`; phi is
-    /// any scalar law of the catalogue, chosen by `friction.model`, with the levels F_C = `preload_k` + `mu_k` N and
-    /// F_S = `preload_s` + `mu_s` N of each contact. The parts are models of their own, with all equations on their
-    /// pages: `TelescopicJoint` (contact forces), `GuideContact` (friction), `CoilSpring`, `GasSpring`, `EndStops`,
-    /// `HydraulicDamper`, `DamperTemperature`.
+    /// $F_s$, $F_b$, $F_r$ and $F_d$ also have other forms, selected by `spring.mode`, `bump.mode` and `damper.mode`;
+    /// phi is any scalar law of the catalogue, chosen by `friction.model`, with the levels $F_C$ = `preload_k` + `mu_k`
+    /// N and $F_S$ = `preload_s` + `mu_s` N of each contact. The parts are models of their own, with all equations on
+    /// their pages: `TelescopicJoint` (contact forces), `GuideContact` (friction), `CoilSpring`, `GasSpring`,
+    /// `EndStops`, `HydraulicDamper`, `DamperTemperature`.
     ///
     /// | symbol   | variable               | unit  | meaning                                                  |
     /// |----------|------------------------|-------|----------------------------------------------------------|

@@ -154,9 +154,9 @@ crate::model! {
     /// h_e = (h^2 + h_r^2)^(1/2)
     /// ```
     ///
-    /// a is the unit vector from the eye of the tube to that of the rod; m, n and a are perpendicular to each other and
-    /// right-handed. In components M x a = (M_n, -M_m). With the sum of Adams, each contact gets half of |R| + |G| /
-    /// h_e.
+    /// a is the unit vector from the eye of the tube to that of the rod; $m$, $n$ and a are perpendicular to each other
+    /// and right-handed. In components $M x a = (M_n, -M_m)$. With the sum of Adams, each contact gets half of
+    /// $|R| + |G| / h_e$.
     ///
     /// | symbol     | variable        | unit | meaning                                                     |
     /// |------------|-----------------|------|-------------------------------------------------------------|
@@ -173,18 +173,19 @@ crate::model! {
     /// # Sign
     /// `length` grows in extension, which shortens the overlap and raises the contact forces. With `convention` =
     /// Lambda the inputs are the multipliers of the constraints m.d, n.d, m.a, n.a with the equations of motion
-    /// M dv/dt + D^T lambda = g: R = -(lambda_1 m + lambda_2 n), M = lambda_3 n - lambda_4 m. If a host has other rows
-    /// or signs, convert to R and M.
+    /// $M dv/dt + D^T lambda = g$: $R = -(lambda_1 m + lambda_2 n)$, $M = lambda_3 n - lambda_4 m$. If a host has other
+    /// rows or signs, convert to $R$ and $M$.
     ///
     /// # Step
     /// No memory: the outputs follow the inputs.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound. An overlap (h^2 + h_r^2)^(1/2) of at most 1e-9 (d_i + d_j) is an error.
+    /// Refused: a parameter outside its bound. An overlap $(h^2 + h_r^2)^(1/2)$ of at most $1e-9 (d_i + d_j)$ is an
+    /// error.
     ///
     /// # Limits
     /// Rigid, straight bodies that touch at two rings; no clearance, no pressure distribution. The resultant is exact
-    /// for every overlap; the couple is low by (h_r / h)^2 / 2, 0.08 % at 50 mm. The eyes cannot coincide: a `length`
+    /// for every overlap; the couple is low by $(h_r / h)^2 / 2$, 0.08 % at 50 mm. The eyes cannot coincide: a `length`
     /// of 0, as with an input that is not set yet, is used as it is, with a warning.
     ///
     /// # Source

@@ -4,10 +4,10 @@ use anyhow::{Result, ensure};
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd, TextMergeStream, html};
 use stribeck_draw::text::typeset_unit;
 
-use crate::page::mathematics::{self, Part, Symbols};
+use crate::page::mathematics::{self, Symbols};
 
 /// The model's text as HTML, one heading level down, and without the example, which is in Rust, whereas this reader has
-/// an FMU. The diagrams come before the first heading.
+/// an FMU. The diagrams come before the first heading. Equations in running text stand between dollar signs.
 pub fn html(model: &str, documentation: &str, diagrams: &str) -> Result<String> {
     let events = without_example(events(documentation));
     let mut setter = Setter { symbols: symbols(&events), ..Setter::default() };
@@ -18,12 +18,28 @@ pub fn html(model: &str, documentation: &str, diagrams: &str) -> Result<String> 
     set.insert(at, Event::Html(diagrams.into()));
     let mut page = String::new();
     html::push_html(&mut page, set.into_iter());
-    Ok(page)
+    Ok(with_punctuation(&page))
+}
+
+const BEGIN: &str = "<span class=\"math\">";
+const END: &str = "</span>";
+
+/// Extends equations in running text by the punctuation that no line break may separate from them.
+fn with_punctuation(page: &str) -> String {
+    let mut parts = page.split(END);
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let rest = part.trim_start_matches(['.', ',', ';', ':', ')', '?']);
+        text += &part[..part.len() - rest.len()];
+        text += END;
+        text += rest;
+    }
+    text.replace(&format!("({BEGIN}"), &format!("{BEGIN}("))
 }
 
 /// The parts of the text; a paragraph is one run of text, regardless of line ends.
 fn events(documentation: &str) -> Vec<Event<'_>> {
-    let parts = Parser::new_ext(documentation, Options::ENABLE_TABLES);
+    let parts = Parser::new_ext(documentation, Options::ENABLE_TABLES | Options::ENABLE_MATH);
     let joined = parts.map(|event| match event {
         Event::SoftBreak => Event::Text(" ".into()),
         Event::Start(Tag::Heading { level: HeadingLevel::H1, id, classes, attrs }) => {
@@ -51,25 +67,16 @@ fn without_example(events: Vec<Event>) -> Vec<Event> {
     kept
 }
 
-/// The symbols that the symbol tables and the equations define, and those of the equations found in the running text.
+/// The symbols that the symbol tables define.
 fn symbols(events: &[Event]) -> Symbols {
     let mut place = Place::default();
     let mut symbols = Symbols::default();
-    let mut prose = Vec::new();
     for event in events {
         place.enter(event);
-        match event {
-            Event::Text(text) if place.is_symbol() => symbols.add(text),
-            Event::Text(text) if place.in_equations => symbols.add_letters(text),
-            Event::Text(text) if place.is_prose() => prose.push(text),
-            _ => (),
-        }
-    }
-    for text in prose {
-        for part in mathematics::prose(text, &symbols) {
-            if let Part::Equation(source, _) = part {
-                symbols.add_letters(&source);
-            }
+        if let Event::Text(text) = event
+            && place.is_symbol()
+        {
+            symbols.add(text);
         }
     }
     symbols
@@ -84,8 +91,6 @@ struct Place {
     symbols: Option<usize>,
     units: Option<usize>,
     in_equations: bool,
-    in_code: bool,
-    in_heading: bool,
     in_table: bool,
 }
 
@@ -103,10 +108,7 @@ impl Place {
             Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language))) if &**language == "text" => {
                 self.in_equations = true;
             }
-            Event::Start(Tag::CodeBlock(_)) => self.in_code = true,
-            Event::End(TagEnd::CodeBlock) => (self.in_equations, self.in_code) = (false, false),
-            Event::Start(Tag::Heading { .. }) => self.in_heading = true,
-            Event::End(TagEnd::Heading(_)) => self.in_heading = false,
+            Event::End(TagEnd::CodeBlock) => self.in_equations = false,
             _ => (),
         }
     }
@@ -117,11 +119,6 @@ impl Place {
 
     fn is_unit(&self) -> bool {
         self.in_table && !self.in_head && self.units == Some(self.column)
-    }
-
-    fn is_prose(&self) -> bool {
-        let is_elsewhere = self.in_head || self.in_heading || self.in_code || self.in_equations;
-        !is_elsewhere && !self.is_symbol() && !self.is_unit()
     }
 }
 
@@ -143,9 +140,13 @@ impl Setter {
             Event::Start(Tag::CodeBlock(_)) if self.place.in_equations => Vec::new(),
             Event::End(TagEnd::CodeBlock) if was_equations => Vec::new(),
             // A dash stands for a missing symbol.
-            Event::Text(text) if self.place.is_symbol() && &*text != "-" => vec![self.symbol(&text)],
+            Event::Text(text) if self.place.is_symbol() && &*text != "-" => {
+                vec![Event::InlineHtml(self.inline(&text).into())]
+            }
+            Event::InlineMath(text) => {
+                vec![Event::InlineHtml(format!("{BEGIN}{}{END}", self.inline(&text)).into())]
+            }
             Event::Text(text) if self.place.is_unit() => vec![Event::Text(typeset_unit(&text).into())],
-            Event::Text(text) if self.place.is_prose() => self.prose(&text),
             other => vec![other],
         }
     }
@@ -158,20 +159,11 @@ impl Setter {
         Event::Html(html.into())
     }
 
-    fn symbol(&mut self, text: &str) -> Event<'static> {
-        let html = mathematics::symbol(text, &self.symbols).unwrap_or_else(|fault| {
-            self.faults.push(format!("{fault} in the symbol `{text}`"));
+    fn inline(&mut self, text: &str) -> String {
+        mathematics::inline(text, &self.symbols).unwrap_or_else(|fault| {
+            self.faults.push(format!("{fault} in `{text}`"));
             String::new()
-        });
-        Event::InlineHtml(html.into())
-    }
-
-    fn prose(&self, text: &str) -> Vec<Event<'static>> {
-        let event = |part| match part {
-            Part::Text(text) => Event::Text(text.into()),
-            Part::Equation(_, html) => Event::InlineHtml(html.into()),
-        };
-        mathematics::prose(text, &self.symbols).into_iter().map(event).collect()
+        })
     }
 }
 
@@ -180,13 +172,14 @@ mod tests {
     use super::*;
 
     const TABLE: &str =
-        "| symbol | unit | meaning |\n|---|---|---|\n| v_0 | N.s/m | more than v_0 |\n| - | m | none |\n";
+        "| symbol | unit | meaning |\n|---|---|---|\n| v_0 | N.s/m | more than $v_0$ |\n| - | m | none |\n";
 
     #[test]
     fn symbols_are_set_in_tables_and_in_the_text() {
-        let page = html("Model", &format!("See v_0 in `v_0`.\n\n{TABLE}"), "").unwrap();
+        let page = html("Model", &format!("See ($v_0$), not `v_0`.\n\n{TABLE}"), "").unwrap();
         let symbol = "<math><msub><mi>v</mi><mn>0</mn></msub></math>";
-        assert!(page.contains(&format!("See <span class=\"math\">{symbol}</span> in <code>v_0</code>.")), "{page}");
+        let text = format!("See <span class=\"math\">({symbol}),</span> not <code>v_0</code>.");
+        assert!(page.contains(&text), "{page}");
         let row =
             format!("<td>{symbol}</td><td>N\u{b7}s/m</td><td>more than <span class=\"math\">{symbol}</span></td>");
         assert!(page.contains(&row), "{page}");
@@ -195,16 +188,16 @@ mod tests {
 
     #[test]
     fn an_equation_may_cross_the_end_of_a_line() {
-        let page = html("Model", "where f(v_0) is\nv_0 -\nv_1 at most", "").unwrap();
+        let page = html("Model", "where $f(v_0)$ is\n$v_0 -\nv_1$ at most", "").unwrap();
         assert_eq!(page.matches("<math>").count(), 2, "{page}");
     }
 
     #[test]
     fn faults_name_model_and_line() {
-        let text = format!("```text\nf = (a\n```\n\n{}", TABLE.replace("v_0 |", "v_ 0 |"));
+        let text = format!("```text\nf = (a\n```\n\n{}", TABLE.replace("| v_0 |", "| v_ 0 |"));
         let fault = html("Model", &text, "").unwrap_err().to_string();
         assert!(fault.starts_with("Model: not an equation: '(' is never closed in `f = (a`; "), "{fault}");
-        assert!(fault.contains("in the symbol `v_ 0`"), "{fault}");
+        assert!(fault.contains("in `v_ 0`"), "{fault}");
     }
 
     #[test]
@@ -212,5 +205,20 @@ mod tests {
         let page =
             html("Model", "Intro.\n\n# Example\n```\ncode\n```\n# Source\nPaper.\n", "<p>Diagrams</p>\n").unwrap();
         assert_eq!(page, "<p>Intro.</p>\n<p>Diagrams</p>\n<h2>Source</h2>\n<p>Paper.</p>\n");
+    }
+
+    /// A symbol with a subscript is code or an equation: no underscore is left in running text, but in addresses.
+    #[test]
+    fn symbols_in_running_text_are_marked() {
+        for entry in crate::describe::entry::entries() {
+            let page = format!("<main>{}</main>", html(entry.model.name, entry.documentation, "").unwrap());
+            let document = roxmltree::Document::parse(&page).unwrap();
+            let paragraphs = document.descendants().filter(|node| node.has_tag_name("p"));
+            let texts = paragraphs.flat_map(|paragraph| paragraph.children());
+            let texts = texts.filter(roxmltree::Node::is_text).filter_map(|node| node.text());
+            let unmarked =
+                texts.flat_map(str::split_whitespace).find(|word| word.contains('_') && !word.contains("doi:"));
+            assert_eq!(unmarked, None, "{}", entry.model.name);
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! A block of equations as a table: left sides, right sides, conditions and numbers.
 //!
 //! Two or more spaces divide a line into cells: the equation, the condition under which it holds, and its number in
-//! brackets. A cell that begins or ends with an operator belongs to its neighbour; a cell after a comma is another
+//! brackets. A condition that ends with a colon stands before its equation. A cell that begins or ends with an operator belongs to its neighbour; a cell after a comma is another
 //! equation. A line that begins with a relation or a sign continues the one before, as does an indented one without a
 //! relation.
 
@@ -143,7 +143,7 @@ fn depth(text: &str) -> i32 {
 }
 
 /// Whether it is the number of an equation, such as `(5.1)` or `(7.30), (7.31)`.
-pub fn is_number(text: &str) -> bool {
+fn is_number(text: &str) -> bool {
     let is_one = |part: &str| {
         let inner = part.trim().strip_prefix('(').and_then(|part| part.strip_suffix(')')).unwrap_or_default();
         let digits = inner.trim_end_matches(|c: char| c.is_ascii_lowercase());
@@ -154,19 +154,12 @@ pub fn is_number(text: &str) -> bool {
     text.replace(" to ", ",").replace(" and ", ",").replace(")-(", "),(").split(',').all(is_one)
 }
 
-/// Whether a word is a plain one. An article is one if its neighbours are.
-fn is_prose(words: &[&str], at: usize, symbols: &Symbols) -> bool {
-    let is_plain = |word: &str| {
-        let word = word.trim_end_matches(['.', ',', ';', ':', '?']);
-        let is_known = is_function(word) || greek(word).is_some() || is_differential(word) || symbols.contains(word);
-        let is_spelled = word.split('-').all(|part| !part.is_empty() && part.bytes().all(|b| b.is_ascii_alphabetic()));
-        word.len() > 1 && is_spelled && !is_known
-    };
-    let is_named = is_function(words[at]) && words.get(at + 1) == Some(&"of");
-    let is_neighbour = |at: usize| words.get(at).is_none_or(|word| is_plain(word));
-    is_plain(words[at])
-        || is_named
-        || words[at] == "a" && words.len() > 1 && is_neighbour(at + 1) && (at == 0 || is_neighbour(at - 1))
+/// Whether a word is a plain one: letters that are neither a function nor a symbol.
+fn is_plain(word: &str, symbols: &Symbols) -> bool {
+    let word = word.trim_end_matches(['.', ',', ';', ':', '?']);
+    let is_known = is_function(word) || greek(word).is_some() || is_differential(word) || symbols.contains(word);
+    let is_spelled = word.split('-').all(|part| !part.is_empty() && part.bytes().all(|b| b.is_ascii_alphabetic()));
+    word.len() > 1 && is_spelled && !is_known
 }
 
 fn leads_with_operator(text: &str) -> bool {
@@ -215,9 +208,9 @@ impl Row {
 
 fn row(line: &Line, symbols: &Symbols) -> Result<Row, String> {
     let mut row = Row { number: line.number.clone().unwrap_or_default(), ..Row::default() };
-    let mut cells: Vec<&str> = line.cells.iter().map(|cell| without_brackets(&cell.text, symbols)).collect();
+    let mut cells: Vec<&str> = line.cells.iter().map(|cell| cell.text.as_str()).collect();
     // A name before an equation says when it holds, as a condition after it does.
-    if cells.len() > 1 && (cells[0].ends_with(':') || is_wordy(cells[0], symbols)) {
+    if cells.len() > 1 && cells[0].ends_with(':') {
         cells.rotate_left(1);
     }
     (row.left, row.right) = equation(cells[0], line.indent > 0, symbols)?;
@@ -231,18 +224,6 @@ fn row(line: &Line, symbols: &Symbols) -> Result<Row, String> {
         *target += &elements(&pieces(pair[1].trim_end_matches(':'), symbols)?);
     }
     Ok(row)
-}
-
-/// A remark does not need its brackets.
-fn without_brackets<'a>(text: &'a str, symbols: &Symbols) -> &'a str {
-    let inner = text.strip_prefix('(').and_then(|text| text.strip_suffix(')'));
-    let is_remark = |inner: &&str| is_prose(&inner.split_whitespace().collect::<Vec<_>>(), 0, symbols);
-    inner.filter(|inner| inner.contains(' ')).filter(is_remark).unwrap_or(text)
-}
-
-fn is_wordy(text: &str, symbols: &Symbols) -> bool {
-    let words: Vec<&str> = text.split_whitespace().collect();
-    (0..words.len()).all(|at| is_prose(&words, at, symbols))
 }
 
 /// Left and right side of the first cell.
@@ -321,7 +302,7 @@ fn pieces(text: &str, symbols: &Symbols) -> Result<Vec<Piece>, String> {
     let (mut open, mut at) = (0, 0);
     while at < words.len() {
         let begin = at;
-        while at < words.len() && is_prose(&words, at, symbols) {
+        while at < words.len() && is_plain(words[at], symbols) {
             at += 1;
         }
         if at > begin {
@@ -329,7 +310,7 @@ fn pieces(text: &str, symbols: &Symbols) -> Result<Vec<Piece>, String> {
         }
         let begin = at;
         let mut colon = None;
-        while at < words.len() && colon.is_none() && (open > 0 || !is_prose(&words, at, symbols)) {
+        while at < words.len() && colon.is_none() && (open > 0 || !is_plain(words[at], symbols)) {
             open += depth(words[at]);
             colon = words[at].strip_suffix(':');
             at += 1;
@@ -446,7 +427,7 @@ mod tests {
     #[test]
     fn names_before_an_equation_are_conditions() {
         assert_eq!(rows("stuck:  z = x")[0], ["z", "=x", "stuck", ""]);
-        assert_eq!(rows("initial stiffness  1 / x")[0], ["", "1x", "initial stiffness", ""]);
+        assert_eq!(rows("initial stiffness:  1 / x")[0], ["", "1x", "initial stiffness", ""]);
         assert_eq!(rows("v >= w:  z = x")[0], ["z", "=x", "v\u{2265}w", ""]);
     }
 
@@ -454,7 +435,7 @@ mod tests {
     fn words_may_be_operands() {
         assert_eq!(rows("s = integral of |v| dt")[0], ["s", "= integral of |v|dt", "", ""]);
         assert_eq!(rows("stuck -> slipping    f > f_s")[0], ["stuck", "\u{2192} slipping", "f>fs", ""]);
-        assert_eq!(rows("a = b    (all at x(0))")[0][2], "all at x(0)");
+        assert_eq!(rows("a = b    all at x(0)")[0][2], "all at x(0)");
     }
 
     #[test]

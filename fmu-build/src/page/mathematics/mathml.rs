@@ -2,7 +2,8 @@
 
 use stribeck_draw::text::escape;
 
-use super::grammar::Node;
+use super::grammar::{self, Node};
+use super::symbols::Symbols;
 use super::token::greek;
 
 /// Form of fractions.
@@ -15,6 +16,11 @@ pub enum Fractions {
 }
 
 const THIN_SPACE: &str = "<mspace width=\"0.17em\"/>";
+
+/// A symbol or an equation on a line of text.
+pub fn inline(text: &str, symbols: &Symbols) -> Result<String, String> {
+    Ok(format!("<math>{}</math>", elements(&grammar::parse(text, symbols)?, Fractions::Flat)))
+}
 
 /// The elements of a part of an equation.
 pub fn elements(node: &Node, fractions: Fractions) -> String {
@@ -214,7 +220,6 @@ fn between(left: &Node, right: &Node) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::super::grammar::parse;
-    use super::super::symbols::Symbols;
     use super::*;
 
     fn mathml(text: &str, fractions: Fractions) -> String {

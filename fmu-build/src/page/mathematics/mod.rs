@@ -3,10 +3,9 @@
 mod block;
 mod grammar;
 mod mathml;
-mod prose;
 mod symbols;
 mod token;
 
 pub use block::block;
-pub use prose::{Part, prose, symbol};
+pub use mathml::inline;
 pub use symbols::Symbols;

@@ -1,4 +1,4 @@
-//! The symbols of a page, which distinguish letters from words.
+//! The symbols of a page, which may be words.
 
 use std::collections::BTreeSet;
 
@@ -27,14 +27,6 @@ impl Symbols {
             }
         }
         self.insert(name);
-    }
-
-    /// Adds the letters in an equation. Whole words are symbols only if they are in a symbol table.
-    pub fn add_letters(&mut self, text: &str) {
-        let mut symbols = Symbols::default();
-        text.split_whitespace().for_each(|word| symbols.add(word));
-        let is_letter = |name: &String| token::is_letter(name.split('_').next().unwrap_or_default());
-        self.0.extend(symbols.0.into_iter().filter(is_letter));
     }
 
     fn insert(&mut self, name: String) {
