@@ -150,18 +150,10 @@ fn check(root: &Path) -> Result<()> {
     let mut breaches = rules::breaches(root)?;
     let faulty_pages = entry::entries().into_iter().filter_map(|entry| html::page(&entry).err());
     breaches.extend(faulty_pages.map(|fault| format!("{fault:#}")));
-    for file in &stale {
-        println!("stale: {}", file.path.display());
-    }
-    for breach in &breaches {
-        println!("{breach}");
-    }
-    if !stale.is_empty() {
-        bail!("stale files: {}; run `cargo run -p fmu-build -- generate`", stale.len());
-    }
-    if !breaches.is_empty() {
-        bail!("broken rules: {}", breaches.len());
-    }
+    stale.iter().for_each(|file| println!("stale: {}", file.path.display()));
+    breaches.iter().for_each(|breach| println!("{breach}"));
+    ensure!(stale.is_empty(), "stale files: {}; run `cargo run -p fmu-build -- generate`", stale.len());
+    ensure!(breaches.is_empty(), "broken rules: {}", breaches.len());
     println!("figure: {} items of the interface agree with the committed files", interface.rows.len());
     println!("generated files are up to date, and the tables follow the rules");
     Ok(())
@@ -191,10 +183,7 @@ fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: 
     if strict && !left_out.is_empty() {
         bail!("tools are missing:\n{}", left_out.join("\n"));
     }
-    let mut bundles: BTreeMap<&str, Vec<Library>> = BTreeMap::new();
-    for library in build(root, &platforms)? {
-        bundles.entry(library.platform.subfolder()).or_default().push(library);
-    }
+    let bundles = bundles(build(root, &platforms)?);
     let is_empty = bundles.is_empty();
     for (folder, libraries) in bundles {
         let out = if folder.is_empty() { out.to_owned() } else { out.join(folder) };
@@ -205,6 +194,15 @@ fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: 
     }
     ensure!(!is_empty, "nothing to pack: every platform was skipped");
     Ok(())
+}
+
+/// The libraries of each folder for FMUs.
+fn bundles(libraries: Vec<Library>) -> BTreeMap<&'static str, Vec<Library>> {
+    let mut bundles: BTreeMap<&str, Vec<Library>> = BTreeMap::new();
+    for library in libraries {
+        bundles.entry(library.platform.subfolder()).or_default().push(library);
+    }
+    bundles
 }
 
 /// The platforms for which this machine has the tools, and the missing tools of the others.

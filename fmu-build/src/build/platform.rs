@@ -1,5 +1,6 @@
 //! The platforms for which an FMU can have a library: its build tools, its place in the FMU, and its permitted imports.
 
+use std::collections::BTreeSet;
 use std::env;
 
 use anyhow::{Result, bail, ensure};
@@ -85,25 +86,20 @@ const DARWIN64: Platform = Platform {
 pub fn platforms(choices: &[Choice]) -> Result<Vec<Platform>> {
     let mut platforms: Vec<Platform> = Vec::new();
     for choice in choices {
-        let chosen: &[Platform] = match choice {
-            Choice::Host => continue,
+        platforms.extend(match choice {
+            Choice::Host => &[][..],
             Choice::Linux64 => &[LINUX64],
             Choice::Win64 => &[WIN64],
             Choice::Darwin64 => &[DARWIN64],
             Choice::Aarch64Linux => &[AARCH64_LINUX],
             Choice::All => &[LINUX64, WIN64, DARWIN64, AARCH64_LINUX],
-        };
-        platforms.extend(chosen);
+        });
     }
     if choices.contains(&Choice::Host) {
         platforms.push(host(env::consts::OS, env::consts::ARCH)?);
     }
-    let mut names = Vec::new();
-    platforms.retain(|platform| {
-        let is_new = !names.contains(&platform.name());
-        names.push(platform.name());
-        is_new
-    });
+    let mut names = BTreeSet::new();
+    platforms.retain(|platform| names.insert(platform.name()));
     Ok(platforms)
 }
 
@@ -166,9 +162,12 @@ impl Platform {
         ensure!(extra.is_empty(), "{name}: exports {extra:?}, which include/stribeck.h does not declare");
         let lost: Vec<_> = exports.iter().filter(|export| !binary.exports.contains(*export)).collect();
         ensure!(lost.is_empty(), "{name}: does not export {lost:?} of include/stribeck.h");
-        if self.is_host() {
-            return Ok(());
-        }
+        if self.is_host() { Ok(()) } else { self.check_portable(binary) }
+    }
+
+    /// Checks that a library needs nothing that an older system lacks.
+    fn check_portable(&self, binary: &Binary) -> Result<()> {
+        let name = self.name();
         for library in &binary.libraries {
             let is_known = self.libraries.contains(&library.to_lowercase().as_str());
             ensure!(is_known, "{name}: needs {library}, which not every system has");

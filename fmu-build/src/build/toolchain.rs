@@ -130,28 +130,11 @@ impl Linker {
     /// Code that unwinds the stack, functions that glibc has in no shared library (fstat64 before version 2.33), and
     /// the start-up code of a library on Windows. The linker for macOS adds nothing: its libraries are lists of names.
     fn additions(self, root: &Path) -> Result<Vec<Addition>> {
-        let of = |name, license, notices| Addition { name, license, notices };
-        Ok(match self {
-            Linker::Zig => {
-                let zig = zig_folder(root)?;
-                let unwind = zig.join("lib").join("libunwind").join("LICENSE.TXT");
-                // The terms are in the source of each such function, with the exception for programs linked to it.
-                let glibc = zig.join("lib").join("libc").join("glibc").join("io").join("fstat64-2.32.c");
-                vec![
-                    of("glibc", "LGPL-2.1-or-later WITH GCC-exception-2.0-note", glibc),
-                    of("libunwind", "Apache-2.0 WITH LLVM-exception", unwind),
-                    of("zig", "MIT", zig.join("LICENSE")),
-                ]
-            }
-            Linker::MinGw => {
-                let notices = |package: &str| Path::new("/usr/share/doc").join(package).join("copyright");
-                vec![
-                    of("libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1", notices("gcc-mingw-w64-base")),
-                    of("mingw-w64", "ZPL-2.1", notices("mingw-w64-x86-64-dev")),
-                ]
-            }
-            Linker::RustLld => Vec::new(),
-        })
+        match self {
+            Linker::Zig => Ok(of_zig(&zig_folder(root)?)),
+            Linker::MinGw => Ok(of_mingw(Path::new("/usr/share/doc"))),
+            Linker::RustLld => Ok(Vec::new()),
+        }
     }
 
     fn has_notices(self, root: &Path) -> bool {
@@ -180,6 +163,26 @@ impl Linker {
             Linker::Zig | Linker::MinGw | Linker::RustLld => None,
         })
     }
+}
+
+fn of_zig(zig: &Path) -> Vec<Addition> {
+    // The terms are in the source of each such function, with the exception for programs linked to it.
+    let glibc = zig.join("lib").join("libc").join("glibc").join("io").join("fstat64-2.32.c");
+    let unwind = zig.join("lib").join("libunwind").join("LICENSE.TXT");
+    vec![
+        Addition { name: "glibc", license: "LGPL-2.1-or-later WITH GCC-exception-2.0-note", notices: glibc },
+        Addition { name: "libunwind", license: "Apache-2.0 WITH LLVM-exception", notices: unwind },
+        Addition { name: "zig", license: "MIT", notices: zig.join("LICENSE") },
+    ]
+}
+
+fn of_mingw(documents: &Path) -> Vec<Addition> {
+    let [gcc, mingw] =
+        ["gcc-mingw-w64-base", "mingw-w64-x86-64-dev"].map(|package| documents.join(package).join("copyright"));
+    vec![
+        Addition { name: "libgcc", license: "GPL-3.0-or-later WITH GCC-exception-3.1", notices: gcc },
+        Addition { name: "mingw-w64", license: "ZPL-2.1", notices: mingw },
+    ]
 }
 
 /// Runs a command, whose error output goes to the terminal, and returns its standard output.

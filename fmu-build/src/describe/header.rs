@@ -166,14 +166,7 @@ fn write_model(text: &mut String, model: &ModelType, name: &str) -> Result<()> {
 
 /// Role, unit or type, help text, bound and start value; on two lines if one is too short.
 fn comment(variable: &Variable) -> String {
-    let role = match variable.role {
-        Role::Input => "in",
-        Role::Fixed => "fixed",
-        Role::Tunable => "tunable",
-        Role::State => "state",
-        Role::StateOutput => "state, out",
-        Role::Output => "out",
-    };
+    let role = role(variable.role);
     let measure = match variable.kind {
         Kind::Real(unit) => unit.name.to_owned(),
         Kind::Enumeration(choices) => format!("stribeck_{}", snake(choices.name)),
@@ -187,6 +180,17 @@ fn comment(variable: &Variable) -> String {
         true => format!("{meaning} */"),
         false if meaning.len() + limits.len() + 6 <= WIDTH => format!("{meaning} ({limits}) */"),
         false => format!("{meaning}\n   *  ({limits}) */"),
+    }
+}
+
+fn role(role: Role) -> &'static str {
+    match role {
+        Role::Input => "in",
+        Role::Fixed => "fixed",
+        Role::Tunable => "tunable",
+        Role::State => "state",
+        Role::StateOutput => "state, out",
+        Role::Output => "out",
     }
 }
 

@@ -61,18 +61,7 @@ fn names_in_symbol_tables(documentation: &str) -> Vec<String> {
 fn unfit_texts(model: &ModelType) -> Vec<String> {
     let mut breaches = Vec::new();
     let mut examine = |owner: String, text: &str, ends: &[char]| {
-        let fault = if text.is_empty() {
-            "is missing"
-        } else if !text.bytes().all(|byte| (b' '..=b'~').contains(&byte)) {
-            "must be one line of ASCII"
-        } else if text.contains("--") || text.contains("*/") || text.contains("/*") {
-            "must not contain --, */ or /*"
-        } else if !ends.is_empty() && !text.ends_with(ends) {
-            "must end with a full stop"
-        } else {
-            return;
-        };
-        breaches.push(format!("{owner}: help text {fault}: {text}"));
+        breaches.extend(unfit(text, ends).map(|fault| format!("{owner}: help text {fault}: {text}")));
     };
     examine(model.name.to_owned(), model.summary, &[]);
     for variable in model.table {
@@ -89,6 +78,21 @@ fn unfit_texts(model: &ModelType) -> Vec<String> {
         }
     }
     breaches
+}
+
+/// What is wrong with a text, which must end with one of these characters if there are any.
+fn unfit(text: &str, ends: &[char]) -> Option<&'static str> {
+    if text.is_empty() {
+        Some("is missing")
+    } else if !text.bytes().all(|byte| (b' '..=b'~').contains(&byte)) {
+        Some("must be one line of ASCII")
+    } else if text.contains("--") || text.contains("*/") || text.contains("/*") {
+        Some("must not contain --, */ or /*")
+    } else if !ends.is_empty() && !text.ends_with(ends) {
+        Some("must end with a full stop")
+    } else {
+        None
+    }
 }
 
 fn is_summary(text: &str) -> bool {

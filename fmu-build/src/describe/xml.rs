@@ -13,7 +13,7 @@ use stribeck::reference::{self, Reference};
 use stribeck::unit::{UNITS, Unit};
 use stribeck_ffi::fmi2::log::CATEGORIES;
 
-use crate::describe::dependencies;
+use crate::describe::dependencies::{self, Found};
 use crate::describe::text::{limits, number};
 use crate::project::{AUTHORS, LICENSE, VERSION, copyright};
 
@@ -291,14 +291,7 @@ fn real_type(unit: &Unit) -> Attributes {
 
 /// The element inside `<ScalarVariable>`: type, limits and start value.
 fn declaration(xml: &mut Xml, model: &ModelType, variable: &Variable, choices: Choices) -> io::Result<()> {
-    let (element, mut attributes) = match variable.kind {
-        Kind::Real(unit) => ("Real", real_type(unit)),
-        Kind::Boolean => ("Boolean", vec![]),
-        Kind::Enumeration(items) if choices == Choices::Named => {
-            ("Enumeration", vec![("declaredType", items.name.into())])
-        }
-        Kind::Integer | Kind::Enumeration(_) => ("Integer", vec![]),
-    };
+    let (element, mut attributes) = element_of(variable.kind, choices);
     attributes.extend(variable.display.map(|display| ("displayUnit", display.into())));
     let (min, max) = limits(variable);
     attributes.extend(min.map(|min| ("min", number(min))));
@@ -315,6 +308,18 @@ fn declaration(xml: &mut Xml, model: &ModelType, variable: &Variable, choices: C
     leaf(xml, element, attributes)
 }
 
+/// The name of the element for a type, and the attributes of the type.
+fn element_of(kind: Kind, choices: Choices) -> (&'static str, Attributes) {
+    match kind {
+        Kind::Real(unit) => ("Real", real_type(unit)),
+        Kind::Boolean => ("Boolean", vec![]),
+        Kind::Enumeration(items) if choices == Choices::Named => {
+            ("Enumeration", vec![("declaredType", items.name.into())])
+        }
+        Kind::Integer | Kind::Enumeration(_) => ("Integer", vec![]),
+    }
+}
+
 fn start(variable: &Variable) -> String {
     match variable.kind {
         Kind::Boolean => (variable.start != 0.0).to_string(),
@@ -323,38 +328,57 @@ fn start(variable: &Variable) -> String {
 }
 
 fn model_structure(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
-    let columns = model.table.len();
-    let found = dependencies::of(model);
-    // An entry without dependencies depends on all.
-    let of = |place: usize, is_known: &dyn Fn(usize) -> bool| {
-        let found = found.as_ref().map(|found| &found[place]);
-        found.map(|found| found.iter().copied().filter(|column| is_known(*column)).collect::<BTreeSet<usize>>())
-    };
-    let states = integrated(model);
-    let is_moving = |column: usize| model.table.at(column).role == Role::Input || states.contains(&column);
-    let outputs: Vec<usize> = (0..columns).filter(|column| model.table.at(*column).role.is_output()).collect();
+    let structure = Structure { model, found: dependencies::of(model), states: integrated(model) };
+    let [outputs, derivatives] = [structure.outputs(), structure.derivatives()];
+    let calculated = outputs.iter().filter(|output| model.table.at(**output).role.is_computed());
+    let initial: Vec<usize> = calculated.chain(&derivatives).copied().collect();
+    let while_stepping = |xml: &mut Xml, place| unknown(xml, model, place, structure.while_stepping(place).as_ref());
     parent(xml, "ModelStructure", vec![], |xml| {
-        list(xml, "Outputs", &outputs, |xml, output| {
-            let mut known = of(output, &is_moving);
-            if let Some(known) = known.as_mut().filter(|_| states.contains(&output)) {
-                known.insert(output);
-            }
-            unknown(xml, model, output, known.as_ref())
-        })?;
-        let derivatives: Vec<usize> = (0..states.len()).map(|place| columns + 1 + place).collect();
-        let place = |unknown: usize| {
-            if unknown < columns { unknown } else { columns + states[unknown - columns - 1] }
-        };
-        list(xml, "Derivatives", &derivatives, |xml, derivative| {
-            unknown(xml, model, derivative, of(place(derivative), &is_moving).as_ref())
-        })?;
-        let calculated = outputs.iter().filter(|output| model.table.at(**output).role.is_computed());
-        let initial: Vec<usize> = calculated.chain(&derivatives).copied().collect();
-        list(xml, "InitialUnknowns", &initial, |xml, column| {
-            let is_shown = |column: usize| !model.table.at(column).is_hidden;
-            unknown(xml, model, column, of(place(column), &is_shown).as_ref())
+        list(xml, "Outputs", &outputs, while_stepping)?;
+        list(xml, "Derivatives", &derivatives, while_stepping)?;
+        list(xml, "InitialUnknowns", &initial, |xml, place| {
+            unknown(xml, model, place, structure.initially(place).as_ref())
         })
     })
+}
+
+/// Unknowns of a model: columns and, behind them and time, the derivatives of its states.
+struct Structure<'a> {
+    model: &'a ModelType,
+    found: Found,
+    states: Vec<usize>,
+}
+
+impl Structure<'_> {
+    fn outputs(&self) -> Vec<usize> {
+        let table = self.model.table;
+        (0..table.len()).filter(|column| table.at(*column).role.is_output()).collect()
+    }
+
+    fn derivatives(&self) -> Vec<usize> {
+        (0..self.states.len()).map(|state| self.model.table.len() + 1 + state).collect()
+    }
+
+    /// The columns that determine an unknown and satisfy a condition; `None` for an unknown that depends on all.
+    fn known(&self, unknown: usize, is_known: impl Fn(usize) -> bool) -> Option<BTreeSet<usize>> {
+        let columns = self.model.table.len();
+        let place = if unknown < columns { unknown } else { columns + self.states[unknown - columns - 1] };
+        let found = self.found.as_ref()?;
+        Some(found[place].iter().copied().filter(|column| is_known(*column)).collect())
+    }
+
+    /// The inputs and states that determine an unknown.
+    fn while_stepping(&self, unknown: usize) -> Option<BTreeSet<usize>> {
+        let is_input = |column: usize| self.model.table.at(column).role == Role::Input;
+        let mut known = self.known(unknown, |column| is_input(column) || self.states.contains(&column))?;
+        known.extend(Some(unknown).filter(|unknown| self.states.contains(unknown)));
+        Some(known)
+    }
+
+    /// The variables that determine an unknown at the start.
+    fn initially(&self, unknown: usize) -> Option<BTreeSet<usize>> {
+        self.known(unknown, |column| !self.model.table.at(column).is_hidden)
+    }
 }
 
 /// A list of the model structure, unless it is empty.

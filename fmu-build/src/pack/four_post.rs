@@ -60,19 +60,24 @@ fn system(damper: &ParameterSet) -> Result<System> {
         let set = if spring == "rear" { damper.with([("spring.k", REAR_SPRING)])? } else { damper.clone() };
         let file = format!("resources/{}_{axle}.ssv", damper.name());
         components.push(Component { name: strut.clone(), model: "ShockAbsorber", parameters: Some((file, set)) });
-        for (from, output, to, input) in [
-            ("posts", format!("{corner}.post_height"), "car", format!("{corner}.post_height")),
-            ("posts", format!("{corner}.post_velocity"), "car", format!("{corner}.post_velocity")),
-            ("car", format!("{corner}.length"), &strut, "length".into()),
-            ("car", format!("{corner}.velocity"), &strut, "velocity".into()),
-            (&strut, "force".into(), "car", format!("{corner}.strut_force")),
-        ] {
-            let port = |component: &str, variable| Port { component: component.to_owned(), variable };
-            connections.push([port(from, output), port(to, input)]);
-        }
+        connections.extend(connections_of(corner, &strut));
     }
     let description = "Car on four posts with four shock absorbers";
     Ok(System { name: NAME, description, stop_time: 5.0, components, connections })
+}
+
+/// The connections of a corner of the car with its post and its strut.
+fn connections_of(corner: &str, strut: &str) -> [[Port; 2]; 5] {
+    let port = |component: &str, variable: String| Port { component: component.to_owned(), variable };
+    let of_corner = |component: &str, variable: &str| port(component, format!("{corner}.{variable}"));
+    let of_strut = |variable: &str| port(strut, variable.to_owned());
+    [
+        [of_corner("posts", "post_height"), of_corner("car", "post_height")],
+        [of_corner("posts", "post_velocity"), of_corner("car", "post_velocity")],
+        [of_corner("car", "length"), of_strut("length")],
+        [of_corner("car", "velocity"), of_strut("velocity")],
+        [of_strut("force"), of_corner("car", "strut_force")],
+    ]
 }
 
 #[cfg(test)]

@@ -30,14 +30,7 @@ pub fn text(model: &ModelType, parts: &Parts) -> Result<String> {
     for addition in additions {
         components.push(of_addition(addition)?);
     }
-    let library = crates.iter().find(|one| one.name == LIBRARY).context("the library is not among its crates")?;
-    let added = additions.iter().map(|addition| addition.name.to_owned());
-    let of_fmu = [library.id()].into_iter().chain(added).collect();
-    let mut dependencies = vec![Dependency { dependency_ref: fmu.clone(), dependencies: of_fmu }];
-    dependencies.extend(crates.iter().map(|one| {
-        let needs = one.needs.iter().cloned().chain([standard_library.clone()]).collect();
-        Dependency { dependency_ref: one.id(), dependencies: needs }
-    }));
+    let dependencies = dependencies(&fmu, parts, &standard_library)?;
     let bom = Bom {
         serial_number: None,
         metadata: Some(Metadata { component: Some(component_of(model, fmu)?), ..Metadata::default() }),
@@ -49,6 +42,20 @@ pub fn text(model: &ModelType, parts: &Parts) -> Result<String> {
     let mut text = Vec::new();
     bom.output_as_json_v1_5(&mut text).context("cannot write the list of components")?;
     Ok(String::from_utf8(text)? + "\n")
+}
+
+/// What the FMU and each of its crates depend on.
+fn dependencies(fmu: &str, parts: &Parts, standard_library: &str) -> Result<Vec<Dependency>> {
+    let Parts { crates, additions, .. } = parts;
+    let library = crates.iter().find(|one| one.name == LIBRARY).context("the library is not among its crates")?;
+    let added = additions.iter().map(|addition| addition.name.to_owned());
+    let of_fmu = [library.id()].into_iter().chain(added).collect();
+    let of_crate = |one: &Crate| {
+        let needs = one.needs.iter().cloned().chain([standard_library.to_owned()]).collect();
+        Dependency { dependency_ref: one.id(), dependencies: needs }
+    };
+    let of_fmu = Dependency { dependency_ref: fmu.to_owned(), dependencies: of_fmu };
+    Ok([of_fmu].into_iter().chain(crates.iter().map(of_crate)).collect())
 }
 
 fn component_of(model: &ModelType, id: String) -> Result<Component> {

@@ -162,26 +162,23 @@ fn exchange(model: &ModelType) -> String {
     if !model.model_exchange {
         return "Co-simulation only: its memory cannot be expressed as continuous states.".to_owned();
     }
-    let states = match model.continuous_states().count() {
-        1 => "1 continuous state".to_owned(),
-        count => format!("{count} continuous states"),
-    };
+    let states = counted(model.continuous_states().count(), "continuous state");
     let events = match model.event_indicators {
-        0 => "no event indicators",
-        1 => "1 event indicator at its jumps and kinks",
-        count => &format!("{count} event indicators at its jumps and kinks"),
+        0 => "no event indicators".to_owned(),
+        count => counted(count, "event indicator") + " at its jumps and kinks",
     };
-    let mass = if model.find("mass").is_some() {
-        " <code>mass</code> must be 0 in Model Exchange, because no force is held over a step."
-    } else {
-        ""
-    };
-    let reinit = if model.table.iter().any(|variable| variable.reinit) {
-        " An event may change states: read them again."
-    } else {
-        ""
-    };
-    format!("In Model Exchange {states}, {events}.{mass}{reinit}")
+    let mut text = format!("In Model Exchange {states}, {events}.");
+    if model.find("mass").is_some() {
+        text += " <code>mass</code> must be 0 in Model Exchange, because no force is held over a step.";
+    }
+    if model.table.iter().any(|variable| variable.reinit) {
+        text += " An event may change states: read them again.";
+    }
+    text
+}
+
+fn counted(count: usize, one: &str) -> String {
+    if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
 }
 
 fn capabilities(page: &mut String, model: &ModelType) {

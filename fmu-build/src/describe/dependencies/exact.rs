@@ -46,23 +46,23 @@ impl Visitor for Find<'_> {
             let mut courses = Courses { compute: &results::<M>, left: MOST };
             let first = courses.follow(vec![]);
             let results = first.and_then(|first| courses.united(0, first));
-            self.found = results.map(|results| {
-                let is_known =
-                    |column: usize| M::TABLE.get(column).is_some_and(|variable| !variable.role.is_computed());
-                let columns = |course: &Course, result: Option<Id>| {
-                    let mut columns = result.map_or_else(BTreeSet::new, |result| course.expressions.columns(result));
-                    // Memory beside the row has no columns.
-                    columns.retain(|column| *column < M::TABLE.len());
-                    columns
-                };
-                let of = |course: &Course, (column, result)| {
-                    if is_known(column) { BTreeSet::new() } else { columns(course, result) }
-                };
-                on_course(|course| Arc::new(results.into_iter().enumerate().map(|result| of(course, result)).collect()))
-            });
+            self.found = results.map(|results| Arc::new(on_course(|course| columns::<M>(course, results))));
             on_course(|course| *course = Default::default());
         }
     }
+}
+
+/// The columns in each result of a model; none for a column that is not computed.
+fn columns<M: Model>(course: &Course, results: Vec<Option<Id>>) -> Vec<BTreeSet<usize>> {
+    let is_known = |column: usize| M::TABLE.get(column).is_some_and(|variable| !variable.role.is_computed());
+    let of = |(column, result): (usize, Option<Id>)| {
+        let result = result.filter(|_| !is_known(column));
+        let mut columns = result.map_or_else(BTreeSet::new, |result| course.expressions.columns(result));
+        // Memory beside the row has no columns.
+        columns.retain(|column| *column < M::TABLE.len());
+        columns
+    };
+    results.into_iter().enumerate().map(of).collect()
 }
 
 /// Computes the outputs of a model, and its rates; no rates where Model Exchange refuses this course.
@@ -167,19 +167,22 @@ impl Courses<'_> {
             let ways = begin.iter().copied().chain([way]).collect();
             let other = self.follow(ways)?;
             let other = self.united(from + 1, other)?;
-            on_course(|course| {
-                let asked = match question {
-                    Question::Answer(answer) => answer,
-                    Question::Choice(column, _) => course.expressions.add(Expression::Column(column)),
-                };
-                for (result, other) in united.iter_mut().zip(other) {
-                    *result = match (*result, other) {
-                        (Some(result), Some(other)) => Some(course.expressions.chosen(asked, result, other)),
-                        (result, other) => result.or(other),
-                    };
-                }
-            });
+            on_course(|course| choose(course, question, &mut united, other));
         }
         Some(united)
+    }
+}
+
+/// Makes each result the choice between itself and that of another way to answer a question.
+fn choose(course: &mut Course, question: Question, results: &mut [Option<Id>], others: Vec<Option<Id>>) {
+    let asked = match question {
+        Question::Answer(answer) => answer,
+        Question::Choice(column, _) => course.expressions.add(Expression::Column(column)),
+    };
+    for (result, other) in results.iter_mut().zip(others) {
+        *result = match (*result, other) {
+            (Some(result), Some(other)) => Some(course.expressions.chosen(asked, result, other)),
+            (result, other) => result.or(other),
+        };
     }
 }

@@ -52,6 +52,14 @@ impl Order {
         Order(Order::ANY.0 & !self.0)
     }
 
+    /// The answer to a question about numbers that are ordered in one of these ways, if all of them agree on it.
+    pub fn settles(self, asked: Order) -> Option<bool> {
+        if self.and(asked) == Order::NEVER {
+            return Some(false);
+        }
+        (self.and(asked.not()) == Order::NEVER).then_some(true)
+    }
+
     /// The same question with the two numbers exchanged.
     pub const fn turned(self) -> Order {
         Order(self.0 & 2 | (self.0 & 1) << 2 | (self.0 & 4) >> 2)

@@ -7,6 +7,7 @@ mod expression;
 mod tracked;
 
 pub use exact::of;
+pub use tracked::Found;
 
 #[cfg(test)]
 mod tests {

@@ -150,14 +150,7 @@ impl Course {
                 (Some(true), Some(true)) => Some(true),
                 _ => None,
             },
-            Expression::Compared(order, a, b) => {
-                let possible = self.possible(a, b);
-                if possible.and(order) == Order::NEVER {
-                    Some(false)
-                } else {
-                    (possible.and(order.not()) == Order::NEVER).then_some(true)
-                }
-            }
+            Expression::Compared(order, a, b) => self.possible(a, b).settles(order),
             _ => None,
         }
     }

@@ -238,20 +238,24 @@ fn equation(text: &str, is_indented: bool, symbols: &Symbols) -> Result<(String,
         Piece::Words(_) => false,
     });
     let Some(at) = at else {
-        let all = elements(&pieces);
         let is_right = is_indented || pieces.iter().any(|piece| matches!(piece, Piece::Equation(_)));
+        let all = elements(&pieces);
         return Ok(if is_right { (String::new(), all) } else { (all, String::new()) });
     };
-    let (before, after) = (elements(&pieces[..at]), elements(&pieces[at + 1..]));
+    let (left, right) = halves(&pieces[at]);
+    Ok((elements(&pieces[..at]) + &left, right + &elements(&pieces[at + 1..])))
+}
+
+/// A piece, divided before its relation.
+fn halves(piece: &Piece) -> (String, String) {
     let tall = |node: &Node| mathml::elements(node, Fractions::Tall);
-    Ok(match &pieces[at] {
+    match piece {
         Piece::Equation(node) => {
             let (left, right) = sides(node).unwrap_or((node, Vec::new()));
-            let right: String = right.into_iter().map(tall).collect();
-            (before + &tall(left), right + &after)
+            (tall(left), right.into_iter().map(tall).collect())
         }
-        relation => (before, elements(std::slice::from_ref(relation)) + &after),
-    })
+        relation => (String::new(), elements(std::slice::from_ref(relation))),
+    }
 }
 
 fn starts_with_relation(text: &str) -> bool {
@@ -299,56 +303,48 @@ enum Piece {
 fn pieces(text: &str, symbols: &Symbols) -> Result<Vec<Piece>, String> {
     let words: Vec<&str> = text.split_whitespace().collect();
     let mut pieces = Vec::new();
-    let (mut open, mut at) = (0, 0);
-    while at < words.len() {
-        let begin = at;
-        while at < words.len() && is_plain(words[at], symbols) {
-            at += 1;
+    let mut rest = words.as_slice();
+    while !rest.is_empty() {
+        let plain = rest.iter().take_while(|word| is_plain(word, symbols)).count();
+        if plain > 0 {
+            pieces.push(Piece::Words(rest[..plain].join(" ")));
         }
-        if at > begin {
-            pieces.push(Piece::Words(words[begin..at].join(" ")));
-        }
-        let begin = at;
-        let mut colon = None;
-        while at < words.len() && colon.is_none() && (open > 0 || !is_plain(words[at], symbols)) {
-            open += depth(words[at]);
-            colon = words[at].strip_suffix(':');
-            at += 1;
-        }
-        let mut equation = words[begin..at].to_vec();
-        let ends = [!pieces.is_empty(), at < words.len()];
-        if let (Some(last), Some(without_colon)) = (equation.last_mut(), colon) {
-            *last = without_colon;
-        }
-        pieces.extend(mathematics(&equation, ends, symbols)?);
-        pieces.extend(colon.map(|_| Piece::Words(":".to_owned())));
+        let (equation, after) = rest[plain..].split_at(equation_length(&rest[plain..], symbols));
+        pieces.extend(mathematics(equation, [!pieces.is_empty(), !after.is_empty()], symbols)?);
+        rest = after;
     }
     Ok(pieces)
 }
 
+/// Number of words up to a colon or, outside brackets, a plain word.
+fn equation_length(words: &[&str], symbols: &Symbols) -> usize {
+    let mut open = 0;
+    for (at, word) in words.iter().enumerate() {
+        if open <= 0 && is_plain(word, symbols) {
+            return at;
+        }
+        open += depth(word);
+        if word.ends_with(':') {
+            return at + 1;
+        }
+    }
+    words.len()
+}
+
 /// An equation between words (`ends` tells at which end there are words), which may be operands of its relations.
-fn mathematics(mut words: &[&str], ends: [bool; 2], symbols: &Symbols) -> Result<Vec<Piece>, String> {
-    let mut pieces = Vec::new();
-    if let [first, rest @ ..] = words
-        && ends[0]
-        && let Some(sign) = relation(first)
-    {
-        pieces.push(Piece::Relation(sign));
-        words = rest;
-    }
-    let mut last_relation = None;
-    if let [rest @ .., last] = words
-        && ends[1]
-        && let Some(sign) = relation(last)
-    {
-        last_relation = Some(Piece::Relation(sign));
-        words = rest;
-    }
-    if !words.is_empty() {
-        pieces.push(Piece::Equation(grammar::parse(&words.join(" "), symbols)?));
-    }
-    pieces.extend(last_relation);
-    Ok(pieces)
+fn mathematics(words: &[&str], ends: [bool; 2], symbols: &Symbols) -> Result<Vec<Piece>, String> {
+    let mut words = words.to_vec();
+    let colon = words.last_mut().and_then(|last| {
+        *last = last.strip_suffix(':')?;
+        Some(Piece::Words(":".to_owned()))
+    });
+    let first = words.first().and_then(|word| relation(word)).filter(|_| ends[0]);
+    words.drain(..first.iter().count());
+    let last = words.last().and_then(|word| relation(word)).filter(|_| ends[1]);
+    words.truncate(words.len() - last.iter().count());
+    let equation = if words.is_empty() { None } else { Some(grammar::parse(&words.join(" "), symbols)?) };
+    let between = [first.map(Piece::Relation), equation.map(Piece::Equation), last.map(Piece::Relation), colon];
+    Ok(between.into_iter().flatten().collect())
 }
 
 /// The relation, if the word is only that.

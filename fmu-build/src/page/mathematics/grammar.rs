@@ -327,37 +327,29 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Subscripts, primes and an exponent after a base.
+    /// Subscripts and primes, then an exponent, after a base.
     fn scripted(&mut self, base: Node) -> Result<Node, String> {
-        let (mut below, mut above, mut primes) = (Vec::new(), None, 0);
-        loop {
-            match self.peek() {
-                Some(Word::Subscript(text)) if above.is_none() => {
-                    self.at += 1;
-                    below.push(if text.is_empty() { self.group()? } else { Node::Subscript(text.clone()) });
-                }
-                Some(Word::Prime) if above.is_none() => {
-                    self.at += 1;
-                    primes += 1;
-                }
-                Some(Word::Power) if above.is_none() => {
-                    self.at += 1;
-                    above = Some(Box::new(self.exponent()?));
-                }
-                _ => break,
-            }
+        let (mut below, mut primes) = (self.subscripts()?, 0);
+        while let Some(Word::Prime) = self.peek() {
+            self.at += 1;
+            primes += 1;
+            below.append(&mut self.subscripts()?);
         }
-        if below.is_empty() && above.is_none() && primes == 0 {
-            return Ok(base);
+        let mut above = None;
+        if let Some(Word::Power) = self.peek() {
+            self.at += 1;
+            above = Some(Box::new(self.exponent()?));
         }
-        // A letter with a number, such as x1, has a subscript already.
-        Ok(match base {
-            Node::Scripted { base, below: mut first, above: None, primes: 0 } => {
-                first.append(&mut below);
-                Node::Scripted { base, below: first, above, primes }
-            }
-            base => Node::Scripted { base: Box::new(base), below, above, primes },
-        })
+        Ok(with_scripts(base, below, above, primes))
+    }
+
+    fn subscripts(&mut self) -> Result<Vec<Node>, String> {
+        let mut subscripts = Vec::new();
+        while let Some(Word::Subscript(text)) = self.peek() {
+            self.at += 1;
+            subscripts.push(if text.is_empty() { self.group()? } else { Node::Subscript(text.clone()) });
+        }
+        Ok(subscripts)
     }
 
     /// A number, a letter or a bracket, possibly with a sign before it.
@@ -377,16 +369,7 @@ impl<'a> Parser<'a> {
             Word::Number(text) => Ok(Node::Number(text.clone())),
             Word::Bar => self.absolute(),
             Word::Name(name) if is_function(name) => self.function(name),
-            Word::Name(name) => {
-                let base = self.letter(name)?;
-                let mut below = Vec::new();
-                while let Some(Word::Subscript(text)) = self.peek() {
-                    self.at += 1;
-                    below.push(Node::Subscript(text.clone()));
-                }
-                let is_plain = below.is_empty();
-                Ok(if is_plain { base } else { Node::Scripted { base: Box::new(base), below, above: None, primes: 0 } })
-            }
+            Word::Name(name) => Ok(with_scripts(self.letter(name)?, self.subscripts()?, None, 0)),
             other => Err(format!("{} is not an exponent", spelled(other))),
         }
     }
@@ -409,6 +392,20 @@ pub fn bare(node: Node) -> Node {
 
 fn product(mut factors: Vec<Node>) -> Node {
     if factors.len() == 1 { factors.remove(0) } else { Node::Product(factors) }
+}
+
+fn with_scripts(base: Node, mut below: Vec<Node>, above: Option<Box<Node>>, primes: usize) -> Node {
+    if below.is_empty() && above.is_none() && primes == 0 {
+        return base;
+    }
+    match base {
+        // A letter with a number, such as x1, has a subscript already.
+        Node::Scripted { base, below: mut first, above: None, primes: 0 } => {
+            first.append(&mut below);
+            Node::Scripted { base, below: first, above, primes }
+        }
+        base => Node::Scripted { base: Box::new(base), below, above, primes },
+    }
 }
 
 /// `x1` is x with the subscript 1.

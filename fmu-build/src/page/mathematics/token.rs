@@ -178,18 +178,21 @@ fn word(text: &str) -> Result<(Word, usize), String> {
     if let Some((spelled, shown)) = OPERATORS.iter().find(|(spelled, _)| text.starts_with(spelled)) {
         return Ok((Word::Operator(shown), spelled.trim_end().len()));
     }
-    let word = match first {
-        '_' => return subscript(text),
-        '(' | '[' | '{' => Word::Open(first),
-        ')' | ']' | '}' => Word::Close(first),
-        ',' | ';' => Word::Separator(first),
+    if first == '_' { subscript(text) } else { Ok((mark(first)?, 1)) }
+}
+
+/// A word of one character that is not an operator.
+fn mark(character: char) -> Result<Word, String> {
+    Ok(match character {
+        '(' | '[' | '{' => Word::Open(character),
+        ')' | ']' | '}' => Word::Close(character),
+        ',' | ';' => Word::Separator(character),
         '|' => Word::Bar,
         '^' => Word::Power,
         '/' => Word::Slash,
         '\'' => Word::Prime,
-        _ => return Err(format!("'{first}' is not part of an equation")),
-    };
-    Ok((word, 1))
+        _ => return Err(format!("'{character}' is not part of an equation")),
+    })
 }
 
 fn alphanumeric_length(text: &str) -> usize {
