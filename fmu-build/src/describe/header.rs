@@ -20,7 +20,19 @@ const PROLOGUE: &str = include_str!("prologue.h");
 
 /// The text of the header.
 pub fn text(root: &Path) -> Result<String> {
-    let config = Config {
+    let mut builder = Builder::new().with_config(config(root)?);
+    for file in sources(root)? {
+        builder = builder.with_src(file);
+    }
+    let mut header = Vec::new();
+    builder.generate().context("cbindgen cannot read the sources")?.write(&mut header);
+    let header = plain(&String::from_utf8(header)?);
+    ensure!(header.is_ascii(), "the header must be ASCII: {:?}", header.lines().find(|line| !line.is_ascii()));
+    Ok(header)
+}
+
+fn config(root: &Path) -> Result<Config> {
+    Ok(Config {
         language: Language::C,
         // cbindgen's own guard would end before the tables.
         header: Some(format!("{}\n\n#ifndef STRIBECK_H\n#define STRIBECK_H", PROLOGUE.trim_end())),
@@ -34,16 +46,7 @@ pub fn text(root: &Path) -> Result<String> {
         documentation_style: DocumentationStyle::Doxy,
         line_length: WIDTH,
         ..Config::default()
-    };
-    let mut builder = Builder::new().with_config(config);
-    for file in sources(root)? {
-        builder = builder.with_src(file);
-    }
-    let mut header = Vec::new();
-    builder.generate().context("cbindgen cannot read the sources")?.write(&mut header);
-    let header = plain(&String::from_utf8(header)?);
-    ensure!(header.is_ascii(), "the header must be ASCII: {:?}", header.lines().find(|line| !line.is_ascii()));
-    Ok(header)
+    })
 }
 
 /// The files that declare something for C. The others contain nothing for it, and those that only list modules would

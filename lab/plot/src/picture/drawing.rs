@@ -74,26 +74,26 @@ impl Drawing<'_> {
         let frame = self.frame();
         let legend = Legend::of(self.lines, &frame);
         let height = frame.bottom + LEGEND + ROW * (legend.rows as f64 - 1.0) + MARGIN;
-        let colours = self.theme.colours();
-        let title = escape(self.title);
-        let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"picture\" viewBox=\"0 0 {WIDTH} {height}\" \
-             width=\"{}mm\" height=\"{}mm\" role=\"img\" aria-label=\"{title}\" font-family=\"{FAMILY}\">\n{}\
-             <rect class=\"paper\" width=\"{WIDTH}\" height=\"{}\" fill=\"{}\"/>\n",
-            WIDTH * MILLIMETRES,
-            height * MILLIMETRES,
-            self.theme.rules(),
-            // A little more, so that it covers the last row of pixels of a PNG.
-            height + ROW,
-            colours.paper
-        );
-        self.grid(&mut svg, &frame);
-        push(&mut svg, format_args!("<g class=\"ink\" fill=\"{}\">\n", colours.ink));
-        self.texts(&mut svg, &frame);
-        svg += "</g>\n";
+        let mut svg = self.paper(height) + &self.grid(&frame) + &self.texts(&frame);
         self.curves(&mut svg, &frame);
         self.legend(&mut svg, &frame, &legend);
         svg + "</svg>\n"
+    }
+
+    /// The beginning of the picture with its background.
+    fn paper(&self, height: f64) -> String {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"picture\" viewBox=\"0 0 {WIDTH} {height}\" \
+             width=\"{}mm\" height=\"{}mm\" role=\"img\" aria-label=\"{}\" font-family=\"{FAMILY}\">\n{}\
+             <rect class=\"paper\" width=\"{WIDTH}\" height=\"{}\" fill=\"{}\"/>\n",
+            WIDTH * MILLIMETRES,
+            height * MILLIMETRES,
+            escape(self.title),
+            self.theme.rules(),
+            // A little more, so that it covers the last row of pixels of a PNG.
+            height + ROW,
+            self.theme.colours().paper
+        )
     }
 
     fn frame(&self) -> Frame {
@@ -104,39 +104,35 @@ impl Drawing<'_> {
         Frame { left, right: WIDTH - RIGHT.max(beyond + 6.0), top: ABOVE, bottom: ABOVE + FRAME }
     }
 
-    fn grid(&self, svg: &mut String, frame: &Frame) {
+    fn grid(&self, frame: &Frame) -> String {
         let colours = self.theme.colours();
         let (grid, edges, zero) = (frame.grid(self.axes), frame.edges(), frame.zero_up(self.axes));
-        push(
-            svg,
-            format_args!(
-                "<path class=\"grid\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.7\" d=\"{grid}\"/>\n\
-                 <path class=\"axis\" fill=\"none\" stroke=\"{}\" d=\"{edges}{zero}\" stroke-width=\"0.9\"/>\n",
-                colours.grid, colours.axis
-            ),
-        );
+        format!(
+            "<path class=\"grid\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.7\" d=\"{grid}\"/>\n\
+             <path class=\"axis\" fill=\"none\" stroke=\"{}\" d=\"{edges}{zero}\" stroke-width=\"0.9\"/>\n",
+            colours.grid, colours.axis
+        )
     }
 
-    fn texts(&self, svg: &mut String, frame: &Frame) {
+    fn texts(&self, frame: &Frame) -> String {
         let Frame { left, right, bottom, .. } = *frame;
         let title = escape(&fitted(self.title, TITLE_SIZE, WIDTH - left - MARGIN));
         let [across, up] = [0, 1].map(|axis| name(self.quantities[axis], &self.axes[axis]));
-        push(
-            svg,
-            format_args!(
-                "<text class=\"title\" x=\"{left:.2}\" y=\"20\" font-size=\"{TITLE_SIZE}\">{title}</text>\n\
-                 <g class=\"x\" font-size=\"{TICK_SIZE}\" text-anchor=\"middle\">\n{}</g>\n\
-                 <g class=\"y\" font-size=\"{TICK_SIZE}\" text-anchor=\"end\">\n{}</g>\n\
-                 <g class=\"names\" font-size=\"{NAME_SIZE}\" text-anchor=\"middle\">\n\
-                 <text x=\"{:.2}\" y=\"{}\">{across}</text>\n\
-                 <text transform=\"translate(18 {}) rotate(-90)\">{up}</text>\n</g>\n",
-                frame.numbers_across(self.axes, TICKS),
-                frame.numbers_up(self.axes, 7.0, 4.2),
-                0.5 * (left + right),
-                bottom + NAME,
-                bottom - 0.5 * FRAME
-            ),
-        );
+        format!(
+            "<g class=\"ink\" fill=\"{}\">\n\
+             <text class=\"title\" x=\"{left:.2}\" y=\"20\" font-size=\"{TITLE_SIZE}\">{title}</text>\n\
+             <g class=\"x\" font-size=\"{TICK_SIZE}\" text-anchor=\"middle\">\n{}</g>\n\
+             <g class=\"y\" font-size=\"{TICK_SIZE}\" text-anchor=\"end\">\n{}</g>\n\
+             <g class=\"names\" font-size=\"{NAME_SIZE}\" text-anchor=\"middle\">\n\
+             <text x=\"{:.2}\" y=\"{}\">{across}</text>\n\
+             <text transform=\"translate(18 {}) rotate(-90)\">{up}</text>\n</g>\n</g>\n",
+            self.theme.colours().ink,
+            frame.numbers_across(self.axes, TICKS),
+            frame.numbers_up(self.axes, 7.0, 4.2),
+            0.5 * (left + right),
+            bottom + NAME,
+            bottom - 0.5 * FRAME
+        )
     }
 
     fn curves(&self, svg: &mut String, frame: &Frame) {

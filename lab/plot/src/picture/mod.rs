@@ -200,26 +200,30 @@ pub fn all(system: &System, outcomes: &[(String, Outcome)], options: &Options) -
 fn pictures(kind: Kind, system: &System, outcomes: &[(String, Outcome)], options: &Options) -> Vec<Picture> {
     let quantities = kind.quantities();
     let zoom = if kind == Kind::Zoom { range(system, outcomes, options) } else { None };
-    let units = outcomes.iter().find_map(|(_, outcome)| {
-        let [across, up] = quantities.map(|quantity| values(system, outcome, quantity));
-        Some([across?.1, up?.1])
-    });
-    let Some(units) = units.filter(|_| kind != Kind::Zoom || zoom.is_some()) else { return Vec::new() };
+    let units = units(system, outcomes, quantities).filter(|_| kind != Kind::Zoom || zoom.is_some());
+    let Some(units) = units else { return Vec::new() };
     let line = |(name, outcome): &(String, Outcome)| line(system, quantities, name, outcome, &zoom);
     let lines: Vec<Line> = outcomes.iter().map(line).collect();
     let axes = axes(quantities, units, &lines, &zoom);
     let parts = lines.len().div_ceil(MOST_LAWS);
     let size = lines.len().div_ceil(parts);
+    let whole = zoom.as_ref().map_or_else(|| kind.title(), |range| format!("Friction force {}", range.words()));
     let picture = |(number, lines): (usize, &[Line])| {
-        let mut title = zoom.as_ref().map_or_else(|| kind.title(), |range| format!("Friction force {}", range.words()));
-        if parts > 1 {
-            let first = number * size;
-            title += &format!(" (laws {} to {} of {})", first + 1, first + lines.len(), outcomes.len());
-        }
+        let (first, last) = (number * size + 1, number * size + lines.len());
+        let part = if parts > 1 { format!(" (laws {first} to {last} of {})", outcomes.len()) } else { String::new() };
+        let title = format!("{whole}{part}");
         let svg = Drawing { title: &title, quantities, axes: &axes, lines, theme: options.theme }.svg();
         Picture { kind, part: number + 1, parts, title, svg }
     };
     lines.chunks(size).enumerate().map(picture).collect()
+}
+
+/// The units of the quantities in the first outcome that has them.
+fn units<'a>(system: &System, outcomes: &'a [(String, Outcome)], quantities: [Quantity; 2]) -> Option<[&'a str; 2]> {
+    outcomes.iter().find_map(|(_, outcome)| {
+        let [across, up] = quantities.map(|quantity| values(system, outcome, quantity));
+        Some([across?.1, up?.1])
+    })
 }
 
 /// The time range of the zoom: the one that was asked for, or the one about the first breakaway.
