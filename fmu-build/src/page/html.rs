@@ -3,7 +3,7 @@
 //!
 //! The page is self-contained: no script, no network, and colours that follow the reader's choice of light or dark.
 
-use std::fmt::Write;
+use std::collections::BTreeSet;
 
 use anyhow::Result;
 use stribeck::catalogue::Family;
@@ -47,44 +47,35 @@ fn holds_start_values(model: &ModelType, preset: &Preset) -> bool {
 }
 
 fn document(model: &ModelType, documentation: &str, pictures: &Pictures) -> Result<String> {
-    let mut page = String::new();
-    push(&mut page, format_args!("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"));
-    push(&mut page, format_args!("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"));
-    push(&mut page, format_args!("<title>{} - Stribeck</title>\n<style>\n{STYLE}</style>\n</head>\n", model.name));
-    push(&mut page, format_args!("<body>\n<header>\n<img src=\"../model.png\" alt=\"\" width=\"96\" height=\"96\">\n"));
-    push(&mut page, format_args!("<div>\n<h1>{}</h1>\n<p>{}</p>\n</div>\n", model.name, escape(model.summary)));
     let text = typeset::html(model.name, documentation, &pictures.model)?;
-    push(&mut page, format_args!("</header>\n<main>\n{text}"));
-    variables(&mut page, model);
-    choices(&mut page, model);
-    presets(&mut page, model, &pictures.presets);
-    capabilities(&mut page, model);
-    push(&mut page, format_args!("</main>\n<footer>Stribeck {VERSION}, {AUTHORS}. Licence: {LICENSE}, "));
-    push(&mut page, format_args!("<a href=\"licenses/license.txt\">text</a>.</footer>\n</body>\n</html>\n"));
-    Ok(page)
+    Ok(format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>{name} - Stribeck</title>\n<style>\n{STYLE}</style>\n</head>\n\
+         <body>\n<header>\n<img src=\"../model.png\" alt=\"\" width=\"96\" height=\"96\">\n\
+         <div>\n<h1>{name}</h1>\n<p>{}</p>\n</div>\n</header>\n<main>\n{text}{}{}{}{}</main>\n\
+         <footer>Stribeck {VERSION}, {AUTHORS}. Licence: {LICENSE}, \
+         <a href=\"licenses/license.txt\">text</a>.</footer>\n</body>\n</html>\n",
+        escape(model.summary),
+        variables(model),
+        choices(model),
+        presets(model, &pictures.presets),
+        capabilities(model),
+        name = model.name
+    ))
 }
 
-/// Writing to a `String` cannot fail.
-fn push(page: &mut String, text: std::fmt::Arguments) {
-    let _ = page.write_fmt(text);
+fn table<R: AsRef<[String]>>(head: &[&str], rows: impl Iterator<Item = R>) -> String {
+    let titles: String = head.iter().map(|title| format!("<th>{title}</th>")).collect();
+    let cells = |row: R| row.as_ref().iter().map(|cell| format!("<td>{cell}</td>")).collect::<String>();
+    let rows: String = rows.map(|row| format!("<tr>{}</tr>\n", cells(row))).collect();
+    format!("<div class=\"wide\"><table>\n<thead><tr>{titles}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n")
 }
 
-fn table<R: AsRef<[String]>>(page: &mut String, head: &[&str], rows: impl Iterator<Item = R>) {
-    push(page, format_args!("<div class=\"wide\"><table>\n<thead><tr>"));
-    head.iter().for_each(|title| push(page, format_args!("<th>{title}</th>")));
-    push(page, format_args!("</tr></thead>\n<tbody>\n"));
-    for row in rows {
-        push(page, format_args!("<tr>"));
-        row.as_ref().iter().for_each(|cell| push(page, format_args!("<td>{cell}</td>")));
-        push(page, format_args!("</tr>\n"));
-    }
-    push(page, format_args!("</tbody>\n</table></div>\n"));
-}
-
-fn variables(page: &mut String, model: &ModelType) {
-    push(page, format_args!("<h2>Variables</h2>\n<p>{ROLES}</p>\n"));
+fn variables(model: &ModelType) -> String {
     let head = ["Variable", "Unit", "Start", "Bound", "Meaning", "Role", "Type", "Value reference"];
-    table(page, &head, model.variables().map(|(column, shown)| variable(model.reference(column), &shown)));
+    let rows = model.variables().map(|(column, shown)| variable(model.reference(column), &shown));
+    format!("<h2>Variables</h2>\n<p>{ROLES}</p>\n{}", table(&head, rows))
 }
 
 fn variable(reference: u32, variable: &Variable) -> [String; 8] {
@@ -102,30 +93,25 @@ fn variable(reference: u32, variable: &Variable) -> [String; 8] {
 }
 
 /// One table per enumeration of the model.
-fn choices(page: &mut String, model: &ModelType) {
-    let mut seen = Vec::new();
-    for variable in model.table {
-        let Kind::Enumeration(choices) = variable.kind else { continue };
-        if seen.contains(&choices.name) {
-            continue;
-        }
-        seen.push(choices.name);
-        push(page, format_args!("<h2>Choices of {}</h2>\n", choices.name));
+fn choices(model: &ModelType) -> String {
+    let mut seen = BTreeSet::new();
+    let enumerations = model.table.iter().filter_map(|variable| match variable.kind {
+        Kind::Enumeration(choices) => Some(choices),
+        _ => None,
+    });
+    let choices = enumerations.filter(|choices| seen.insert(choices.name)).map(|choices| {
         let row = |(number, item): (usize, &stribeck::model::Item)| {
             [(number + 1).to_string(), format!("<code>{}</code>", item.name), escape(item.help)]
         };
-        table(page, &["Number", "Choice", "Meaning"], choices.items.iter().enumerate().map(row));
-    }
+        let rows = table(&["Number", "Choice", "Meaning"], choices.items.iter().enumerate().map(row));
+        format!("<h2>Choices of {}</h2>\n{rows}", choices.name)
+    });
+    choices.collect()
 }
 
 /// One table per preset, with the diagrams for its values.
-fn presets(page: &mut String, model: &ModelType, pictures: &[String]) {
-    if model.presets.is_empty() {
-        return;
-    }
-    push(page, format_args!("<h2>Presets</h2>\n<p>Sets of values; other variables keep their start values.</p>\n"));
-    for (at, preset) in model.presets.iter().enumerate() {
-        push(page, format_args!("<h3><code>{}</code></h3>\n<p>{}</p>\n", preset.name, escape(preset.source)));
+fn presets(model: &ModelType, pictures: &[String]) -> String {
+    let preset = |(at, preset): (usize, &Preset)| {
         let row = |(name, value): &(&str, f64)| {
             let (shown, unit) = match model.find(name) {
                 Some(column) => (text::value(&model.table.at(column), *value), text::unit(&model.table.at(column))),
@@ -133,11 +119,16 @@ fn presets(page: &mut String, model: &ModelType, pictures: &[String]) {
             };
             [format!("<code>{name}</code>"), shown, typeset_unit(unit)]
         };
-        if !preset.values.is_empty() {
-            table(page, &["Variable", "Value", "Unit"], preset.values.iter().map(row));
-        }
-        page.push_str(pictures.get(at).map_or("", String::as_str));
+        let rows = Some(preset.values).filter(|values| !values.is_empty());
+        let values = rows.map_or(String::new(), |rows| table(&["Variable", "Value", "Unit"], rows.iter().map(row)));
+        let pictures = pictures.get(at).map_or("", String::as_str);
+        format!("<h3><code>{}</code></h3>\n<p>{}</p>\n{values}{pictures}", preset.name, escape(preset.source))
+    };
+    if model.presets.is_empty() {
+        return String::new();
     }
+    let presets: String = model.presets.iter().enumerate().map(preset).collect();
+    format!("<h2>Presets</h2>\n<p>Sets of values; other variables keep their start values.</p>\n{presets}")
 }
 
 /// Meaning of the capability flags of FMI 2.0 for a user.
@@ -181,8 +172,7 @@ fn counted(count: usize, one: &str) -> String {
     if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
 }
 
-fn capabilities(page: &mut String, model: &ModelType) {
-    push(page, format_args!("<h2>This FMU</h2>\n"));
+fn capabilities(model: &ModelType) -> String {
     let kinds = if model.model_exchange { "Co-Simulation and Model Exchange" } else { "Co-Simulation" };
     let facts = [
         ["Interface".to_owned(), format!("FMI 2.0 for {kinds}"), exchange(model)],
@@ -196,7 +186,8 @@ fn capabilities(page: &mut String, model: &ModelType) {
     ];
     let capability =
         |(name, value): (&str, &str)| [format!("<code>{name}</code>"), value.to_owned(), meaning(name).to_owned()];
-    table(page, &["Property", "Value", "Meaning"], facts.into_iter().chain(CAPABILITIES.map(capability)));
+    let rows = facts.into_iter().chain(CAPABILITIES.map(capability));
+    format!("<h2>This FMU</h2>\n{}", table(&["Property", "Value", "Meaning"], rows))
 }
 
 #[cfg(test)]
@@ -308,8 +299,7 @@ mod tests {
     #[test]
     fn presets_are_listed_with_their_source_values_and_units() {
         let lugre = stribeck::catalogue::by_name("LuGre").unwrap();
-        let mut text = String::new();
-        presets(&mut text, lugre, &[]);
+        let text = presets(lugre, &[]);
         for preset in lugre.presets {
             assert!(text.contains(&format!("<h3><code>{}</code></h3>\n<p>{}</p>", preset.name, escape(preset.source))));
             for (name, value) in preset.values {

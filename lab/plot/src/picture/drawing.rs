@@ -3,8 +3,6 @@
 //! It is written here rather than by a crate for plots: those at hand place points on whole pixels, draw a dashed curve
 //! as many short ones, and know no colours that follow the reader's choice of light or dark.
 
-use std::fmt::Write;
-
 pub use stribeck_draw::axis::Axis;
 use stribeck_draw::curve::{self, Point};
 use stribeck_draw::frame::Frame;
@@ -63,21 +61,15 @@ pub struct Drawing<'a> {
     pub theme: Theme,
 }
 
-/// Writing to a `String` cannot fail.
-fn push(svg: &mut String, text: std::fmt::Arguments) {
-    let _ = svg.write_fmt(text);
-}
-
 impl Drawing<'_> {
     /// The picture.
     pub fn svg(&self) -> String {
         let frame = self.frame();
         let legend = Legend::of(self.lines, &frame);
         let height = frame.bottom + LEGEND + ROW * (legend.rows as f64 - 1.0) + MARGIN;
-        let mut svg = self.paper(height) + &self.grid(&frame) + &self.texts(&frame);
-        self.curves(&mut svg, &frame);
-        self.legend(&mut svg, &frame, &legend);
-        svg + "</svg>\n"
+        let (paper, grid, texts) = (self.paper(height), self.grid(&frame), self.texts(&frame));
+        let (curves, legend) = (self.curves(&frame), self.legend(&frame, &legend));
+        format!("{paper}{grid}{texts}{curves}{legend}</svg>\n")
     }
 
     /// The beginning of the picture with its background.
@@ -135,30 +127,31 @@ impl Drawing<'_> {
         )
     }
 
-    fn curves(&self, svg: &mut String, frame: &Frame) {
-        *svg += "<g class=\"curves\" fill=\"none\" stroke-width=\"1.8\" stroke-linejoin=\"round\">\n";
+    fn curves(&self, frame: &Frame) -> String {
         let is_over_time = self.quantities[0] == Quantity::Time;
-        for (number, line) in self.lines.iter().enumerate() {
+        let curve = |(number, line): (usize, &Line)| {
             let points = line.points.iter().map(|point| frame.place(self.axes, *point));
             let data = if is_over_time { curve::over_time(points) } else { curve::going_round(points) };
             let look = line.look.unwrap_or(number);
-            push(svg, format_args!("<path class=\"law law-{}\" {} d=\"{data}\"/>\n", look + 1, self.stroke(look)));
-        }
-        for (number, line) in self.lines.iter().enumerate().filter(|(_, line)| line.is_cut) {
-            self.cross(svg, frame, line, line.look.unwrap_or(number));
-        }
-        *svg += "</g>\n";
+            format!("<path class=\"law law-{}\" {} d=\"{data}\"/>\n", look + 1, self.stroke(look))
+        };
+        let curves: String = self.lines.iter().enumerate().map(curve).collect();
+        let cut = self.lines.iter().enumerate().filter(|(_, line)| line.is_cut);
+        let crosses: String = cut.filter_map(|(number, line)| self.cross(frame, line, number)).collect();
+        format!(
+            "<g class=\"curves\" fill=\"none\" stroke-width=\"1.8\" stroke-linejoin=\"round\">\n\
+             {curves}{crosses}</g>\n"
+        )
     }
 
     /// A cross at the end of a curve.
-    fn cross(&self, svg: &mut String, frame: &Frame, line: &Line, look: usize) {
+    fn cross(&self, frame: &Frame, line: &Line, number: usize) -> Option<String> {
+        let look = line.look.unwrap_or(number);
         let is_finite = |point: &&Point| point.iter().all(|value| value.is_finite());
-        let Some(end) = line.points.iter().rev().find(is_finite) else { return };
-        let [x, y] = frame.place(self.axes, *end);
+        let [x, y] = frame.place(self.axes, *line.points.iter().rev().find(is_finite)?);
         let colour = self.theme.colours().laws[look];
-        let start = format!("M{:.2} {:.2}", x - 4.5, y - 4.5);
-        push(svg, format_args!("<path class=\"stop law-{}\" stroke=\"{colour}\" d=\"{start}", look + 1));
-        *svg += "l9 9m0 -9l-9 9\"/>\n";
+        let path = format!("M{:.2} {:.2}l9 9m0 -9l-9 9", x - 4.5, y - 4.5);
+        Some(format!("<path class=\"stop law-{}\" stroke=\"{colour}\" d=\"{path}\"/>\n", look + 1))
     }
 
     /// Colour and dashes of a law.
@@ -170,24 +163,22 @@ impl Drawing<'_> {
         }
     }
 
-    fn legend(&self, svg: &mut String, frame: &Frame, legend: &Legend) {
-        push(svg, format_args!("<g class=\"legend\" fill=\"none\" stroke-width=\"1.8\" font-size=\"{TICK_SIZE}\">\n"));
-        for (number, line) in self.lines.iter().enumerate() {
+    fn legend(&self, frame: &Frame, legend: &Legend) -> String {
+        let ink = self.theme.colours().ink;
+        let entry = |(number, line): (usize, &Line)| {
             let x = frame.left + legend.column * (number % legend.columns) as f64;
             let y = frame.bottom + LEGEND + ROW * (number / legend.columns) as f64;
             let (end, middle, text) = (x + SAMPLE, y - 4.2, x + SAMPLE + BEHIND);
             let look = line.look.unwrap_or(number);
-            let stroke = self.stroke(look);
-            push(svg, format_args!("<g class=\"entry\"><path class=\"law-{}\" {stroke} ", look + 1));
-            push(svg, format_args!("d=\"M{x:.2} {middle:.2}H{end:.2}\"/>"));
+            let (class, stroke) = (look + 1, self.stroke(look));
             let name = escape(&fitted(&line.name, TICK_SIZE, legend.column - SAMPLE - BEHIND));
-            let ink = self.theme.colours().ink;
-            push(
-                svg,
-                format_args!("<text class=\"ink\" fill=\"{ink}\" x=\"{text:.2}\" y=\"{y:.2}\">{name}</text></g>\n"),
-            );
-        }
-        *svg += "</g>\n";
+            format!(
+                "<g class=\"entry\"><path class=\"law-{class}\" {stroke} d=\"M{x:.2} {middle:.2}H{end:.2}\"/>\
+                 <text class=\"ink\" fill=\"{ink}\" x=\"{text:.2}\" y=\"{y:.2}\">{name}</text></g>\n"
+            )
+        };
+        let entries: String = self.lines.iter().enumerate().map(entry).collect();
+        format!("<g class=\"legend\" fill=\"none\" stroke-width=\"1.8\" font-size=\"{TICK_SIZE}\">\n{entries}</g>\n")
     }
 }
 
@@ -219,7 +210,7 @@ fn name(quantity: Quantity, axis: &Axis) -> String {
     let (name, letter, index) = quantity.names();
     let mut text = format!("{name} <tspan font-style=\"italic\">{letter}</tspan>");
     if !index.is_empty() {
-        push(&mut text, format_args!("<tspan dy=\"3\" font-size=\"{}\">{index}</tspan>", 0.75 * NAME_SIZE));
+        text += &format!("<tspan dy=\"3\" font-size=\"{}\">{index}</tspan>", 0.75 * NAME_SIZE);
     }
     let rest = escape(&axis.counted());
     match index {
