@@ -105,7 +105,8 @@ impl Law {
         Ok(backwards.into_iter().rev().chain(forwards).collect())
     }
 
-    /// A round period of an oscillating velocity that shows the memory of the law; none for a law without memory.
+    /// A round period of an oscillating velocity that shows the memory of the law, twelve response times (chosen); none
+    /// for a law without memory.
     pub fn period(&self, amplitude: f64) -> Result<Option<f64>> {
         match self.response_time(amplitude)? {
             0.0 => Ok(self.acceleration.map(|_| 1.0)),
