@@ -11,5 +11,6 @@ pub mod header;
 pub mod interface;
 pub mod readme;
 pub mod rules;
+pub mod structure;
 pub mod text;
 pub mod xml;

@@ -13,7 +13,7 @@ use stribeck::reference::{self, Reference};
 use stribeck::unit::{UNITS, Unit};
 use stribeck_ffi::fmi2::log::CATEGORIES;
 
-use crate::describe::dependencies::{self, Found};
+use crate::describe::structure::{Structure, index, integrated};
 use crate::describe::text::{limits, number};
 use crate::project::{AUTHORS, LICENSE, VERSION, copyright};
 
@@ -125,11 +125,6 @@ fn interface(
     let identifier = ("modelIdentifier", model.name.to_owned());
     let capabilities = capabilities.iter().map(|(name, value)| (*name, (*value).to_owned()));
     leaf(xml, element, [identifier].into_iter().chain(capabilities).collect())
-}
-
-/// The states whose derivatives are variables: those that an importer may integrate.
-fn integrated(model: &ModelType) -> Vec<usize> {
-    if model.model_exchange { model.continuous_states().collect() } else { Vec::new() }
 }
 
 /// The unit of the time derivative of a state.
@@ -328,57 +323,15 @@ fn start(variable: &Variable) -> String {
 }
 
 fn model_structure(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
-    let structure = Structure { model, found: dependencies::of(model), states: integrated(model) };
-    let [outputs, derivatives] = [structure.outputs(), structure.derivatives()];
-    let calculated = outputs.iter().filter(|output| model.table.at(**output).role.is_computed());
-    let initial: Vec<usize> = calculated.chain(&derivatives).copied().collect();
+    let structure = Structure::of(model);
     let while_stepping = |xml: &mut Xml, place| unknown(xml, model, place, structure.while_stepping(place).as_ref());
     parent(xml, "ModelStructure", vec![], |xml| {
-        list(xml, "Outputs", &outputs, while_stepping)?;
-        list(xml, "Derivatives", &derivatives, while_stepping)?;
-        list(xml, "InitialUnknowns", &initial, |xml, place| {
+        list(xml, "Outputs", &structure.outputs(), while_stepping)?;
+        list(xml, "Derivatives", &structure.derivatives(), while_stepping)?;
+        list(xml, "InitialUnknowns", &structure.initial(), |xml, place| {
             unknown(xml, model, place, structure.initially(place).as_ref())
         })
     })
-}
-
-/// Unknowns of a model: columns and, behind them and time, the derivatives of its states.
-struct Structure<'a> {
-    model: &'a ModelType,
-    found: Found,
-    states: Vec<usize>,
-}
-
-impl Structure<'_> {
-    fn outputs(&self) -> Vec<usize> {
-        let table = self.model.table;
-        (0..table.len()).filter(|column| table.at(*column).role.is_output()).collect()
-    }
-
-    fn derivatives(&self) -> Vec<usize> {
-        (0..self.states.len()).map(|state| self.model.table.len() + 1 + state).collect()
-    }
-
-    /// The columns that determine an unknown and satisfy a condition; `None` for an unknown that depends on all.
-    fn known(&self, unknown: usize, is_known: impl Fn(usize) -> bool) -> Option<BTreeSet<usize>> {
-        let columns = self.model.table.len();
-        let place = if unknown < columns { unknown } else { columns + self.states[unknown - columns - 1] };
-        let found = self.found.as_ref()?;
-        Some(found[place].iter().copied().filter(|column| is_known(*column)).collect())
-    }
-
-    /// The inputs and states that determine an unknown.
-    fn while_stepping(&self, unknown: usize) -> Option<BTreeSet<usize>> {
-        let is_input = |column: usize| self.model.table.at(column).role == Role::Input;
-        let mut known = self.known(unknown, |column| is_input(column) || self.states.contains(&column))?;
-        known.extend(Some(unknown).filter(|unknown| self.states.contains(unknown)));
-        Some(known)
-    }
-
-    /// The variables that determine an unknown at the start.
-    fn initially(&self, unknown: usize) -> Option<BTreeSet<usize>> {
-        self.known(unknown, |column| !self.model.table.at(column).is_hidden)
-    }
 }
 
 /// A list of the model structure, unless it is empty.
@@ -392,12 +345,6 @@ fn list(
         return Ok(());
     }
     parent(xml, name, vec![], |xml| entries.iter().try_for_each(|column| entry(xml, *column)))
-}
-
-/// Index of a variable in the model structure, from 1: columns that are shown, time, derivatives of the states.
-fn index(model: &ModelType, place: usize) -> usize {
-    let hidden = model.table.iter().take(place).filter(|variable| variable.is_hidden);
-    place + 1 - hidden.count()
 }
 
 /// An entry of the model structure.
