@@ -407,12 +407,13 @@ def page() -> None:
 
 @task("10 to 16 minutes, then about 3")
 def demo() -> None:
-    """Packs the FMUs and runs each of them from Python, identifies a law, and compares solvers on the belt of the
-    thesis."""
+    """Packs the FMUs and runs each of them from Python, draws laws on the belt of the thesis, identifies a law, and
+    compares solvers."""
     setup()
     pack()
     run(PYTHON, "examples/fmpy/demo.py")
     stribeck = ["cargo", "run", "--release", "--package", "stribeck-cli", "--"]
+    run(*stribeck, "compare", "--law", *LAWS_OF_BENCHMARK, "--pictures", "out/belt")
     run(*stribeck, "rig", "--law", "LuGre", "--out", "out/rig")
     known = ["--law", "LuGre", "--mass", "2", "--normal-force", "20", "--reference", "out/rig/truth.toml"]
     run(*stribeck, "identify", "out/rig/force.csv", *known, "--report", "out/identification.html")

@@ -1,76 +1,57 @@
 #!/usr/bin/env python3
-"""Runs the FMUs in dist/ and draws the results to out/: every friction FMU on the belt, one of them along a recorded
-motion, and a car on four posts with and without friction in its struts.
+"""Runs the FMUs in dist/ and draws the results to out/: every friction FMU along a recorded motion, and a car on four
+posts with and without friction in its struts.
 """
 
-import argparse
 import sys
+import time
 from pathlib import Path
 
-from analysis import AGREEMENT
-from belt import BeltRun
 from car_pictures import draw_four_post
-from convergence import converged
 from coupling import FMUS, CouplingError, friction_path_of, laws_in, main
 from four_post import report, run_four_post
 from make_motion import MOTION
-from pictures import draw_belt, draw_comparison, draw_replay
+from pictures import draw_replay
 from replay import read_motion, replay
-from vehicle import Choice, Run, friction, label_of
+from vehicle import Choice, friction, label_of
 
 OUT = Path("out")
-TIME = 40.0
-REPLAYED = "LuGre"
 
 # Friction of each strut in N, off and on.
 LEVELS = (0.0, 50.0)
 FREQUENCY = 2.0
 
 
-def run_on_belt(models: list[str], time: float) -> list[BeltRun]:
-    """Runs the models for `time` and prints a line of the table for each."""
-    print(f"Block on a moving belt, {time:g} s. The step of each law is halved until the last period")
-    print(f"changes by at most {AGREEMENT:.1%}; it is then within {2.0 * AGREEMENT:.0%} of that of a converged run.\n")
-    print(f"{'model':19} {'step':>11} {'period':>10} {'at half step':>13} {'difference':>11} {'steps/s':>9}  remarks")
-    runs = []
-    for model in models:
-        found = converged(model, time)
-        times = f"{1e3 * found.step:8.4g} ms {found.value:8.4f} s {found.finer:11.4f} s"
-        remarks = "; ".join(found.remarks)
-        line = f"{model:19} {times} {found.difference:+11.3%} {found.speed:9.0f}  {remarks}"
-        print(line.rstrip(), flush=True)
-        draw_belt(found.run, OUT / "belt" / f"{model}.png")
-        runs.append(found.run)
-    return runs
+def run_along_motion(laws: list[str]) -> None:
+    """Drives each law along the recorded motion, prints a line of the table and draws a picture."""
+    motion = read_motion(MOTION)
+    print(f"The recorded motion {MOTION.name}, {len(motion.time) - 1} steps in {motion.time[-1]:g} s:\n")
+    print(f"{'model':22} {'largest force':>13} {'dissipated':>11} {'steps/s':>9}")
+    for law in laws:
+        begin = time.perf_counter()
+        result = replay(friction_path_of(law), motion)
+        speed = len(motion.time) / (time.perf_counter() - begin)
+        largest = abs(result.friction_force).max()
+        print(f"{law:22} {largest:11.3f} N {result.dissipated_energy[-1]:9.4f} J {speed:9.0f}", flush=True)
+        draw_replay(result, OUT / "replay" / f"{law}.png")
 
 
-def run_posts() -> list[Run]:
+def run_posts() -> None:
     """The car on four posts, without and with friction."""
     print(f"\nCar on four posts at {FREQUENCY:g} Hz, without friction and with {LEVELS[-1]:g} N in each strut:\n")
     runs = [run_four_post(Choice(FMUS, friction("LuGre", level)), FREQUENCY, label=label_of(level)) for level in LEVELS]
     report(runs, FREQUENCY)
-    return runs
+    draw_four_post(runs, FREQUENCY, OUT / "four_post.png")
 
 
 def program() -> None:
     """Runs all models and prints where the results are."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument(
-        "--time", type=float, default=TIME, help=f"duration of the runs on the belt in s (default: {TIME:g})"
-    )
-    time = parser.parse_args().time
-    models = laws_in(FMUS)
-    if not models:
+    laws = laws_in(FMUS)
+    if not laws:
         raise CouplingError(f"no friction FMU in {FMUS}: run `python3 tasks.py pack`")
-    runs = run_on_belt(models, time)
-    draw_comparison(runs, OUT / "comparison.png")
-    result = replay(friction_path_of(REPLAYED), read_motion(MOTION))
-    draw_replay(result, OUT / "replay.png")
-    energy, span = result.dissipated_energy[-1], result.motion.time[-1]
-    print(f"\n{REPLAYED} along the recorded motion {MOTION.name}: {energy:.4g} J dissipated in {span:g} s")
-    draw_four_post(run_posts(), FREQUENCY, OUT / "four_post.png")
-    pictures = ("comparison.png", "belt/<model>.png", "replay.png", "four_post.png")
-    print(f"\nPictures: {', '.join(str(OUT / picture) for picture in pictures)}")
+    run_along_motion(laws)
+    run_posts()
+    print(f"\nPictures: {OUT / 'replay' / '<model>.png'}, {OUT / 'four_post.png'}")
 
 
 if __name__ == "__main__":

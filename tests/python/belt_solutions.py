@@ -4,6 +4,7 @@ Forces and velocities here are those of the block relative to the belt while it 
 that holds it.
 """
 
+import functools
 import math
 
 import numpy
@@ -127,6 +128,7 @@ def non_reversible() -> float:
     return maxima[-1] - maxima[-2]
 
 
+@functools.cache
 def periods() -> dict[str, float]:
     """The last period of each law within 40 s."""
     return {

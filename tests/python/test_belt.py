@@ -4,7 +4,7 @@ import numpy
 import pytest
 import stribeck
 from analysis import BENCHMARK, maxima, measure, stick_slip, without_stiction
-from belt import EXCHANGES, BeltRun, run_belt
+from belt import EXCHANGES, BeltRun, limit_of_step, run_belt
 from coupling import FMUS, CouplingError
 
 HOLDING = ["CoulombStiction", "Karnopp"]
@@ -135,6 +135,26 @@ def test_a_mass_given_by_the_user_replaces_that_of_the_rig(belt):
     """Without mass the law as printed alternates about the velocity of the belt: the option really reaches the FMU."""
     printed = belt("CoulombStiction", time=5.0, mass=0.0)
     assert numpy.abs(printed.velocity[10:]).max() > 1e-5
+
+
+@pytest.mark.parametrize("model", ["CoulombStiction", "Liang", "LuGrePlanar"])
+def test_values_of_the_rig_reach_it(model):
+    """By Newton's law the acceleration of 2 kg is that of the forces; the block starts at rest on the belt, and slips
+    when the spring force reaches the static friction."""
+    run = run_belt(FMUS, model, time=12.0, rig={"mass": 2, "belt_velocity": 0.2, "position": 0.1})
+    newton = (run.external_force - run.friction_force) / 2.0
+    assert run.acceleration == pytest.approx(newton, abs=1e-8)
+    assert (run.position[0], run.block_velocity[0]) == (0.1, 0.2)
+    assert run.block_velocity - run.velocity == pytest.approx(0.2, abs=1e-9)
+    # From x = 0.1 m at 0.2 m/s to f_s / k = 0.15 * 2 kg * 9.81 m/s2 / 2 N/m.
+    if model == "CoulombStiction":
+        assert run.time[~run.sticking][0] == pytest.approx((1.4715 - 0.1) / 0.2, abs=2e-3)
+
+
+def test_a_steep_law_without_mass_limits_the_step():
+    """2 m / (df/dv); with its mass the law looks ahead."""
+    assert limit_of_step("BrownMcPhee", parameters={"mass": 0.0}) == pytest.approx(4.2e-4, abs=5e-6)
+    assert limit_of_step("BrownMcPhee") == numpy.inf
 
 
 def test_less_than_one_step_is_rejected(belt):

@@ -4,7 +4,6 @@ import csv
 import subprocess
 import sys
 
-import belt_solutions
 import numpy
 import pytest
 from coupling import FMUS, PROJECT, laws_in
@@ -24,64 +23,6 @@ def is_drawn(path) -> bool:
     return all((tile < 0.9).any(axis=2).mean() > 0.002 for tile in tiles)
 
 
-def test_belt_writes_table_and_picture(tmp_path):
-    options = ["--model", "LuGre", "--time", "10", "--set", "mu_s=0.12", "--exchange", "feedthrough", "--out", "a/b.c"]
-    done = start("belt.py", *options, folder=tmp_path)
-    assert done.returncode == 0, done.stderr
-    assert "LuGre: first slip at 5." in done.stdout
-    with (tmp_path / "a" / "b.c.csv").open(encoding="utf-8") as file:
-        heading = file.readline().strip().split(",")
-        table = numpy.loadtxt(file, delimiter=",")
-    assert heading[:2] == ["time [s]", "position [m]"]
-    assert table.shape == (10_001, 8)
-    assert heading[4] == "acceleration [m/s2]"
-    assert table[-1, 0] == 10.0
-    assert is_drawn(tmp_path / "a" / "b.c.png")
-
-
-def test_belt_reports_a_step_that_is_too_long_for_a_steep_law(tmp_path):
-    steep = ["belt.py", "--model", "BrownMcPhee", "--time", "1"]
-    done = start(*steep, "--set", "mass=0", folder=tmp_path)
-    assert "a block at rest chatters unless --step is below 4.2e-04 s" in done.stdout
-    done = start(*steep, "--set", "mass=0", "--step", "4e-4", folder=tmp_path)
-    assert "chatters" not in done.stdout
-    done = start(*steep, folder=tmp_path)
-    assert "chatters" not in done.stdout, "with its mass the law looks ahead"
-
-
-def test_several_models_share_a_picture_and_have_a_table_each(tmp_path):
-    """By Newton's law the acceleration of 2 kg is that of the forces; the block starts at rest on the belt, and slips
-    when the spring force reaches the static friction."""
-    options = ["--model", "CoulombStiction", "Liang", "LuGrePlanar", "--time", "12"]
-    rig = ["--rig", "mass=2", "--rig", "belt_velocity=0.2", "--rig", "position=0.1"]
-    done = start("belt.py", *options, *rig, folder=tmp_path)
-    assert done.returncode == 0, done.stderr
-    for model in options[1:4]:
-        heading, table = table_of(tmp_path / "out" / f"belt_{model}.csv")
-        column = dict(zip([name.split()[0] for name in heading], table.T, strict=True))
-        newton = (column["external_force"] - column["friction_force"]) / 2.0
-        assert column["acceleration"] == pytest.approx(newton, abs=1e-8)
-        assert (column["position"][0], column["block_velocity"][0]) == (0.1, 0.2)
-        assert column["block_velocity"] - column["velocity"] == pytest.approx(0.2, abs=1e-9)
-        # From x = 0.1 m at 0.2 m/s to f_s / k = 0.15 * 2 kg * 9.81 m/s2 / 2 N/m.
-        if model == "CoulombStiction":
-            slip = column["time"][column["sticking"] == 0.0][0]
-            assert slip == pytest.approx((1.4715 - 0.1) / 0.2, abs=2e-3)
-    assert is_drawn(tmp_path / "out" / "belt.png")
-
-
-def test_belt_reports_a_step_that_is_too_long_for_a_law_that_chatters(tmp_path):
-    """At 1 ms the speeds at rest reach the Stribeck velocity; the block then slips early, and the period is short."""
-    done = start("belt.py", "--model", "FrictionalLag", "CoulombStiction", folder=tmp_path)
-    assert done.stdout.count("--step is too long for this law: half of it gives 5.7") == 1
-
-
-def test_belt_says_that_a_step_was_not_checked(tmp_path):
-    """Before the second slip there is no period, at no step."""
-    done = start("belt.py", "--model", "CoulombStiction", "--time", "1", folder=tmp_path)
-    assert "the block never slips\n--step was not checked: --time is too short" in done.stdout
-
-
 def test_replay_writes_table_and_picture(tmp_path):
     done = start("replay.py", "--model", "Dahl", "--hold", folder=tmp_path)
     assert done.returncode == 0, done.stderr
@@ -91,22 +32,16 @@ def test_replay_writes_table_and_picture(tmp_path):
 
 
 def test_demo_shows_all_models(tmp_path):
-    done = start("demo.py", "--time", "20", folder=tmp_path)
+    done = start("demo.py", folder=tmp_path)
     assert done.returncode == 0, done.stderr
     lines = [line.split() for line in done.stdout.splitlines()]
-    table = {line[0]: line for line in lines if len(line) > 8 and line[2] == "ms"}
+    table = {line[0]: line for line in lines if len(line) == 6 and line[2] == "N"}
     assert set(table) == set(laws_in(FMUS))
-    for line in table.values():
-        period, finer = float(line[3]), float(line[5])
-        assert period == pytest.approx(finer, rel=5e-3)
-        assert float(line[7].rstrip("%")) == pytest.approx(100.0 * (period / finer - 1.0), abs=2e-3)
-    for model, expected in belt_solutions.periods().items():
-        assert float(table[model][3]) == pytest.approx(expected, rel=1e-2), model
-        assert float(table[model][5]) == pytest.approx(expected, rel=1e-2), model
-    for model in table:
-        assert is_drawn(tmp_path / "out" / "belt" / f"{model}.png")
-    assert is_drawn(tmp_path / "out" / "comparison.png")
-    assert is_drawn(tmp_path / "out" / "replay.png")
+    for law, line in table.items():
+        # Under 50 N: no coefficient of friction is 1, and each has slid for 20 strokes of 10 mm.
+        assert 0.0 < float(line[1]) < 50.0, law
+        assert 0.0 < float(line[3]) < 50.0 * 20.0 * 10e-3, law
+        assert is_drawn(tmp_path / "out" / "replay" / f"{law}.png"), law
     assert is_drawn(tmp_path / "out" / "four_post.png")
     heave = {line[0]: float(line[-6]) for line in lines if line and line[0] in ("no", "50") and len(line) == 8}
     assert 0.0 < heave["50"] < heave["no"]
@@ -163,29 +98,21 @@ def test_lane_change_writes_tables_and_pictures(tmp_path):
 @pytest.mark.parametrize(
     ("program", "options", "message"),
     [
-        ("belt.py", ["--model", "Lugre"], "error: no FMU of the model 'Lugre' in"),
-        ("belt.py", ["--model", "BeltRig"], "error: BeltRig is not a friction model; there are"),
-        ("belt.py", ["--set", "mu=1"], "error: CoulombStiction has no parameter 'mu'; it has mu_k, mu_s"),
-        ("belt.py", ["--set", "mu_s"], "argument --set: 'mu_s' is not of the form name=value"),
-        ("belt.py", ["--set", "mu_s=0.05"], "mu_s = 0.05"),
-        ("belt.py", ["--set", "mu_S=0.2"], "Did you mean mu_s"),
-        (
-            "belt.py",
-            ["--set", "normal_force=-1"],
-            "error: CoulombStiction: fmi2SetReal: normal_force = -1: must be >= 0",
-        ),
-        ("belt.py", ["--set", "velocity=1"], "error: velocity comes from BeltRig: it cannot be set"),
-        ("belt.py", ["--model", "LuGre", "Liang", "--set", "stribeck_velocity=1"], "error: Liang has no parameter"),
-        ("belt.py", ["--model", "LuGrePlanr"], "Did you mean LuGrePlanar"),
-        ("belt.py", ["--rig", "mas=2"], "error: BeltRig has no parameter 'mas'; it has mass, stiffness, belt_velocity"),
-        ("belt.py", ["--rig", "mas=2"], "Did you mean mass?"),
-        ("belt.py", ["--rig", "mass=-2"], "error: BeltRig: fmi2SetReal: mass = -2: must be > 0 and finite"),
-        ("belt.py", ["--rig", "mass=heavy"], "error: mass = 'heavy': must be a number (Real)"),
-        ("belt.py", ["--rig", "friction_force=1"], "error: friction_force comes from the friction model"),
-        ("belt.py", ["--rig", "mass"], "argument --rig: 'mass' is not of the form name=value"),
-        ("belt.py", ["--step", "0"], "argument --step: '0' must be > 0 and finite"),
-        ("belt.py", ["--step", "fast"], "argument --step: 'fast' is not a number"),
-        ("belt.py", ["--fmus", "nowhere"], "there is none: run `python3 tasks.py pack`"),
+        ("replay.py", ["--model", "Lugre"], "error: no FMU of the model 'Lugre' in"),
+        ("replay.py", ["--model", "BeltRig"], "error: BeltRig is not a friction model; there are"),
+        ("replay.py", ["--model", "LuGrePlanr"], "Did you mean LuGrePlanar"),
+        ("replay.py", ["--model", "Dahl", "--set", "mu=1"], "error: Dahl has no parameter 'mu'; it has mu_k, sigma_0"),
+        ("replay.py", ["--set", "mu_s"], "argument --set: 'mu_s' is not of the form name=value"),
+        ("replay.py", ["--set", "mu_s=0.05"], "mu_s = 0.05"),
+        ("replay.py", ["--set", "mu_S=0.2"], "Did you mean mu_s"),
+        ("replay.py", ["--set", "normal_force=-1"], "error: LuGre: fmi2SetReal: normal_force = -1: must be >= 0"),
+        ("replay.py", ["--fmus", "nowhere"], "there is none: run `python3 tasks.py pack`"),
+        ("quarter_car.py", ["--car", "body_mas=2"], "Did you mean body_mass?"),
+        ("quarter_car.py", ["--car", "body_mass=-2"], "error: QuarterCar: fmi2SetReal: body_mass = -2: must be > 0"),
+        ("quarter_car.py", ["--car", "body_mass=heavy"], "error: body_mass = 'heavy': must be a number (Real)"),
+        ("quarter_car.py", ["--car", "body_mass"], "argument --car: 'body_mass' is not of the form name=value"),
+        ("quarter_car.py", ["--step", "0"], "argument --step: '0' must be > 0 and finite"),
+        ("quarter_car.py", ["--step", "fast"], "argument --step: 'fast' is not a number"),
         ("quarter_car.py", ["--levels", "-1"], "argument --levels: '-1' must be >= 0 and finite"),
         ("quarter_car.py", ["--set", "spring.stiffness=1"], "error: ShockAbsorber has no parameter 'spring.stiffness'"),
         ("quarter_car.py", ["--car", "mass=1"], "error: QuarterCar has no parameter 'mass'"),

@@ -1,13 +1,12 @@
 """The step that a law needs on the belt: it is halved until the results agree."""
 
 import math
-import time
 from dataclasses import dataclass
 from pathlib import Path
 
 from analysis import AGREEMENT, compared_time, measure
 from belt import BeltRun, is_random, limit_of_step, run_belt
-from coupling import FMUS, CouplingError, friction_path_of, variables_of
+from coupling import FMUS, CouplingError
 
 # The first step is halved this often at most.
 LONGEST, HALVINGS = 1e-3, 8
@@ -18,14 +17,11 @@ RECORDING = 1e-3
 
 @dataclass(frozen=True)
 class Converged:
-    """A run whose step is short enough, with the measured value that shows it, and that with half the step."""
+    """A step that is short enough, the measured value that shows it, and that with half the step."""
 
-    run: BeltRun
     step: float
     value: float
     finer: float
-    speed: float
-    remarks: list[str]
 
     @property
     def difference(self) -> float:
@@ -49,34 +45,18 @@ def first_step(model: str, fmu_dir: Path = FMUS) -> float:
     return step
 
 
-def remarks_on(model: str, fmu_dir: Path = FMUS) -> list[str]:
-    """Remarks on a law for readers of the table."""
-    variables = variables_of(friction_path_of(model, fmu_dir))
-    remarks = {
-        "velocity_x": "along x",
-        "acceleration": "its force jumps with the acceleration, which is that of the previous step",
-        "seed": "random bonds: compared by the time of the first maximum, since the period scatters",
-    }
-    return [remark for name, remark in remarks.items() if name in variables]
-
-
 def converged(model: str, duration: float, fmu_dir: Path = FMUS) -> Converged:
     """Halves the step until the measured time agrees with that of half the step."""
-    step, random, remarks = first_step(model, fmu_dir), is_random(model, fmu_dir), remarks_on(model, fmu_dir)
-    run, speed = _timed(model, step, duration, fmu_dir)
-    too_long = [f"{1e3 * step:g} ms would give {measured(run, random):.4f} s"]
+    random = is_random(model, fmu_dir)
+
+    def value_at(step: float) -> float:
+        return measured(run_belt(fmu_dir, model, step, duration, every=max(1, round(RECORDING / step))), random)
+
+    step = first_step(model, fmu_dir)
+    value = value_at(step)
     for _ in range(HALVINGS):
-        finer, finer_speed = _timed(model, 0.5 * step, duration, fmu_dir)
-        found = Converged(run, step, measured(run, random), measured(finer, random), speed, remarks)
+        found = Converged(step, value, value_at(0.5 * step))
         if abs(found.difference) <= AGREEMENT:
             return found
-        remarks = too_long + remarks_on(model, fmu_dir)
-        step, run, speed = 0.5 * step, finer, finer_speed
+        step, value = 0.5 * step, found.finer
     raise CouplingError(f"{model}: still {found.difference:+.2%} from {2.0 * step:g} s to {step:g} s, not converged")
-
-
-def _timed(model: str, step: float, duration: float, fmu_dir: Path) -> tuple[BeltRun, float]:
-    """A run on the belt, and the steps per second of wall time; reading and extracting the FMUs included."""
-    begin, every = time.perf_counter(), max(1, round(RECORDING / step))
-    run = run_belt(fmu_dir, model, step, duration, every=every)
-    return run, duration / step / (time.perf_counter() - begin)

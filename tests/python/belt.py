@@ -1,46 +1,21 @@
-#!/usr/bin/env python3
-"""Stick-slip of a block on a moving belt: the BeltRig FMU coupled with friction FMUs of your choice.
+"""Stick-slip of a block on a moving belt: the BeltRig FMU coupled with a friction FMU by fmpy.
 
-    python examples/fmpy/belt.py --model LuGre --set mu_s=0.2 --step 5e-4
-    python examples/fmpy/belt.py --model LuGre Dahl Liang --rig belt_velocity=0.05 --rig stiffness=4
-
-Writes <out>.csv and <out>.png; several models share the picture, and each has its own table <out>_<model>.csv. The
-start values are those of the benchmark in F. Novais, MSc thesis, University of Minho (2024): m = 1 kg, k = 2 N/m,
+The start values are those of the benchmark in F. Novais, MSc thesis, University of Minho (2024): m = 1 kg, k = 2 N/m,
 v_b = 0.1 m/s, mu_k = 0.1, mu_s = 0.15. By default the block starts at rest on the belt, and presses on it with its
-weight. Models in the plane and in space slide along x. `--exchange` is the order of the co-simulation:
+weight. Models in the plane and in space slide along x. The orders of the co-simulation:
 
     sequential   the friction FMU steps first, the rig then steps with its force (Gauss-Seidel)
     feedthrough  the force is read as soon as the inputs are set, then both step
     parallel     both step, then exchange all values (Jacobi): what most masters do
-
-Each run is repeated with half the step, and reported as too coarse if that changes its period.
 """
 
-import argparse
 import math
-import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from analysis import AGREEMENT, Cycle, compared_time, measure
-from coupling import (
-    FMUS,
-    CouplingError,
-    Fmu,
-    command_line,
-    friction_path_of,
-    main,
-    numbers_of,
-    open_fmu,
-    parameter,
-    path_of,
-    positive,
-    variables_of,
-    write_csv,
-)
-from pictures import draw_belt, draw_overlay
+from coupling import FMUS, CouplingError, Fmu, friction_path_of, numbers_of, open_fmu, path_of, variables_of
 from prepared import Clock, Flag, Reals, make
 
 EXCHANGES = ("sequential", "feedthrough", "parallel")
@@ -69,19 +44,6 @@ class BeltRun:
     acceleration: numpy.ndarray
     friction_force: numpy.ndarray
     sticking: numpy.ndarray
-
-    def columns(self) -> dict[str, numpy.ndarray]:
-        """The columns of the CSV file."""
-        return {
-            "time [s]": self.time,
-            "position [m]": self.position,
-            "block_velocity [m/s]": self.block_velocity,
-            "velocity [m/s]": self.velocity,
-            "acceleration [m/s2]": self.acceleration,
-            "external_force [N]": self.external_force,
-            "friction_force [N]": self.friction_force,
-            "sticking": self.sticking,
-        }
 
 
 class Coupling:
@@ -132,16 +94,8 @@ class Coupling:
         return rows
 
 
-def connected(names: Mapping[str, object], inputs: list[str], source: str) -> None:
-    """Rejects start values that the first step would silently replace."""
-    for name in names:
-        if name in inputs:
-            raise CouplingError(f"{name} comes from {source}: it cannot be set")
-
-
 def rig_values(rig_path: Path, chosen: Mapping[str, object]) -> dict[str, float]:
     """Start values of the rig; the block starts at rest on the belt unless `chosen` gives it another velocity."""
-    connected(chosen, ["friction_force"], "the friction model")
     variables = variables_of(rig_path)
     names = ("mass", "stiffness", "belt_velocity", "gravity", "position")
     values = {name: float(variables[name].start) for name in names}
@@ -155,7 +109,6 @@ def friction_values(
     """Values of the law: the weight of the block and, for a law that holds a body at rest, its mass and the order of
     exchange; `chosen` takes precedence.
     """
-    connected(chosen, [*CONNECTIONS, "velocity_x"], "BeltRig")
     values = {"normal_force": rig["mass"] * rig["gravity"]}
     if "mass" in variables_of(friction_path):
         values |= {"mass": rig["mass"], "exchange": "Parallel" if exchange == "parallel" else "Sequential"}
@@ -214,75 +167,3 @@ def run_belt(
     times = step * every * numpy.arange(len(rows))
     moving = position, block_velocity, velocity, external_force, acceleration
     return BeltRun(model, times, *moving, force, sticking.astype(bool))
-
-
-def arguments() -> argparse.Namespace:
-    """Reads the command line."""
-    parser = command_line(__doc__, model="CoulombStiction", out="out/belt", several=True)
-    parser.add_argument(
-        "--rig",
-        type=parameter,
-        action="append",
-        default=[],
-        metavar="NAME=VALUE",
-        help="mass, stiffness, belt_velocity, gravity, position or block_velocity of BeltRig; repeatable",
-    )
-    parser.add_argument("--step", type=positive, default=1e-3, help="communication step in s (default: 1e-3)")
-    parser.add_argument("--time", type=positive, default=40.0, help="simulated time in s (default: 40)")
-    parser.add_argument("--exchange", choices=EXCHANGES, default="sequential", help="default: sequential")
-    return parser.parse_args()
-
-
-def summary(cycle: Cycle) -> str:
-    """Describes the measured values in words."""
-    if math.isnan(cycle.first_slip):
-        return "the block never slips"
-    if math.isnan(cycle.period):
-        return f"first slip at {cycle.first_slip:.4f} s; too short for a period"
-    return f"first slip at {cycle.first_slip:.4f} s, then a period of {cycle.period:.4f} s"
-
-
-def cycle_of(run: BeltRun) -> Cycle:
-    """The measured values of a run."""
-    return measure(run.time, run.position, run.sticking)
-
-
-def report(options: argparse.Namespace, run: BeltRun) -> None:
-    """Prints the measured values, and whether the step was short enough."""
-    parameters, rig = dict(options.set), dict(options.rig)
-    print(f"{run.model}: {summary(cycle_of(run))}")
-    limit = limit_of_step(run.model, options.fmus, parameters, rig)
-    if options.step > limit:
-        print(f"the law is steep: a block at rest chatters unless --step is below {limit:.1e} s")
-    half = 0.5 * options.step
-    finer = run_belt(options.fmus, run.model, half, options.time, options.exchange, parameters, rig, every=2)
-    times = [compared_time(cycle_of(one), is_random(run.model, options.fmus)) for one in (run, finer)]
-    if all(math.isnan(time) for time in times):
-        print("--step was not checked: --time is too short for a period to compare with half the step")
-    elif not abs(times[0] / times[1] - 1.0) <= AGREEMENT:  # also if one of the runs has no period
-        print(f"--step is too long for this law: half of it gives {times[1]:.4f} s instead of {times[0]:.4f} s")
-
-
-def program() -> None:
-    """Runs the simulations selected on the command line."""
-    options = arguments()
-    parameters, rig = dict(options.set), dict(options.rig)
-    models = list(dict.fromkeys(options.model))
-    runs = [
-        run_belt(options.fmus, model, options.step, options.time, options.exchange, parameters, rig) for model in models
-    ]
-    files = []
-    for run in runs:
-        files.append(Path(f"{options.out}.csv" if len(runs) == 1 else f"{options.out}_{run.model}.csv"))
-        write_csv(files[-1], run.columns())
-        report(options, run)
-    files.append(Path(f"{options.out}.png"))
-    if len(runs) == 1:
-        draw_belt(runs[0], files[-1])
-    else:
-        draw_overlay(runs, files[-1])
-    print(*files, sep="\n")
-
-
-if __name__ == "__main__":
-    sys.exit(main(program))

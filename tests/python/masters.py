@@ -6,7 +6,7 @@
     fmpy       the SSP runner of FMPy, started with the start values of the FMUs instead of zeros
 
 A variant is another description in the package: `firm` means firm.ssd and its parameter sets. Ecos and libcosim are
-available as Python packages for Linux on x86-64 (requirements.txt).
+available as Python packages for Linux on x86-64.
 """
 
 import ctypes
