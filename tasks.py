@@ -52,7 +52,7 @@ LAWS_OF_BENCHMARK = [
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
 RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "python", "ssp", "web", "examples"]
 PYTHON_FOLDERS = ["tasks.py", "benches", "examples", "fuzz", "python", "tests", "web/tests", "web/write_types.py"]
-C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "tests/platforms", "benches"]
+C_FOLDERS = ["examples/c", "examples/cpp", "examples/multibody", "tests/c", "tests/platforms", "benches"]
 
 
 # Rust's names of the platforms of `fmu-build pack --platform all`.
@@ -411,7 +411,7 @@ def demo() -> None:
     compares solvers."""
     setup()
     pack()
-    run(PYTHON, "examples/fmpy/demo.py")
+    run(PYTHON, "-m", "examples.fmpy.demo")
     stribeck = ["cargo", "run", "--release", "--package", "stribeck-cli", "--"]
     run(*stribeck, "compare", "--law", *LAWS_OF_BENCHMARK, "--pictures", "out/belt")
     run(*stribeck, "rig", "--law", "LuGre", "--out", "out/rig")

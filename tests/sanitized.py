@@ -68,7 +68,7 @@ def main() -> int:
         print(f"the address sanitizer does not see a short array\n{done.stderr}")
         return 1
     print("figure: address sanitizer in the extension module: a deliberately short array is seen", flush=True)
-    folders = f"pythonpath={PACKAGE} examples/fmpy"
+    folders = f"pythonpath={PACKAGE} ."
     tests = [sys.executable, "-m", "pytest", "-q", "-o", folders, "-k", LEFT_OUT, *TESTS]
     return subprocess.run(tests, cwd=ROOT, env=settings).returncode
 

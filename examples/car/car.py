@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """A Formula Student car in exudyn or MuJoCo, whose four struts feel the side loads of their joints.
 
-    python examples/car/car.py rest                             what the wheels and struts carry
-    python examples/car/car.py kinematics --rack -0.02 0 0.02   camber, steer and motion ratio over travel and rack
-    python examples/car/car.py drive --test four-post           with and without friction; writes <out>_<test>.csv, .png
-    python examples/car/car.py drive --test step-steer --law Dahl --set friction.scale=2 --with angle=0.3
-    python examples/car/car.py limit --law LuGre                highest speed that passes the cones of ISO 3888-2
-    python examples/car/car.py accuracy                         smaller steps, balance of energy, exudyn against MuJoCo
-    python examples/car/car.py design --code mujoco             seat of the spring, seals and overlap
-    python examples/car/car.py study                            lane change and four-post with every law, side by side
+    python -m examples.car.car rest                             what the wheels and struts carry
+    python -m examples.car.car kinematics --rack -0.02 0 0.02   camber, steer and motion ratio over travel and rack
+    python -m examples.car.car drive --test four-post           with and without friction; writes <out>_<test>.csv, .png
+    python -m examples.car.car drive --test step-steer --law Dahl --set friction.scale=2 --with angle=0.3
+    python -m examples.car.car limit --law LuGre                highest speed that passes the cones of ISO 3888-2
+    python -m examples.car.car accuracy                         smaller steps, balance of energy, exudyn against MuJoCo
+    python -m examples.car.car design --code mujoco             seat of the spring, seals and overlap
+    python -m examples.car.car study                            lane change and four-post with every law, side by side
 
 The car is described in stribeck_fs.toml; --car reads another file of the same form. Needs the packages
 stribeck, exudyn and mujoco. --code mujoco runs the same car in MuJoCo.
@@ -21,27 +21,34 @@ from pathlib import Path
 
 import numpy
 
-sys.path.append(str(Path(__file__).resolve().parents[1] / "fmpy"))
-sys.path.append(str(Path(__file__).resolve().parents[1] / "multibody"))
-sys.path.append(str(Path(__file__).resolve().parents[1] / "mujoco"))
-
-from car_accuracy import report_accuracy
-from car_description import CAR, CORNERS, Car, CarError, read_car
-from car_design import report_designs
-from car_figures import draw_kinematics, draw_study
-from car_page import write_page
-from car_rest import imbalance, settle
-from car_ride import EXUDYN, MUJOCO, Run, columns_with_units, simulate
-from car_stand import COLUMNS as STAND_COLUMNS
-from car_stand import Stand
-from car_struts import READINGS, open_struts, parameters_of
-from car_study import SLOW, STUDIED, Case, contacts_of, courses_of, figures_of, laws_of, printed, run_study, table_of
-from car_tyres import read_tyre
-from coupling import FMUS, main, parameter, positive, write_csv
-from exudyn_car import ExudynCar
-from friction_pictures import Quantity, draw_runs
-from hosted_strut import Wrench
-from manoeuvres import MANOEUVRES, manoeuvre
+from examples.car.car_accuracy import report_accuracy
+from examples.car.car_description import CAR, CORNERS, Car, CarError, read_car
+from examples.car.car_design import report_designs
+from examples.car.car_figures import draw_kinematics, draw_study
+from examples.car.car_page import write_page
+from examples.car.car_rest import imbalance, settle
+from examples.car.car_ride import EXUDYN, MUJOCO, Run, columns_with_units, simulate
+from examples.car.car_stand import COLUMNS as STAND_COLUMNS
+from examples.car.car_stand import Stand
+from examples.car.car_struts import READINGS, open_struts, parameters_of
+from examples.car.car_study import (
+    SLOW,
+    STUDIED,
+    Case,
+    contacts_of,
+    courses_of,
+    figures_of,
+    laws_of,
+    printed,
+    run_study,
+    table_of,
+)
+from examples.car.car_tyres import read_tyre
+from examples.car.exudyn_car import ExudynCar
+from examples.car.manoeuvres import MANOEUVRES, manoeuvre
+from examples.fmpy.coupling import FMUS, add_settable, main, positive, write_csv
+from examples.multibody.friction_pictures import Quantity, draw_runs
+from examples.multibody.hosted_strut import Wrench
 
 DEGREES = 180.0 / numpy.pi
 
@@ -52,6 +59,26 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--car", type=Path, default=CAR, help="description of the car (default: stribeck_fs.toml)")
     tasks = parser.add_subparsers(dest="task", required=True)
     tasks.add_parser("rest", help="the car at rest on its wheels")
+    _add_kinematics(tasks)
+    drive, study = _add_drive(tasks), _add_study(tasks)
+    limit = tasks.add_parser("limit", help="the highest speed that passes the cones")
+    accuracy, design = _add_reports(tasks)
+    for task in (drive, limit, accuracy, design):
+        task.add_argument("--law", default="LuGre", help="friction law of the struts (default: LuGre)")
+    for task in (study, accuracy, design):
+        task.add_argument("--jobs", type=int, default=2, help="runs at a time (default: 2)")
+    for task in (drive, study):
+        task.add_argument("--strut", choices=CORNERS, default="fl", help="the strut in the figures (default: fl)")
+    for task in (drive, limit, design, study):
+        task.add_argument("--code", choices=(EXUDYN, MUJOCO), default=EXUDYN, help="simulator (default: exudyn)")
+        task.add_argument("--step", type=positive, default=1e-3, help="step in s (default: 1e-3)")
+    for task in (drive, limit, accuracy, design, study):
+        _add_settings(task)
+    return parser.parse_args()
+
+
+def _add_kinematics(tasks) -> None:
+    """The suspension on a stand."""
     stand = tasks.add_parser("kinematics", help="the suspension on a stand")
     stand.add_argument("--corner", choices=CORNERS, default="fl")
     stand.add_argument(
@@ -59,28 +86,25 @@ def arguments() -> argparse.Namespace:
     )
     stand.add_argument("--points", type=int, default=21)
     stand.add_argument("--out", default="out/car_kinematics", help="table, without extension")
+
+
+def _add_drive(tasks) -> argparse.ArgumentParser:
+    """A manoeuvre."""
     drive = tasks.add_parser("drive", help="a manoeuvre, with and without friction")
     drive.add_argument("--test", choices=sorted(MANOEUVRES), default="four-post")
-    drive.add_argument("--law", default="LuGre", help="friction law of the struts (default: LuGre)")
-    drive.add_argument("--strut", choices=CORNERS, default="fl", help="the strut in the picture (default: fl)")
     drive.add_argument("--through", choices=("package", "fmu", "c"), default="package", help="what computes the struts")
     drive.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
     drive.add_argument("--out", default="out/car", help="result files, without extension (default: out/car)")
-    limit = tasks.add_parser("limit", help="the highest speed that passes the cones")
-    limit.add_argument("--law", default="LuGre", help="friction law of the struts (default: LuGre)")
+    return drive
+
+
+def _add_study(tasks) -> argparse.ArgumentParser:
+    """Manoeuvres with every law."""
     study = tasks.add_parser("study", help="every law in the lane change and on the posts")
     study.add_argument("--test", choices=STUDIED, action="append", help="only this one; repeatable")
     study.add_argument("--laws", metavar="A,B,...", help="only these laws (default: every law of the struts)")
-    study.add_argument("--strut", choices=CORNERS, default="fl", help="the strut in the figures (default: fl)")
-    study.add_argument("--jobs", type=int, default=2, help="runs at a time (default: 2)")
     study.add_argument("--out", default="out/car_study", help="folder of the results (default: out/car_study)")
-    accuracy, design = _add_reports(tasks)
-    for task in (drive, limit, design, study):
-        task.add_argument("--code", choices=(EXUDYN, MUJOCO), default=EXUDYN, help="simulator (default: exudyn)")
-        task.add_argument("--step", type=positive, default=1e-3, help="step in s (default: 1e-3)")
-    for task in (drive, limit, accuracy, design, study):
-        _add_settings(task)
-    return parser.parse_args()
+    return study
 
 
 def _add_reports(tasks) -> tuple[argparse.ArgumentParser, argparse.ArgumentParser]:
@@ -91,17 +115,13 @@ def _add_reports(tasks) -> tuple[argparse.ArgumentParser, argparse.ArgumentParse
         "--steps", type=positive, nargs="+", default=[1e-3, 5e-4, 2.5e-4], metavar="S", help="in s, the longest first"
     )
     design = tasks.add_parser("design", help="seat of the spring, seals and overlap")
-    for task in (accuracy, design):
-        task.add_argument("--law", default="LuGre", help="friction law of the struts (default: LuGre)")
-        task.add_argument("--jobs", type=int, default=2, help="runs at a time (default: 2)")
     return accuracy, design
 
 
 def _add_settings(task: argparse.ArgumentParser) -> None:
     """The options of all tasks in which the car moves."""
-    settable = {"type": parameter, "action": "append", "default": [], "metavar": "NAME=VALUE"}
-    task.add_argument("--set", help="parameter of the ShockAbsorber; repeatable", **settable)
-    task.add_argument("--with", dest="changes", help="number of the manoeuvre; repeatable", **settable)
+    add_settable(task, "--set", "parameter of the ShockAbsorber")
+    add_settable(task, "--with", "number of the manoeuvre", dest="changes")
 
 
 def show_rest(car: Car) -> None:

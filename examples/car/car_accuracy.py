@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from car_description import CORNERS, CarError, read_car
-from car_ride import EXUDYN, MUJOCO, Run, simulate
-from car_study import DEGREES, NONE, heat, printed
-from manoeuvres import Manoeuvre
+
+from examples.car.car_description import CORNERS, CarError, read_car
+from examples.car.car_ride import EXUDYN, MUJOCO, Run, simulate
+from examples.car.car_study import DEGREES, NONE, heat, printed
+from examples.car.manoeuvres import Manoeuvre
 
 
 def _largest(column: str, factor: float = 1.0) -> Callable[[Run], float]:

@@ -9,7 +9,8 @@ from functools import cached_property
 from pathlib import Path
 
 import numpy
-from coupling import CouplingError
+
+from examples.fmpy.coupling import CouplingError
 
 CAR = Path(__file__).resolve().parent / "stribeck_fs.toml"
 

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-from car_accuracy import Job, answers
-from car_study import NONE, printed
-from manoeuvres import Manoeuvre
+from examples.car.car_accuracy import Job, answers
+from examples.car.car_study import NONE, printed
+from examples.car.manoeuvres import Manoeuvre
 
 NO_PRELOAD = {f"{contact}.preload_{level}": 0.0 for contact in ("c1", "c2") for level in "sk"}
 LONGER = {"geom.d_i": 0.135, "geom.d_j": 0.125}

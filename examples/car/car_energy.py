@@ -3,10 +3,10 @@
 import math
 from dataclasses import dataclass, field
 
-from car_description import Body, Vector
-from car_struts import READINGS
-from car_tyres import Carrier, Push
-from exudyn_car import ENTRY, ExudynCar
+from examples.car.car_description import Body, Vector
+from examples.car.car_struts import READINGS
+from examples.car.car_tyres import Carrier, Push
+from examples.car.exudyn_car import ENTRY, ExudynCar
 
 
 @dataclass

@@ -4,13 +4,14 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy
-from car_description import CORNERS, Car
-from car_struts import RestingStrut, parameters_of
-from car_study import NONE, Outcome
-from manoeuvres import LaneChange, Manoeuvre
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from pictures import BLUE, GREY, RED, labelled, over_time, save
+
+from examples.car.car_description import CORNERS, Car
+from examples.car.car_struts import RestingStrut, parameters_of
+from examples.car.car_study import NONE, Outcome
+from examples.car.manoeuvres import LaneChange, Manoeuvre
+from examples.fmpy.pictures import BLUE, GREY, RED, labelled, over_time, save
 
 DEGREES = 180.0 / numpy.pi
 # Half the width of a zoom, in s.

@@ -5,7 +5,7 @@ import html
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from coupling import PROJECT
+from examples.fmpy.coupling import PROJECT
 
 STYLE = PROJECT / "lab" / "plot" / "src" / "report" / "style.css"
 

@@ -4,12 +4,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy
-from car_description import CORNERS, Car, CarError
-from car_struts import RestingStrut
-from car_tyres import UP, Contact, touch
-from exudyn_car import ExudynCar
-from mujoco_car import MujocoCar
 from stribeck import Tyre
+
+from examples.car.car_description import CORNERS, Car, CarError
+from examples.car.car_struts import RestingStrut
+from examples.car.car_tyres import UP, Contact, touch
+from examples.car.exudyn_car import ExudynCar
+from examples.car.mujoco_car import MujocoCar
 
 # Springs that hold a wheel in the road and against spinning while the balance is computed; no force remains in them.
 HOLDING = 1.0e4

@@ -13,16 +13,17 @@ from pathlib import Path
 
 import exudyn
 import numpy
-from car_description import CORNERS, Car, CarError
-from car_energy import Acting, Ledger, Works
-from car_rest import Rest, relax, settle
-from car_struts import READINGS, open_struts, parameters_of
-from car_tyres import ROLLING_DEFLECTION, Carrier, RollingTyre, StandingTyre, read_tyre, touch
-from coupling import FMUS
-from exudyn_car import ExudynCar, steps_of
-from hosted_strut import Wrench
-from manoeuvres import Manoeuvre, Pose
-from mujoco_car import MujocoCar
+
+from examples.car.car_description import CORNERS, Car, CarError
+from examples.car.car_energy import Acting, Ledger, Works
+from examples.car.car_rest import Rest, relax, settle
+from examples.car.car_struts import READINGS, open_struts, parameters_of
+from examples.car.car_tyres import ROLLING_DEFLECTION, Carrier, RollingTyre, StandingTyre, read_tyre, touch
+from examples.car.exudyn_car import ExudynCar, steps_of
+from examples.car.manoeuvres import Manoeuvre, Pose
+from examples.car.mujoco_car import MujocoCar
+from examples.fmpy.coupling import FMUS
+from examples.multibody.hosted_strut import Wrench
 
 CAR_COLUMNS = {
     "time": "s",

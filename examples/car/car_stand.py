@@ -3,8 +3,9 @@
 import math
 
 import numpy
-from car_description import CORNERS, Car, CarError
-from exudyn_car import ExudynCar
+
+from examples.car.car_description import CORNERS, Car, CarError
+from examples.car.exudyn_car import ExudynCar
 
 # A spring in place of the strut, in N/m: the length it leaves is measured, so that its stiffness does not matter.
 SPRING = 1.0e7

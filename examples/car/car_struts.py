@@ -9,9 +9,10 @@ from pathlib import Path
 
 import fmpy
 import stribeck
-from car_description import CORNERS, Car, CarError
-from coupling import FMUS, Fmu, open_fmu, path_of
-from hosted_strut import UNLOADED, Wrench
+
+from examples.car.car_description import CORNERS, Car, CarError
+from examples.fmpy.coupling import FMUS, Fmu, open_fmu, path_of
+from examples.multibody.hosted_strut import UNLOADED, Wrench
 
 INPUTS = (
     *("length", "velocity", "side_force_m", "side_force_n", "side_moment_m", "side_moment_n"),

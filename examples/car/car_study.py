@@ -10,13 +10,14 @@ from pathlib import Path
 
 import numpy
 import stribeck
-from car_description import CORNERS, Car, CarError, read_car
-from car_ride import EXUDYN, Run, columns_with_units, simulate
-from car_struts import parameters_of
-from coupling import write_csv
-from lane_change import clearance
-from manoeuvres import MANOEUVRES, LaneChange, Manoeuvre, manoeuvre
 from tqdm import tqdm
+
+from examples.car.car_description import CORNERS, Car, CarError, read_car
+from examples.car.car_ride import EXUDYN, Run, columns_with_units, simulate
+from examples.car.car_struts import parameters_of
+from examples.car.manoeuvres import MANOEUVRES, LaneChange, Manoeuvre, manoeuvre
+from examples.fmpy.coupling import write_csv
+from examples.fmpy.lane_change import clearance
 
 NONE = "None"
 STUDIED = ("lane-change", "four-post")

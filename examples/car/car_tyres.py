@@ -5,7 +5,8 @@ from dataclasses import dataclass, field
 
 import numpy
 import stribeck
-from car_description import Car, CarError, Vector
+
+from examples.car.car_description import Car, CarError, Vector
 
 # Part of the deflection by which the effective rolling radius is smaller than the one without load (chosen).
 ROLLING_DEFLECTION = 1.0 / 3.0

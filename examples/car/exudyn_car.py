@@ -9,9 +9,10 @@ from collections.abc import Mapping
 
 import exudyn
 import numpy
-from car_description import CORNERS, Body, Car, CarError, Corner, Vector
-from car_tyres import Carrier, Contact, unit
 from exudyn.utilities import RigidBodyInertia
+
+from examples.car.car_description import CORNERS, Body, Car, CarError, Corner, Vector
+from examples.car.car_tyres import Carrier, Contact, unit
 
 # Which axes of a joint's frame are locked: three directions, then three rotations.
 UNIVERSAL = [1, 1, 1, 0, 0, 1]

@@ -4,8 +4,8 @@ import math
 from dataclasses import astuple, dataclass, replace
 from functools import cached_property
 
-from car_description import CarError
-from lane_change import Lane, lanes, way
+from examples.car.car_description import CarError
+from examples.fmpy.lane_change import Lane, lanes, way
 
 # Of a straight run before a manoeuvre begins, in s: the tyres find their rolling state.
 RUN_IN = 0.5

@@ -8,12 +8,13 @@ everything else moves as in exudyn.
 import math
 from collections.abc import Callable, Mapping
 
-import mjcf
 import mujoco
 import numpy
-from car_description import CORNERS, Body, Car, CarError, Corner, Vector
-from car_tyres import Carrier
-from mjcf import joint, site, text
+
+from examples.car.car_description import CORNERS, Body, Car, CarError, Corner, Vector
+from examples.car.car_tyres import Carrier
+from examples.multibody import mjcf
+from examples.multibody.mjcf import joint, site, text
 
 # Inertia of the rack's joint, in kg.
 RACK_INERTIA = 1e5

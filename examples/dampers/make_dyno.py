@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes dyno.csv and dyno_soft.csv: records of two dampers on a dynamometer, for `stribeck damper`.
 
-    python examples/dampers/make_dyno.py [folder]
+    python -m examples.dampers.make_dyno [folder]
 
 The data are computed, not measured, but have the features of measured data. Both dampers are driven through strokes of
 20 mm to both sides of the middle, one cycle at each of three speeds; spring and side load are absent.

@@ -7,7 +7,8 @@ import numpy
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator
-from pictures import BLUE, GREY, PALE, RED, labelled, over_time, save
+
+from examples.fmpy.pictures import BLUE, GREY, PALE, RED, labelled, over_time, save
 
 DEGREES = 180.0 / numpy.pi
 

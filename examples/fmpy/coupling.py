@@ -217,26 +217,20 @@ def _callbacks() -> fmi2CallbackFunctions:
 _CALLBACKS = _callbacks()
 
 
-def command_line(
-    about: str, model: str, out: str, of: str = "the friction model", several: bool = False
-) -> argparse.ArgumentParser:
+def command_line(about: str, model: str, out: str, of: str = "the friction model") -> argparse.ArgumentParser:
     """The options that all programs have; `of` names the owner of the parameters."""
     parser = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
-    if several:
-        parser.add_argument("--model", nargs="+", default=[model], help=f"friction models (default: {model})")
-    else:
-        parser.add_argument("--model", default=model, help=f"friction model (default: {model})")
-    parser.add_argument(
-        "--set",
-        type=parameter,
-        action="append",
-        default=[],
-        metavar="NAME=VALUE",
-        help=f"parameter of {of}; repeatable",
-    )
+    parser.add_argument("--model", default=model, help=f"friction model (default: {model})")
+    add_settable(parser, "--set", f"parameter of {of}")
     parser.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
     parser.add_argument("--out", default=out, help=f"result files, without extension (default: {out})")
     return parser
+
+
+def add_settable(parser: argparse.ArgumentParser, flag: str, meaning: str, **more: str) -> None:
+    """Adds an option that sets a value by its name."""
+    setting = {"type": parameter, "action": "append", "default": [], "metavar": "NAME=VALUE"}
+    parser.add_argument(flag, help=f"{meaning}; repeatable", **setting, **more)
 
 
 def parameter(text: str) -> tuple[str, str]:

@@ -7,13 +7,13 @@ import sys
 import time
 from pathlib import Path
 
-from car_pictures import draw_four_post
-from coupling import FMUS, CouplingError, friction_path_of, laws_in, main
-from four_post import report, run_four_post
-from make_motion import MOTION
-from pictures import draw_replay
-from replay import read_motion, replay
-from vehicle import Choice, friction, label_of
+from examples.fmpy.car_pictures import draw_four_post
+from examples.fmpy.coupling import FMUS, CouplingError, friction_path_of, laws_in, main
+from examples.fmpy.four_post import report, run_four_post
+from examples.fmpy.make_motion import MOTION
+from examples.fmpy.pictures import draw_replay
+from examples.fmpy.replay import read_motion, replay
+from examples.fmpy.vehicle import Choice, friction, label_of
 
 OUT = Path("out")
 

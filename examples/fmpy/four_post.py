@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """A car on four posts that move up and down, with and without friction in its four struts, and with several laws.
 
-    python examples/fmpy/four_post.py --frequency 2 --stroke 0.04 --delay 90 --levels 0 20 50
-    python examples/fmpy/four_post.py --laws BrownMcPhee LuGre Dahl
-    python examples/fmpy/four_post.py --levels 0 load       # friction of the seals, and from the load of the seat
+    python -m examples.fmpy.four_post --frequency 2 --stroke 0.04 --delay 90 --levels 0 20 50
+    python -m examples.fmpy.four_post --laws BrownMcPhee LuGre Dahl
+    python -m examples.fmpy.four_post --levels 0 load       # friction of the seals, and from the load of the seat
 
 Couples FourPostCar and four ShockAbsorbers. Each post rises by the stroke and returns; the rear ones are delayed.
 Writes
@@ -24,9 +24,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from car_pictures import draw_four_post
-from coupling import main, number, positive
-from vehicle import (
+
+from examples.fmpy.car_pictures import draw_four_post
+from examples.fmpy.coupling import main, number, positive
+from examples.fmpy.vehicle import (
     FOUR_POST_CAR,
     Choice,
     Excitation,

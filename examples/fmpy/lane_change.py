@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """A double lane change at 72 km/h, with and without friction in the four struts, and with several laws.
 
-    python examples/fmpy/lane_change.py --levels 0 20 50
-    python examples/fmpy/lane_change.py --steer path --laws
-    python examples/fmpy/lane_change.py --levels 0 load     # friction of the seals, and from the load of the seat
+    python -m examples.fmpy.lane_change --levels 0 20 50
+    python -m examples.fmpy.lane_change --steer path --laws
+    python -m examples.fmpy.lane_change --levels 0 load     # friction of the seals, and from the load of the seat
 
 Couples DoubleTrackCar and four ShockAbsorbers. `--steer` is
 
@@ -31,9 +31,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from car_pictures import draw_course, draw_lane_change
-from coupling import main, positive
-from vehicle import (
+
+from examples.fmpy.car_pictures import draw_course, draw_lane_change
+from examples.fmpy.coupling import main, positive
+from examples.fmpy.vehicle import (
     DOUBLE_TRACK_CAR,
     Choice,
     Excitation,

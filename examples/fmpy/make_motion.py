@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes motion.csv: the records of a reciprocating friction rig, for replay.py.
 
-    python examples/fmpy/make_motion.py [file]
+    python -m examples.fmpy.make_motion [file]
 
 The data are computed, not measured, but have the features of measured data:
 

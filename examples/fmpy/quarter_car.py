@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """A quarter car on a sine road: effect of strut friction on the ride, for several levels of friction.
 
-    python examples/fmpy/quarter_car.py --levels 0 20 50 --amplitude 2e-3
-    python examples/fmpy/quarter_car.py --frequencies 1 2 3.9 5 --set gas.enabled=0
+    python -m examples.fmpy.quarter_car --levels 0 20 50 --amplitude 2e-3
+    python -m examples.fmpy.quarter_car --frequencies 1 2 3.9 5 --set gas.enabled=0
 
 Couples QuarterCar and ShockAbsorber. At each frequency the car runs until the motion is periodic; its first harmonic is
 then compared with that of the road. Writes
@@ -23,10 +23,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from car_pictures import draw_loops, draw_transmissibility
-from coupling import main, positive, write_csv
 from tqdm import tqdm
-from vehicle import QUARTER_CAR, Choice, Excitation, Run, choices_of, options_of, run_car, write_runs
+
+from examples.fmpy.car_pictures import draw_loops, draw_transmissibility
+from examples.fmpy.coupling import main, positive, write_csv
+from examples.fmpy.vehicle import QUARTER_CAR, Choice, Excitation, Run, choices_of, options_of, run_car, write_runs
 
 # Measured periods, after those in which the motion settles (chosen).
 MEASURED, SETTLING = 4, 4

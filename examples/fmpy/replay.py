@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Friction force along a recorded motion: a friction FMU driven by a CSV file.
 
-    python examples/fmpy/replay.py --model LuGre --motion examples/fmpy/motion.csv --set sigma_0=2e6
+    python -m examples.fmpy.replay --model LuGre --motion examples/fmpy/motion.csv --set sigma_0=2e6
 
 Writes <out>.csv and <out>.png. The file must have the columns `time [s]`, `position [m]`, `velocity [m/s]` and
 `normal_force [N]`; others are ignored. Between two samples the inputs move linearly (fmi2SetRealInputDerivatives), if
@@ -17,9 +17,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from coupling import CouplingError, Fmu, command_line, friction_path_of, main, open_fmu, write_csv
-from make_motion import MOTION
-from pictures import draw_replay
+
+from examples.fmpy.coupling import CouplingError, Fmu, command_line, friction_path_of, main, open_fmu, write_csv
+from examples.fmpy.make_motion import MOTION
+from examples.fmpy.pictures import draw_replay
 
 COLUMNS = ["time [s]", "position [m]", "velocity [m/s]", "normal_force [N]"]
 

@@ -15,21 +15,22 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy
-from car_pictures import draw_laws
-from coupling import (
+from fmpy.fmi2 import fmi2FMUstate
+from tqdm import tqdm
+
+from examples.fmpy.car_pictures import draw_laws
+from examples.fmpy.coupling import (
     Fmu,
+    add_settable,
     command_line,
     not_negative,
     numbers_of,
     open_fmu,
-    parameter,
     path_of,
     positive,
     variables_of,
     write_csv,
 )
-from fmpy.fmi2 import fmi2FMUstate
-from tqdm import tqdm
 
 STRUT = "ShockAbsorber"
 
@@ -317,28 +318,13 @@ def run_car(
 def options_of(about: str, out: str) -> argparse.ArgumentParser:
     """The options that all programs with a car have."""
     parser = command_line(about, model="LuGre", out=out, of="the struts; front.NAME or rear.NAME for those of an axle")
-    parser.add_argument(
-        "--car",
-        type=parameter,
-        action="append",
-        default=[],
-        metavar="NAME=VALUE",
-        help="parameter of the car; repeatable",
-    )
-    parser.add_argument(
-        "--strut-file",
-        type=parameter_set,
-        default={},
-        metavar="CSV",
-        help="parameters of the struts, as `stribeck damper` writes them; for the friction levels see --levels",
-    )
-    parser.add_argument(
-        "--car-file",
-        type=parameter_set,
-        default={},
-        metavar="CSV",
-        help="parameters of the car, as `stribeck tyre` writes them",
-    )
+    add_settable(parser, "--car", "parameter of the car")
+    files = {
+        "--strut-file": "parameters of the struts, as `stribeck damper` writes them; for their friction see --levels",
+        "--car-file": "parameters of the car, as `stribeck tyre` writes them",
+    }
+    for flag, meaning in files.items():
+        parser.add_argument(flag, type=parameter_set, default={}, metavar="CSV", help=meaning)
     parser.add_argument(
         "--levels",
         type=level,

@@ -8,7 +8,8 @@ import numpy
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
-from pictures import BLUE, GREY, RED, labelled, over_time, save
+
+from examples.fmpy.pictures import BLUE, GREY, RED, labelled, over_time, save
 
 
 @dataclass(frozen=True)

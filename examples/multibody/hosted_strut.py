@@ -12,7 +12,7 @@ from ctypes import byref, c_void_p
 from dataclasses import dataclass
 from pathlib import Path
 
-from coupling import FMUS, CouplingError, Fmu, open_fmu, path_of
+from examples.fmpy.coupling import FMUS, CouplingError, Fmu, open_fmu, path_of
 
 
 @dataclass(frozen=True)

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from coupling import FMUS, CouplingError, parameter, positive, write_csv
-from friction_pictures import Quantity, draw_runs
-from suspension import BUMP
+
+from examples.fmpy.coupling import FMUS, CouplingError, add_settable, positive, write_csv
+from examples.multibody.friction_pictures import Quantity, draw_runs
+from examples.multibody.suspension import BUMP
 
 COLUMNS = {
     "time": "s",
@@ -94,30 +95,17 @@ def steps_of(time: float, step: float) -> range:
     return range(steps)
 
 
-def strut_options(about: str, out: str) -> argparse.ArgumentParser:
-    """The options that all programs have."""
+def quarter_car_options(about: str, out: str) -> argparse.ArgumentParser:
+    """The options that all quarter cars have."""
     parser = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--step", type=positive, default=1e-3, help="communication step in s (default: 1e-3)")
+    parser.add_argument("--time", type=positive, default=4.0, help="simulated time in s (default: 4)")
     parser.add_argument("--law", default="LuGre", help="friction law of the strut (default: LuGre)")
     parser.add_argument("--no-friction", action="store_true", help="only the run without friction")
     parser.add_argument("--native", action="store_true", help="a strut written in Python instead of the FMU")
-    parser.add_argument(
-        "--set",
-        type=parameter,
-        action="append",
-        default=[],
-        metavar="NAME=VALUE",
-        help="parameter of the ShockAbsorber; repeatable",
-    )
+    add_settable(parser, "--set", "parameter of the ShockAbsorber")
     parser.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
     parser.add_argument("--out", default=out, help=f"result files, without extension (default: {out})")
-    return parser
-
-
-def quarter_car_options(about: str, out: str) -> argparse.ArgumentParser:
-    """The options that all quarter cars have."""
-    parser = strut_options(about, out)
-    parser.add_argument("--time", type=positive, default=4.0, help="simulated time in s (default: 4)")
     return parser
 
 

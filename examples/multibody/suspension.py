@@ -6,14 +6,11 @@ road car, one corner of which carries 350 kg.
 """
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy
 
 GRAVITY = 9.81
-
-# Corners of a car by name: front or rear, left or right.
-CORNERS = ("fl", "fr", "rl", "rr")
 
 
 @dataclass(frozen=True)
@@ -47,19 +44,6 @@ class Suspension:
     rod: Body = Body(1.0, (0.0, 0.632, 0.29), (0.010, 0.010, 0.0005))
     # Spring force in the design position.
     spring_force: float = 4700.0
-
-    def placed(self, x: float, side: float) -> "Suspension":
-        """The same corner with its axle at `x`, on the left side (1) or on the right (-1)."""
-
-        def move(point: tuple[float, float, float]) -> tuple[float, float, float]:
-            return point[0] + x, side * point[1], point[2]
-
-        values = {name: getattr(self, name) for name in self.__dataclass_fields__}
-        points = {name: move(value) for name, value in values.items() if isinstance(value, tuple)}
-        bodies = {
-            name: replace(value, centre=move(value.centre)) for name, value in values.items() if isinstance(value, Body)
-        }
-        return replace(self, **points, **bodies)
 
     def axis(self) -> numpy.ndarray:
         """Unit vector along the strut from the eye of the tube to the eye of the rod."""
@@ -98,6 +82,13 @@ DOUBLE_WISHBONE = Suspension()
 # Straight up and down: with this guide a multibody code computes the quarter car of textbooks.
 GUIDED = Suspension(tube_eye=(0.0, 0.75, 0.75), rod_eye=(0.0, 0.75, 0.31), spring_force=3800.0)
 
+
+SUSPENSIONS = {
+    "double-wishbone": DOUBLE_WISHBONE,
+    "telescope": DOUBLE_WISHBONE,
+    "macpherson": MACPHERSON,
+    "guided": GUIDED,
+}
 
 # Mass that one corner carries.
 SPRUNG_MASS = 350.0

@@ -4,8 +4,9 @@ import os
 import subprocess
 
 import pytest
-from coupling import models_in
 from machines import ARM, FMUS, FMUS_OF_COPY, MAC_ARM, WINE, WINE_FILES, Machine, for_linux, library_of
+
+from examples.fmpy.coupling import models_in
 
 COMMAND = """#!/bin/sh
 # fmpy passes a lock file as third argument. Its lock is not seen by wine, and the server would end at once.

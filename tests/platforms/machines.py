@@ -7,8 +7,9 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from coupling import PROJECT
 from mach_o import processors, write_assembly
+
+from examples.fmpy.coupling import PROJECT
 
 OUT = PROJECT / "out" / "platforms"
 FMUS = OUT / "fmus"

@@ -5,8 +5,9 @@ import sys
 from pathlib import Path
 
 import numpy
-from coupling import variables_of
 from fmpy import simulate_fmu
+
+from examples.fmpy.coupling import variables_of
 
 TIME = numpy.linspace(0.0, 0.1, 21)
 

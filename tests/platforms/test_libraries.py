@@ -8,10 +8,11 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from coupling import PROJECT, models_in
 from lief import ELF, PE, MachO
 from mach_o import PAGE, pages_that_differ, part_of, processors
 from machines import ARM, FMUS, library_of
+
+from examples.fmpy.coupling import PROJECT, models_in
 
 SUFFIXES = {"linux64": ".so", "win64": ".dll", "darwin64": ".dylib", ARM: ".so"}
 OLDEST_MACOS = [11, 0, 0]

@@ -10,9 +10,10 @@ from pathlib import Path
 
 import numpy
 import pytest
-from coupling import PROJECT, models_in
 from fmpy.util import add_remoting
 from machines import ARM, COPY, FMUS, FMUS_OF_COPY, MAC_ARM
+
+from examples.fmpy.coupling import PROJECT, models_in
 
 MODELS = models_in(FMUS)
 PLATFORMS = ["linux64", "win64", ARM]
@@ -100,7 +101,7 @@ def test_all_models_have_the_results_of_linux(machines, platform):
 def simulate(fmu, file, environment):
     """Outputs of a run in fmpy. The process and its children end with it, or after a minute."""
     script = Path(__file__).with_name("remote.py")
-    python_path = os.pathsep.join([str(PROJECT / "examples" / "fmpy"), os.environ.get("PYTHONPATH", "")])
+    python_path = os.pathsep.join([str(PROJECT), os.environ.get("PYTHONPATH", "")])
     settings = {**os.environ, **environment, "PYTHONPATH": python_path}
     log = file.with_suffix(".log")
     with log.open("w") as output:

@@ -15,8 +15,18 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from coupling import FMUS, CouplingError, Fmu, friction_path_of, numbers_of, open_fmu, path_of, variables_of
 from prepared import Clock, Flag, Reals, make
+
+from examples.fmpy.coupling import (
+    FMUS,
+    CouplingError,
+    Fmu,
+    friction_path_of,
+    numbers_of,
+    open_fmu,
+    path_of,
+    variables_of,
+)
 
 EXCHANGES = ("sequential", "feedthrough", "parallel")
 

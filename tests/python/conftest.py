@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 from belt import BeltRun, run_belt
-from coupling import FMUS, PROJECT
 from page import page_library
+
+from examples.fmpy.coupling import FMUS, PROJECT
 
 # Where the examples find FMUs of the Python package: not in the cache of whoever runs them.
 os.environ["STRIBECK_CACHE"] = str(PROJECT / "out" / "cache")

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from analysis import AGREEMENT, compared_time, measure
 from belt import BeltRun, is_random, limit_of_step, run_belt
-from coupling import FMUS, CouplingError
+
+from examples.fmpy.coupling import FMUS, CouplingError
 
 # The first step is halved this often at most.
 LONGEST, HALVINGS = 1e-3, 8

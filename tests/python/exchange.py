@@ -8,11 +8,12 @@ from dataclasses import dataclass, field
 
 import fmpy
 import numpy
-from coupling import path_of
 from fmpy.fmi2 import FMU2Model
 from fmpy.simulation import apply_start_values
 from scipy.integrate import BDF, DOP853, LSODA, RK45, Radau
 from scipy.optimize import brentq
+
+from examples.fmpy.coupling import path_of
 
 
 @dataclass

@@ -15,11 +15,12 @@ from tempfile import TemporaryDirectory
 
 import fmpy
 import numpy
-from coupling import PROJECT, CouplingError, variables_of
 from fmu_manipulation_toolbox.assembly import Assembly
 from fmu_manipulation_toolbox.checker import OperationGenericCheck, OperationSemanticCheck
 from fmu_manipulation_toolbox.operations import FMU
 from masters import Component, Record, Signals, System, columns, couple_jacobi, load_threads, split
+
+from examples.fmpy.coupling import PROJECT, CouplingError, variables_of
 
 C_MASTER = PROJECT / "examples" / "c" / "system_master.c"
 

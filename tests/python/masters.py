@@ -23,9 +23,10 @@ from unittest import mock
 from xml.etree import ElementTree
 
 import numpy
-from coupling import CouplingError, open_fmu
 from fmpy.ssp import simulation as fmpy_runner
 from fmpy.ssp.ssd import Parameter, ParameterSet
+
+from examples.fmpy.coupling import CouplingError, open_fmu
 
 MAIN = "SystemStructure"
 SPACES = {

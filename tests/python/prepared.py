@@ -3,8 +3,9 @@
 import ctypes
 import functools
 
-from coupling import Fmu
 from fmpy.fmi1 import FMICallException
+
+from examples.fmpy.coupling import Fmu
 
 # The largest status with which a run continues: OK is 0, a warning 1.
 WARNING = 1

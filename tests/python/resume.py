@@ -4,7 +4,7 @@ import math
 import sys
 from pathlib import Path
 
-from coupling import Fmu, open_fmu, path_of
+from examples.fmpy.coupling import Fmu, open_fmu, path_of
 
 STEP = 1e-3
 

@@ -5,7 +5,8 @@ import pytest
 import stribeck
 from analysis import BENCHMARK, maxima, measure, stick_slip, without_stiction
 from belt import EXCHANGES, BeltRun, limit_of_step, run_belt
-from coupling import FMUS, CouplingError
+
+from examples.fmpy.coupling import FMUS, CouplingError
 
 HOLDING = ["CoulombStiction", "Karnopp"]
 EXACT = stick_slip(**BENCHMARK)

@@ -2,32 +2,40 @@
 
 import copy
 import math
-import os
-import subprocess
-import sys
 import tomllib
-from pathlib import Path
 
-import car_ride
 import exudyn
 import numpy
 import pytest
 import stribeck
-from car_description import CAR, CORNERS, CarError, car_of, read_car
-from car_design import DESIGNS
 from car_kinematics import position
-from car_rest import settle
-from car_stand import SPRING, Stand
-from car_struts import PackageStrut, open_struts, parameters_of
-from car_study import STUDIED, Case, courses_of, figures_of, laws_of, printed, run_case, scalar_laws, table_of
-from car_tyres import read_tyre
-from coupling import FMUS, PROJECT
+from command_line import run_example
 from exudyn.utilities import RigidBodyInertia
-from exudyn_car import ExudynCar, steps_of
-from hosted_strut import Wrench
 from magic_formula import LateralTyre
-from manoeuvres import manoeuvre
 from test_programs import is_drawn
+
+from examples.car import car_ride
+from examples.car.car_description import CAR, CORNERS, CarError, car_of, read_car
+from examples.car.car_design import DESIGNS
+from examples.car.car_rest import settle
+from examples.car.car_stand import SPRING, Stand
+from examples.car.car_struts import PackageStrut, open_struts, parameters_of
+from examples.car.car_study import (
+    STUDIED,
+    Case,
+    courses_of,
+    figures_of,
+    laws_of,
+    printed,
+    run_case,
+    scalar_laws,
+    table_of,
+)
+from examples.car.car_tyres import read_tyre
+from examples.car.exudyn_car import ExudynCar, steps_of
+from examples.car.manoeuvres import manoeuvre
+from examples.fmpy.coupling import FMUS, PROJECT
+from examples.multibody.hosted_strut import Wrench
 
 DESCRIPTION = read_car()
 GRAVITY = 9.81
@@ -496,10 +504,7 @@ def test_nonsense_in_struts_and_manoeuvres_is_named():
     ],
 )
 def test_program(options, printed, tmp_path):
-    command = [sys.executable, str(PROJECT / "examples" / "car" / "car.py"), *options]
-    # The program finds the package where this test does.
-    found = {**os.environ, "PYTHONPATH": str(Path(stribeck.__file__).parents[1])}
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300, env=found)
+    done = run_example("car.car", *options, folder=tmp_path)
     assert done.returncode == 0, done.stderr
     assert printed in done.stdout
     if options[0] == "kinematics":

@@ -1,15 +1,16 @@
 """The Formula Student car in MuJoCo: the same degrees of freedom, positions and side loads, and the same motion."""
 
-import car_ride
 import numpy
 import pytest
-from car_description import CORNERS, read_car
 from car_kinematics import position
-from car_rest import relax
-from car_struts import parameters_of
-from car_tyres import read_tyre
-from manoeuvres import RUN_IN, manoeuvre
-from mujoco_car import MujocoCar
+
+from examples.car import car_ride
+from examples.car.car_description import CORNERS, read_car
+from examples.car.car_rest import relax
+from examples.car.car_struts import parameters_of
+from examples.car.car_tyres import read_tyre
+from examples.car.manoeuvres import RUN_IN, manoeuvre
+from examples.car.mujoco_car import MujocoCar
 
 DESCRIPTION = read_car()
 

@@ -8,7 +8,8 @@ import numpy
 import pytest
 from analysis import AGREEMENT, Cycle, compared_time, measure
 from belt import BeltRun, run_belt
-from coupling import FMUS, CouplingError, laws_in
+
+from examples.fmpy.coupling import FMUS, CouplingError, laws_in
 
 # Long enough for the second slip of every law with stiction, and for three turns without.
 DURATION = 20.0

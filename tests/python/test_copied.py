@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 import stribeck
 from command_line import program
-from coupling import PROJECT
+
+from examples.fmpy.coupling import PROJECT
 
 DRAWN = 30
 # The laws that the solver makes whole steps for: the others take longer, by the same road.

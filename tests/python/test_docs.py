@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy
 import pytest
 import stribeck
-from coupling import PROJECT
 from scipy.integrate import solve_ivp
+
+from examples.fmpy.coupling import PROJECT
 
 BLOCK = re.compile(r"^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 
@@ -100,6 +101,8 @@ def test_the_commands_of_the_page_of_the_thesis_name_what_exists():
     for command in commands:
         for path in re.findall(r"(?:examples|lab|src)/\S+", command):
             assert (PROJECT / path).exists(), command
+        for module in re.findall(r"-m (examples\.\S+)", command):
+            assert (PROJECT / f"{module.replace('.', '/')}.py").exists(), command
         for system in re.findall(r"--system (\S+)", command):
             assert (PROJECT / "lab/solve/src/system/built_in" / f"{system}.toml").exists(), command
         for names in re.findall(r"(?:--laws?|--model|stribeck show) ((?:\w+ ?)+)", command):

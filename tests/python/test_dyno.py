@@ -1,6 +1,6 @@
 """The shipped damper tests are those that their program makes."""
 
-from make_dyno import DAMPERS, RECORDINGS, write_recordings
+from examples.dampers.make_dyno import DAMPERS, RECORDINGS, write_recordings
 
 
 def test_the_shipped_recordings_can_be_made_again(tmp_path):

@@ -5,9 +5,10 @@ import math
 import fmpy
 import numpy
 import pytest
-from coupling import FMUS, friction_models_in, models_in, path_of
 from exchange import System, integrate, open_part
 from fmpy import simulate_fmu
+
+from examples.fmpy.coupling import FMUS, friction_models_in, models_in, path_of
 
 DESCRIPTIONS = {model: fmpy.read_model_description(str(path_of(model))) for model in models_in(FMUS)}
 MODELS = [model for model, description in DESCRIPTIONS.items() if description.modelExchange]

@@ -9,7 +9,12 @@ from pathlib import Path
 
 import numpy
 import pytest
-from coupling import (
+from fmpy import simulate_fmu
+from fmpy.fmi1 import FMICallException
+from fmpy.validation import validate_fmu
+from resume import drive
+
+from examples.fmpy.coupling import (
     FMUS,
     PROJECT,
     CouplingError,
@@ -19,10 +24,6 @@ from coupling import (
     path_of,
     variables_of,
 )
-from fmpy import simulate_fmu
-from fmpy.fmi1 import FMICallException
-from fmpy.validation import validate_fmu
-from resume import drive
 
 MODELS = models_in(FMUS)
 FRICTION_MODELS = friction_models_in(FMUS)
@@ -149,7 +150,7 @@ def test_a_saved_state_continues_in_another_process(model, tmp_path):
     saved, expected = state_after(model, 500)
     file = tmp_path / "state.bin"
     file.write_bytes(saved)
-    environment = {**os.environ, "PYTHONPATH": str(PROJECT / "examples" / "fmpy")}
+    environment = {**os.environ, "PYTHONPATH": str(PROJECT)}
     resume = Path(__file__).with_name("resume.py")
     command = [sys.executable, str(resume), model, str(file), "500", "1000"]
     done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120)

@@ -7,9 +7,10 @@ import math
 import cars
 import numpy
 import pytest
-from coupling import FMUS
-from four_post import measure, posts, run_four_post
-from vehicle import BY_LOAD, FOUR_POST_CAR, Choice, choices_of, friction, options_of, run_car
+
+from examples.fmpy.coupling import FMUS
+from examples.fmpy.four_post import measure, posts, run_four_post
+from examples.fmpy.vehicle import BY_LOAD, FOUR_POST_CAR, Choice, choices_of, friction, options_of, run_car
 
 FREQUENCY = 2.0
 NO_GAS = {"gas.enabled": False}

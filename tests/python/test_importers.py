@@ -7,9 +7,10 @@ import sys
 
 import numpy
 import pytest
-from coupling import FMUS, CouplingError, friction_models_in, models_in, path_of, variables_of
 from fmpy.fmi1 import FMICallException
 from importers import IMPORTERS, difference, fmutool_errors, in_fmpy, rust_master, system
+
+from examples.fmpy.coupling import FMUS, CouplingError, friction_models_in, models_in, path_of, variables_of
 
 MODELS = models_in(FMUS)
 LAWS = friction_models_in(FMUS)

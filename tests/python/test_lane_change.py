@@ -7,9 +7,10 @@ import math
 import cars
 import numpy
 import pytest
-from coupling import FMUS
-from lane_change import clearance, driver, lanes, open_loop, run_lane_change, way
-from vehicle import Choice, choice_of, friction, options_of
+
+from examples.fmpy.coupling import FMUS
+from examples.fmpy.lane_change import clearance, driver, lanes, open_loop, run_lane_change, way
+from examples.fmpy.vehicle import Choice, choice_of, friction, options_of
 
 NO_GAS = {"gas.enabled": False}
 

@@ -1,23 +1,30 @@
 """The strut in multibody simulators: agreement with each other, with the quarter car, with statics and with C++."""
 
 import functools
-import subprocess
 import sys
 
-import exudyn_host
-import full_car
-import mjcf
 import mujoco
-import mujoco_host
 import numpy
 import pytest
-import suspension
-from coupling import FMUS, PROJECT, CouplingError
-from hosted_strut import NativeStrut, Wrench, open_strut
+from command_line import run_example
 from magic_formula import LateralTyre
-from suspension import BUMP, DOUBLE_WISHBONE, GRAVITY, GUIDED, MACPHERSON, SPRUNG_MASS, TYRE, strut_parameters
 from test_programs import is_drawn
-from vehicle import QUARTER_CAR, Choice, Excitation, run_car
+
+from examples.fmpy.coupling import FMUS, CouplingError
+from examples.fmpy.vehicle import QUARTER_CAR, Choice, Excitation, run_car
+from examples.multibody import exudyn_host, mjcf, mujoco_host
+from examples.multibody.hosted_strut import NativeStrut, Wrench, open_strut
+from examples.multibody.suspension import (
+    BUMP,
+    DOUBLE_WISHBONE,
+    GRAVITY,
+    GUIDED,
+    MACPHERSON,
+    SPRUNG_MASS,
+    SUSPENSIONS,
+    TYRE,
+    strut_parameters,
+)
 
 # Long enough for the largest stroke on the bump, which begins at 2 s.
 AFTER_BUMP = 2.3
@@ -29,7 +36,7 @@ WITHOUT_FRICTION = {"friction.model": "None"}
 def cached(host: str, kind: str, step: float, time: float, native: bool, changes: tuple, how: tuple):
     """A run over the bump."""
     module = {"mujoco": mujoco_host, "exudyn": exudyn_host}[host]
-    shape = module.SUSPENSIONS[kind] if host == "exudyn" else module.SUSPENSIONS[kind][0]
+    shape = SUSPENSIONS[kind]
     with open_strut({**strut_parameters(shape), **dict(changes)}, shape.length(), native, FMUS) as strut:
         return module.simulate(strut, host, kind=kind, step=step, time=time, **dict(how))
 
@@ -179,7 +186,7 @@ def components(wrench: Wrench) -> list[float]:
 
 def resting(kind: str) -> tuple[mujoco_host.QuarterCar, exudyn_host.QuarterCar, float]:
     """The same suspension at rest in both simulators, and the length of its strut."""
-    shape, build = mujoco_host.SUSPENSIONS[kind]
+    shape, build = SUSPENSIONS[kind], mujoco_host.BUILDERS[kind]
     calm = strut_parameters(shape) | WITHOUT_FRICTION | {"damper.c_comp": 6000.0, "damper.c_reb": 6000.0}
     one = mujoco_host.QuarterCar(shape, build("fl", shape), 1e-3)
     strut = NativeStrut(calm)
@@ -252,7 +259,7 @@ plugin_only = pytest.mark.skipif(sys.platform == "win32", reason="the plugin's s
 @pytest.fixture(scope="module")
 def plugin():
     """The script of the plugin, with the plugin built and loaded."""
-    import run_plugin
+    from examples.multibody.plugin import run_plugin
 
     run_plugin.load_plugin()
     return run_plugin
@@ -310,60 +317,16 @@ def test_magic_formula_gives_the_published_points():
     assert tyre.force(0.05, 0.0) == 0.0
 
 
-FULL_STEP = 2e-3
-
-
-@functools.cache
-def full_run(manoeuvre, time: float, native: bool = False, friction: bool = True):
-    """The full car."""
-    parameters = strut_parameters(DOUBLE_WISHBONE) | ({} if friction else WITHOUT_FRICTION)
-    return full_car.simulate(parameters, "full car", manoeuvre, FULL_STEP, time, native=native, fmus=FMUS)
-
-
-def test_full_car_on_posts_feels_friction_and_native_law_is_the_fmu():
-    posts = full_car.FourPost()
-    free, native = full_run(posts, 3.0, friction=False), full_run(posts, 3.0, native=True, friction=False)
-    assert numpy.array_equal(free["pitch"], native["pitch"])
-    rubbing = full_run(posts, 3.0)
-    late = free["time"] > 2.0
-    assert numpy.ptp(rubbing["pitch"][late]) < 0.97 * numpy.ptp(free["pitch"][late])
-    assert numpy.ptp(rubbing["heave"][late]) < 0.97 * numpy.ptp(free["heave"][late])
-    # Left and right are equal.
-    assert numpy.abs(free["roll"]).max() < 1e-6
-    # Over whole periods the tyres carry the weight.
-    period = round(2.0 / posts.frequency / FULL_STEP)
-    load = sum(free[f"{name}.tyre_load"][-period:].mean() for name in suspension.CORNERS)
-    weight = GRAVITY * (full_car.CAR.mass + 4.0 * DOUBLE_WISHBONE.unsprung_mass() + 3.0)
-    assert load == pytest.approx(weight, rel=0.01)
-
-
-def test_full_car_keeps_roll_after_a_lane_change_only_with_friction():
-    change = full_car.LaneChange()
-    free, rubbing = full_run(change, 8.0, friction=False), full_run(change, 8.0)
-    left_over = [abs(run["roll"][-1] - run["roll"][round(change.start / FULL_STEP) - 1]) for run in (free, rubbing)]
-    assert left_over[1] > 5.0 * left_over[0]
-    # Friction holds the strut until its breakaway force is exceeded: a bound from the roll stiffness.
-    assert numpy.degrees(left_over[1]) < 0.3
-    assert numpy.abs(rubbing["roll"]).max() < numpy.abs(free["roll"]).max()
-    # Out and back, in one lane of 3.5 m.
-    assert free["position_y"].max() == pytest.approx(3.5, abs=0.3)
-    assert abs(free["position_y"][-1]) < 0.1
-    assert full_car.lateral_acceleration(free).max() == pytest.approx(
-        (full_car.SPEED * numpy.gradient(free["yaw"], free["time"])).max(), rel=0.1
-    )
-
-
 @pytest.mark.parametrize(
-    ("program", "options"),
+    "options",
     [
-        ("mujoco/quarter_car.py", ["--suspension", "macpherson", "--side-loads", "--law", "Dahl"]),
-        ("exudyn/quarter_car.py", ["--coupling", "explicit", "--set", "friction.scale=2"]),
-        ("mujoco/full_car.py", ["--test", "lane-change", "--native"]),
+        ["mujoco", "--suspension", "macpherson", "--side-loads", "--law", "Dahl"],
+        ["mujoco", "--native"],
+        ["exudyn", "--coupling", "explicit", "--set", "friction.scale=2"],
     ],
 )
-def test_programs_write_tables_and_a_picture(program, options, tmp_path):
-    command = [sys.executable, str(PROJECT / "examples" / program), "--time", "1", *options, "--out", "a/run"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300)
+def test_the_program_writes_tables_and_a_picture(options, tmp_path):
+    done = run_example("multibody.quarter_car", "--time", "1", *options, "--out", "a/run", folder=tmp_path)
     assert done.returncode == 0, done.stderr
     tables, pictures = sorted((tmp_path / "a").glob("*.csv")), list((tmp_path / "a").glob("*.png"))
     assert len(tables) == 2
@@ -373,12 +336,11 @@ def test_programs_write_tables_and_a_picture(program, options, tmp_path):
 
 
 def test_programs_report_errors(tmp_path):
-    command = [sys.executable, str(PROJECT / "examples" / "mujoco" / "quarter_car.py"), "--time", "0.1"]
     for options, reason in (
         (["--law", "Nonsense"], "friction.model = 'Nonsense': must be one of None,"),
         (["--step", "1"], "time = 0.1 s: must be at least one step of 1.0 s"),
         (["--native", "--suspension", "macpherson", "--side-loads"], "has no side loads"),
     ):
-        done = subprocess.run([*command, *options], cwd=tmp_path, capture_output=True, text=True, timeout=100)
+        done = run_example("multibody.quarter_car", "mujoco", "--time", "0.1", *options, folder=tmp_path)
         assert done.returncode == 1
         assert reason in done.stderr

@@ -17,7 +17,8 @@ import pandas
 import pytest
 import stribeck
 from command_line import program
-from coupling import FMUS, laws_in, open_fmu, path_of
+
+from examples.fmpy.coupling import FMUS, laws_in, open_fmu, path_of
 
 LAWS = [str(law) for law in stribeck.laws()]
 # For programs that find the package where these tests do.

@@ -1,19 +1,13 @@
 """The example programs as a user starts them."""
 
 import csv
-import subprocess
-import sys
 
 import numpy
 import pytest
-from coupling import FMUS, PROJECT, laws_in
+from command_line import run_example
 from matplotlib.image import imread
 
-
-def start(program: str, *options: str, folder) -> subprocess.CompletedProcess:
-    """Runs a program in a separate folder."""
-    command = [sys.executable, str(PROJECT / "examples" / "fmpy" / program), *options]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=300)
+from examples.fmpy.coupling import FMUS, laws_in
 
 
 def is_drawn(path) -> bool:
@@ -24,7 +18,7 @@ def is_drawn(path) -> bool:
 
 
 def test_replay_writes_table_and_picture(tmp_path):
-    done = start("replay.py", "--model", "Dahl", "--hold", folder=tmp_path)
+    done = run_example("fmpy.replay", "--model", "Dahl", "--hold", folder=tmp_path)
     assert done.returncode == 0, done.stderr
     table = numpy.loadtxt(tmp_path / "out" / "replay.csv", delimiter=",", skiprows=1)
     assert table.shape == (10_501, 6)
@@ -32,7 +26,7 @@ def test_replay_writes_table_and_picture(tmp_path):
 
 
 def test_demo_shows_all_models(tmp_path):
-    done = start("demo.py", folder=tmp_path)
+    done = run_example("fmpy.demo", folder=tmp_path)
     assert done.returncode == 0, done.stderr
     lines = [line.split() for line in done.stdout.splitlines()]
     table = {line[0]: line for line in lines if len(line) == 6 and line[2] == "N"}
@@ -55,7 +49,7 @@ def table_of(path):
 
 def test_quarter_car_writes_tables_and_pictures(tmp_path):
     options = ["--levels", "0", "30", "--frequencies", "2", "5", "--set", "gas.enabled=0", "--car", "body_mass=60"]
-    done = start("quarter_car.py", *options, folder=tmp_path)
+    done = run_example("fmpy.quarter_car", *options, folder=tmp_path)
     assert done.returncode == 0, done.stderr
     heading, ratios = table_of(tmp_path / "out" / "quarter_car.csv")
     assert heading == ["frequency [Hz]", "body; no friction", "travel; no friction", "body; 30 N", "travel; 30 N"]
@@ -70,7 +64,7 @@ def test_quarter_car_writes_tables_and_pictures(tmp_path):
 
 def test_four_post_writes_tables_and_pictures(tmp_path):
     options = ["--levels", "0", "40", "--time", "1", "--laws", "Dahl", "Threlfall", "--tolerance", "1e-3"]
-    done = start("four_post.py", *options, "--set", "rear.spring.k=3e4", folder=tmp_path)
+    done = run_example("fmpy.four_post", *options, "--set", "rear.spring.k=3e4", folder=tmp_path)
     assert done.returncode == 0, done.stderr
     heading, motion = table_of(tmp_path / "out" / "four_post_40_N.csv")
     assert "rl.force_friction [N]" in heading
@@ -84,7 +78,7 @@ def test_four_post_writes_tables_and_pictures(tmp_path):
 
 
 def test_lane_change_writes_tables_and_pictures(tmp_path):
-    done = start("lane_change.py", "--levels", "0", "50", "--steer", "path", "--laws", folder=tmp_path)
+    done = run_example("fmpy.lane_change", "--levels", "0", "50", "--steer", "path", "--laws", folder=tmp_path)
     assert done.returncode == 0, done.stderr
     assert "mm from the nearest cone" in done.stdout
     heading, motion = table_of(tmp_path / "out" / "lane_change_50_N.csv")
@@ -98,36 +92,44 @@ def test_lane_change_writes_tables_and_pictures(tmp_path):
 @pytest.mark.parametrize(
     ("program", "options", "message"),
     [
-        ("replay.py", ["--model", "Lugre"], "error: no FMU of the model 'Lugre' in"),
-        ("replay.py", ["--model", "BeltRig"], "error: BeltRig is not a friction model; there are"),
-        ("replay.py", ["--model", "LuGrePlanr"], "Did you mean LuGrePlanar"),
-        ("replay.py", ["--model", "Dahl", "--set", "mu=1"], "error: Dahl has no parameter 'mu'; it has mu_k, sigma_0"),
-        ("replay.py", ["--set", "mu_s"], "argument --set: 'mu_s' is not of the form name=value"),
-        ("replay.py", ["--set", "mu_s=0.05"], "mu_s = 0.05"),
-        ("replay.py", ["--set", "mu_S=0.2"], "Did you mean mu_s"),
-        ("replay.py", ["--set", "normal_force=-1"], "error: LuGre: fmi2SetReal: normal_force = -1: must be >= 0"),
-        ("replay.py", ["--fmus", "nowhere"], "there is none: run `python3 tasks.py pack`"),
-        ("quarter_car.py", ["--car", "body_mas=2"], "Did you mean body_mass?"),
-        ("quarter_car.py", ["--car", "body_mass=-2"], "error: QuarterCar: fmi2SetReal: body_mass = -2: must be > 0"),
-        ("quarter_car.py", ["--car", "body_mass=heavy"], "error: body_mass = 'heavy': must be a number (Real)"),
-        ("quarter_car.py", ["--car", "body_mass"], "argument --car: 'body_mass' is not of the form name=value"),
-        ("quarter_car.py", ["--step", "0"], "argument --step: '0' must be > 0 and finite"),
-        ("quarter_car.py", ["--step", "fast"], "argument --step: 'fast' is not a number"),
-        ("quarter_car.py", ["--levels", "-1"], "argument --levels: '-1' must be >= 0 and finite"),
-        ("quarter_car.py", ["--set", "spring.stiffness=1"], "error: ShockAbsorber has no parameter 'spring.stiffness'"),
-        ("quarter_car.py", ["--car", "mass=1"], "error: QuarterCar has no parameter 'mass'"),
-        ("four_post.py", ["--time", "0.5"], "argument --time: must be at least two periods, 1 s"),
-        ("four_post.py", ["--model", "Lugre"], "error: friction.model = 'Lugre': must be one of None, Coulomb"),
-        ("four_post.py", ["--delay", "nan"], "argument --delay: 'nan' must be finite"),
-        ("four_post.py", ["--laws", "Lugre"], "error: friction.model = 'Lugre': must be one of None, Coulomb"),
-        ("lane_change.py", ["--set", "c1.mu_s=-1"], "c1.mu_s = -1"),
-        ("lane_change.py", ["--fmus", "nowhere"], "there is none: run `python3 tasks.py pack`"),
-        ("lane_change.py", ["--steer", "left"], "argument --steer: invalid choice: 'left'"),
-        ("replay.py", ["--motion", "absent.csv"], "error: cannot read absent.csv: No such file"),
+        ("fmpy.replay", ["--model", "Lugre"], "error: no FMU of the model 'Lugre' in"),
+        ("fmpy.replay", ["--model", "BeltRig"], "error: BeltRig is not a friction model; there are"),
+        ("fmpy.replay", ["--model", "LuGrePlanr"], "Did you mean LuGrePlanar"),
+        (
+            "fmpy.replay",
+            ["--model", "Dahl", "--set", "mu=1"],
+            "error: Dahl has no parameter 'mu'; it has mu_k",
+        ),
+        ("fmpy.replay", ["--set", "mu_s"], "argument --set: 'mu_s' is not of the form name=value"),
+        ("fmpy.replay", ["--set", "mu_s=0.05"], "mu_s = 0.05"),
+        ("fmpy.replay", ["--set", "mu_S=0.2"], "Did you mean mu_s"),
+        ("fmpy.replay", ["--set", "normal_force=-1"], "error: LuGre: fmi2SetReal: normal_force = -1: must be >= 0"),
+        ("fmpy.replay", ["--fmus", "nowhere"], "there is none: run `python3 tasks.py pack`"),
+        ("fmpy.quarter_car", ["--car", "body_mas=2"], "Did you mean body_mass?"),
+        ("fmpy.quarter_car", ["--car", "body_mass=-2"], "error: QuarterCar: fmi2SetReal: body_mass = -2: must be > 0"),
+        ("fmpy.quarter_car", ["--car", "body_mass=heavy"], "error: body_mass = 'heavy': must be a number (Real)"),
+        ("fmpy.quarter_car", ["--car", "body_mass"], "argument --car: 'body_mass' is not of the form name=value"),
+        ("fmpy.quarter_car", ["--step", "0"], "argument --step: '0' must be > 0 and finite"),
+        ("fmpy.quarter_car", ["--step", "fast"], "argument --step: 'fast' is not a number"),
+        ("fmpy.quarter_car", ["--levels", "-1"], "argument --levels: '-1' must be >= 0 and finite"),
+        (
+            "fmpy.quarter_car",
+            ["--set", "spring.stiffness=1"],
+            "ShockAbsorber has no parameter 'spring.stiffness'",
+        ),
+        ("fmpy.quarter_car", ["--car", "mass=1"], "error: QuarterCar has no parameter 'mass'"),
+        ("fmpy.four_post", ["--time", "0.5"], "argument --time: must be at least two periods, 1 s"),
+        ("fmpy.four_post", ["--model", "Lugre"], "error: friction.model = 'Lugre': must be one of None, Coulomb"),
+        ("fmpy.four_post", ["--delay", "nan"], "argument --delay: 'nan' must be finite"),
+        ("fmpy.four_post", ["--laws", "Lugre"], "error: friction.model = 'Lugre': must be one of None, Coulomb"),
+        ("fmpy.lane_change", ["--set", "c1.mu_s=-1"], "c1.mu_s = -1"),
+        ("fmpy.lane_change", ["--fmus", "nowhere"], "there is none: run `python3 tasks.py pack`"),
+        ("fmpy.lane_change", ["--steer", "left"], "argument --steer: invalid choice: 'left'"),
+        ("fmpy.replay", ["--motion", "absent.csv"], "error: cannot read absent.csv: No such file"),
     ],
 )
 def test_mistakes_are_reported_in_one_line_without_traceback(tmp_path, program, options, message):
-    done = start(program, *options, folder=tmp_path)
+    done = run_example(program, *options, folder=tmp_path)
     assert done.returncode in (1, 2)
     assert message in done.stderr
     assert "Traceback" not in done.stderr

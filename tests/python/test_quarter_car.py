@@ -6,9 +6,10 @@ import math
 import cars
 import numpy
 import pytest
-from coupling import FMUS
-from quarter_car import harmonic, run_road
-from vehicle import Choice, friction
+
+from examples.fmpy.coupling import FMUS
+from examples.fmpy.quarter_car import harmonic, run_road
+from examples.fmpy.vehicle import Choice, friction
 
 AMPLITUDE = 2e-3
 NO_GAS = {"gas.enabled": False}

@@ -2,9 +2,10 @@
 
 import numpy
 import pytest
-from coupling import CouplingError, path_of
-from make_motion import MOTION, write_motion
-from replay import COLUMNS, Motion, read_motion, replay
+
+from examples.fmpy.coupling import CouplingError, path_of
+from examples.fmpy.make_motion import MOTION, write_motion
+from examples.fmpy.replay import COLUMNS, Motion, read_motion, replay
 
 HEADING = ",".join(COLUMNS)
 

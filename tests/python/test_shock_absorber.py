@@ -9,9 +9,10 @@ from contextlib import contextmanager
 
 import numpy
 import pytest
-from coupling import CouplingError, open_fmu, path_of
 from strut import DEFAULTS as STRUT_DEFAULTS
 from strut import INPUTS, Strut, lumped_friction
+
+from examples.fmpy.coupling import CouplingError, open_fmu, path_of
 
 OUTPUTS = [
     "force",

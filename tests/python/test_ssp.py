@@ -6,10 +6,11 @@ import sys
 
 import numpy
 import pytest
-from coupling import CouplingError
 from fmpy.ssp.simulation import simulate_ssp
 from fmpy.ssp.ssd import read_ssd
 from masters import MASTERS, run_fmpy, run_jacobi, unpacked, variants
+
+from examples.fmpy.coupling import CouplingError
 
 HEAVE, PITCH = "car.heave", "car.pitch"
 CAR = [HEAVE, PITCH, "car.roll", "car.fl.length", "car.rr.velocity", "car.rl.wheel_velocity"]
@@ -24,7 +25,7 @@ NEEDS_BINARIES = pytest.mark.skipif(
 
 @pytest.fixture(scope="module")
 def package():
-    from coupling import FMUS
+    from examples.fmpy.coupling import FMUS
 
     path = FMUS / "FourPost.ssp"
     assert path.is_file(), f"no {path}: run `python3 tasks.py pack`"

@@ -9,9 +9,10 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from coupling import FMUS, PROJECT
 from cyclonedx.schema import SchemaVersion
 from cyclonedx.validation.json import JsonStrictValidator
+
+from examples.fmpy.coupling import FMUS, PROJECT
 
 SCHEMA = JsonStrictValidator(SchemaVersion.V1_5)
 LICENSES = "documentation/licenses/"

@@ -1,18 +1,19 @@
-"""The quarter car in MuJoCo, used by examples/mujoco/quarter_car.py and the plugin's script."""
+"""The quarter car in MuJoCo, and its coupling with a strut."""
 
-import mjcf
 import mujoco
 import numpy
-from hosted_strut import UNLOADED, Strut, Wrench
-from report import Recorder, Run, steps_of
-from suspension import BUMP, DOUBLE_WISHBONE, GUIDED, MACPHERSON, TYRE, Suspension
 from tqdm import tqdm
 
-SUSPENSIONS = {
-    "double-wishbone": (DOUBLE_WISHBONE, mjcf.double_wishbone),
-    "telescope": (DOUBLE_WISHBONE, lambda name, s: mjcf.double_wishbone(name, s, telescopic=True)),
-    "macpherson": (MACPHERSON, mjcf.macpherson),
-    "guided": (GUIDED, mjcf.guided),
+from examples.multibody import mjcf
+from examples.multibody.hosted_strut import UNLOADED, Strut, Wrench
+from examples.multibody.report import Recorder, Run, steps_of
+from examples.multibody.suspension import BUMP, SUSPENSIONS, TYRE, Suspension
+
+BUILDERS = {
+    "double-wishbone": mjcf.double_wishbone,
+    "telescope": lambda name, s: mjcf.double_wishbone(name, s, telescopic=True),
+    "macpherson": mjcf.macpherson,
+    "guided": mjcf.guided,
 }
 
 
@@ -70,8 +71,8 @@ def simulate(
     side_loads: bool = False,
 ) -> Run:
     """Drives over the bump."""
-    suspension, build = SUSPENSIONS[kind]
-    car = QuarterCar(suspension, build("fl", suspension), step)
+    suspension = SUSPENSIONS[kind]
+    car = QuarterCar(suspension, BUILDERS[kind]("fl", suspension), step)
     recorder = Recorder()
     for at in tqdm(steps_of(time, step), desc=label, unit="step", leave=False, disable=None):
         length, velocity = car.look()

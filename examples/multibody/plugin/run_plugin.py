@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The quarter car in MuJoCo with its strut inside the simulator, as an actuator plugin written in C++.
 
-    python examples/mujoco/plugin/run_plugin.py --step 1e-3
+    python -m examples.mujoco.plugin.run_plugin --step 1e-3
 
 Builds the plugin (see build_plugin.py), drives over the bump with it and with the FMU, and prints the differences: both
 exchange force and motion once per step, so the motions are the same. Writes <out>.csv.
@@ -18,17 +18,13 @@ import mujoco
 import numpy
 from tqdm import tqdm
 
-sys.path.append(str(Path(__file__).resolve().parents[1]))
-sys.path.append(str(Path(__file__).resolve().parents[2] / "fmpy"))
-sys.path.append(str(Path(__file__).resolve().parents[2] / "multibody"))
-
-import mjcf
-from build_plugin import build
-from coupling import FMUS, main, numbers_of, path_of, write_csv
-from hosted_strut import open_strut
-from mujoco_host import QuarterCar, simulate
-from report import cases_of, quarter_car_options, steps_of
-from suspension import DOUBLE_WISHBONE, strut_parameters
+from examples.fmpy.coupling import FMUS, main, numbers_of, path_of, write_csv
+from examples.multibody import mjcf
+from examples.multibody.hosted_strut import open_strut
+from examples.multibody.mujoco_host import QuarterCar, simulate
+from examples.multibody.plugin.build_plugin import build
+from examples.multibody.report import cases_of, quarter_car_options, steps_of
+from examples.multibody.suspension import DOUBLE_WISHBONE, strut_parameters
 
 PLUGIN = "stribeck.shock_absorber"
 

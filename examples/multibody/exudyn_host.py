@@ -2,19 +2,13 @@
 
 import exudyn
 import numpy
-from coupling import CouplingError
 from exudyn.utilities import RigidBodyInertia
-from hosted_strut import UNLOADED, Strut, Wrench
-from report import Recorder, Run, steps_of
-from suspension import BUMP, DOUBLE_WISHBONE, GRAVITY, GUIDED, MACPHERSON, SPRUNG_MASS, TYRE, Body, Suspension
 from tqdm import tqdm
 
-SUSPENSIONS = {
-    "double-wishbone": DOUBLE_WISHBONE,
-    "telescope": DOUBLE_WISHBONE,
-    "macpherson": MACPHERSON,
-    "guided": GUIDED,
-}
+from examples.fmpy.coupling import CouplingError
+from examples.multibody.hosted_strut import UNLOADED, Strut, Wrench
+from examples.multibody.report import Recorder, Run, steps_of
+from examples.multibody.suspension import BUMP, GRAVITY, SPRUNG_MASS, SUSPENSIONS, TYRE, Body, Suspension
 
 # Which axes of the joint frame (m, n, a) a joint locks: three directions, then three rotations.
 UNIVERSAL = [1, 1, 1, 0, 0, 1]
@@ -257,11 +251,11 @@ def settings(step: float, steps: int) -> exudyn.SimulationSettings:
 def simulate(
     strut: Strut,
     label: str,
-    coupling: str = "implicit",
     kind: str = "double-wishbone",
     step: float = 1e-3,
     time: float = 4.0,
     side_loads: bool = False,
+    coupling: str = "implicit",
 ) -> Run:
     """Drives over the bump."""
     steps = len(steps_of(time, step))

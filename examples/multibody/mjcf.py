@@ -1,4 +1,4 @@
-"""MuJoCo models of the suspensions in examples/multibody/suspension.py, as MJCF text.
+"""MuJoCo models of the suspensions in suspension.py, as MJCF text.
 
 The frames of all bodies are at the origin in the design position, so that every point is written as in the table. Loops
 are closed by `connect` (a ball joint), tie rods by the length of a tendon. MuJoCo enforces both with stiff springs,
@@ -9,7 +9,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 import numpy
-from suspension import CORNERS, GRAVITY, SPRUNG_MASS, Body, Suspension
+
+from examples.multibody.suspension import GRAVITY, SPRUNG_MASS, Body, Suspension
 
 STIFF = 'solref="0.002 1" solimp="0.999 0.9999 0.0001"'
 
@@ -152,21 +153,6 @@ def quarter_car(s: Suspension, parts: Parts, step: float) -> str:
     return model(
         body("car", car, joint("heave", "slide", (0.0, 0.0, 0.5)), rack, *parts.sites, *parts.bodies), parts, step
     )
-
-
-def full_car(car: Body, front: float, rear: float, s: Suspension, step: float) -> str:
-    """A free body on four double wishbones, with a steering rack at the front."""
-    parts, ends = Parts(), []
-    for name in CORNERS:
-        placed = s.placed(front if name[0] == "f" else rear, 1.0 if name[1] == "l" else -1.0)
-        corner = double_wishbone(name, placed)
-        for section, lines in vars(corner).items():
-            getattr(parts, section).extend(lines)
-        (ends if name[0] == "f" else parts.sites).append(site(f"{name}.rack", placed.rack_end))
-    bar = Body(3.0, (front + s.rack_end[0], 0.0, s.rack_end[2]), (0.1, 0.01, 0.1))
-    rack = body("rack", bar, joint("rack", "slide", bar.centre, (0.0, 1.0, 0.0)), *ends)
-    parts.equalities.append(f'<joint name="rack" joint1="rack" polycoef="0 0 0 0 0" {STIFF}/>')
-    return model(body("car", car, '<freejoint name="car"/>', *parts.sites, rack, *parts.bodies), parts, step)
 
 
 def model(car: str, parts: Parts, step: float) -> str:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compiles the actuator plugin against the headers and the library in the mujoco package, and against libstribeck.
 
-    python examples/mujoco/plugin/build_plugin.py
+    python -m examples.mujoco.plugin.build_plugin
 
 Needs cargo and a C++ compiler: c++, or the one in CXX. Linux and macOS only.
 """
@@ -16,9 +16,7 @@ from pathlib import Path
 
 import mujoco
 
-sys.path.append(str(Path(__file__).resolve().parents[2] / "fmpy"))
-
-from coupling import PROJECT, CouplingError, main
+from examples.fmpy.coupling import PROJECT, CouplingError, main
 
 SOURCE = Path(__file__).resolve().parent / "shock_absorber.cpp"
 ENDING = ".dylib" if platform.system() == "Darwin" else ".so"

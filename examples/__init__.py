@@ -1,0 +1,1 @@
+"""Programs around the library; each runs as a module, from the folder above: `python -m examples.fmpy.four_post`."""
