@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """A Formula Student car in exudyn or MuJoCo, whose four struts feel the side loads of their joints.
 
     python -m examples.car.car rest                             what the wheels and struts carry

@@ -138,6 +138,12 @@ def read_car(path: Path = CAR) -> Car:
     return car_of(entries, Path(path).parent)
 
 
+def _tyre(table: "_Table", folder: Path) -> Tyre:
+    file = folder / str(table.take("file"))
+    numbers = ("relaxation_length", "patch_stiffness", "patch_damping")
+    return Tyre(file=file, **{name: table.positive(name) for name in numbers})
+
+
 def car_of(entries: Mapping[str, object], folder: Path = CAR.parent) -> Car:
     """A car from the entries of a file; `folder` is where the file of the tyre is looked for."""
     top = _Table(entries, "")
@@ -156,12 +162,7 @@ def car_of(entries: Mapping[str, object], folder: Path = CAR.parent) -> Car:
         chassis=top.table("chassis").body(),
         rack_mass=steering.positive("mass"),
         travel_per_turn=steering.positive("travel_per_turn"),
-        tyre=Tyre(
-            file=folder / str(tyre.take("file")),
-            relaxation_length=tyre.positive("relaxation_length"),
-            patch_stiffness=tyre.positive("patch_stiffness"),
-            patch_damping=tyre.positive("patch_damping"),
-        ),
+        tyre=_tyre(tyre, folder),
         front_brakes=brakes.share("front_share"),
         corners=corners,
         bar_stiffness={letter: bars[letter].positive("stiffness") for letter in AXLES},

@@ -280,6 +280,16 @@ class Ride:
         return row
 
 
+def steps_in(manoeuvre: Manoeuvre, step: float) -> int:
+    """How many steps a manoeuvre takes; rejects steps that are too long for it."""
+    if manoeuvre.speed > 0.0 and step > LONGEST_STEP:
+        raise CarError(f"step = {step:g} s: must be at most {LONGEST_STEP:g} s on the road, where the wheels spin")
+    steps = round(manoeuvre.duration / step)
+    if steps < 1:
+        raise CarError(f"duration = {manoeuvre.duration:g} s: must be at least one step of {step:g} s")
+    return steps
+
+
 def simulate(
     car: Car,
     manoeuvre: Manoeuvre,
@@ -298,11 +308,7 @@ def simulate(
     if code == EXUDYN:
         # The strut itself moves on with velocity and acceleration, to where the load is needed.
         parameters = {name: {"num.input_mode": "Linear", **given} for name, given in parameters.items()}
-    if manoeuvre.speed > 0.0 and step > LONGEST_STEP:
-        raise CarError(f"step = {step:g} s: must be at most {LONGEST_STEP:g} s on the road, where the wheels spin")
-    steps = round(manoeuvre.duration / step)
-    if steps < 1:
-        raise CarError(f"duration = {manoeuvre.duration:g} s: must be at least one step of {step:g} s")
+    steps = steps_in(manoeuvre, step)
     ride = Ride(car, manoeuvre, step, code, balance)
     began = time.perf_counter()
     rest = ride.start(parameters)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Runs the FMUs in dist/ and draws the results to out/: every friction FMU along a recorded motion, and a car on four
 posts with and without friction in its struts.
 """

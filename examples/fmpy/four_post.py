@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """A car on four posts that move up and down, with and without friction in its four struts, and with several laws.
 
     python -m examples.fmpy.four_post --frequency 2 --stroke 0.04 --delay 90 --levels 0 20 50

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """A double lane change at 72 km/h, with and without friction in the four struts, and with several laws.
 
     python -m examples.fmpy.lane_change --levels 0 20 50

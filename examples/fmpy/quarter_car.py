@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """A quarter car on a sine road: effect of strut friction on the ride, for several levels of friction.
 
     python -m examples.fmpy.quarter_car --levels 0 20 50 --amplitude 2e-3

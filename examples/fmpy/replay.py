@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Friction force along a recorded motion: a friction FMU driven by a CSV file.
 
     python -m examples.fmpy.replay --model LuGre --motion examples/fmpy/motion.csv --set sigma_0=2e6

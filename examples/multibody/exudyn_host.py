@@ -218,18 +218,14 @@ class Coupling:
 
     def record(self, time: float, length: float, velocity: float, force: float) -> None:
         """Writes a row."""
-        normal_1, normal_2 = self.strut.contact_loads()
         self.recorder.add(
+            self.strut,
             time=time,
-            road_height=BUMP.at(time)[0],
             body_height=self.car.rise(self.car.car),
             wheel_height=self.car.rise(self.car.wheel),
             length=length,
             velocity=velocity,
             force=force,
-            friction=self.strut.friction(),
-            normal_1=normal_1,
-            normal_2=normal_2,
         )
         self.progress.update()
 

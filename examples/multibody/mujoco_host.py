@@ -77,18 +77,14 @@ def simulate(
     for at in tqdm(steps_of(time, step), desc=label, unit="step", leave=False, disable=None):
         length, velocity = car.look()
         force = strut.advance(length, velocity, step, car.wrench(length) if side_loads else UNLOADED)
-        normal_1, normal_2 = strut.contact_loads()
         recorder.add(
+            strut,
             time=at * step,
-            road_height=BUMP.at(at * step)[0],
             body_height=car.body_height(),
             wheel_height=car.wheel_motion()[0] - suspension.wheel_centre[2],
             length=length,
             velocity=velocity,
             force=force,
-            friction=strut.friction(),
-            normal_1=normal_1,
-            normal_2=normal_2,
         )
         car.push(force)
         car.move(at * step)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """A quarter car in MuJoCo or exudyn with the ShockAbsorber FMU as its strut.
 
     python -m examples.multibody.quarter_car mujoco --set friction.scale=0.5 --step 5e-4

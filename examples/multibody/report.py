@@ -9,6 +9,7 @@ import numpy
 
 from examples.fmpy.coupling import FMUS, CouplingError, add_settable, positive, write_csv
 from examples.multibody.friction_pictures import Quantity, draw_runs
+from examples.multibody.hosted_strut import Strut
 from examples.multibody.suspension import BUMP
 
 COLUMNS = {
@@ -78,8 +79,10 @@ class Recorder:
     def __init__(self):
         self.rows: list[list[float]] = []
 
-    def add(self, **values: float) -> None:
-        """Writes one row."""
+    def add(self, strut: Strut, **values: float) -> None:
+        """Writes one row, with the height of the road and the contacts of the strut."""
+        values |= {"road_height": BUMP.at(values["time"])[0], "friction": strut.friction()}
+        values |= zip(("normal_1", "normal_2"), strut.contact_loads(), strict=True)
         self.rows.append([values[name] for name in COLUMNS])
 
     def run(self, label: str, design_length: float) -> Run:

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Compiles the actuator plugin against the headers and the library in the mujoco package, and against libstribeck.
 
     python -m examples.mujoco.plugin.build_plugin

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The quarter car in MuJoCo with its strut inside the simulator, as an actuator plugin written in C++.
 
     python -m examples.mujoco.plugin.run_plugin --step 1e-3
