@@ -518,6 +518,13 @@ def faults() -> None:
     )
 
 
+@task("two hours")
+def tolerances() -> None:
+    """How often a run that says that it reached its end is wrong: every law that has rates, 200 sets of parameters, at
+    tolerances from 1e-3 to 1e-10, on four systems."""
+    run("cargo", "bench", "--package", "stribeck-solve", "--bench", "tolerances")
+
+
 @task("hours")
 def identified() -> None:
     """How often the intervals of an identification hold the truth: 200 seeds of every law; how fast its search is, and
@@ -562,6 +569,7 @@ def trust() -> None:
         broken,
         newcomer,
         mutants,
+        tolerances,
         identified,
         formats,
         supply,
