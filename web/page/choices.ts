@@ -41,11 +41,11 @@ export function field(
   return h("div", { class: "choice" }, h("label", { for: id }, label), input, h("span", { class: "unit" }, unit));
 }
 
-/** Laws by what they know: the velocity alone, their past, or several directions. */
+/** Laws by their inputs: without memory they need the external force at rest, in the plane a second velocity. */
 export function families(laws: Model[]): [string, Model[]][] {
-  const has = (model: Model, name: string) => model.variables.some((variable) => variable.name === name);
-  const flat = laws.filter((model) => has(model, "velocity_x"));
-  const instant = laws.filter((model) => has(model, "external_force"));
+  const has = (model: Model, meaning: string) => model.variables.some((variable) => variable.meaning === meaning);
+  const flat = laws.filter((model) => has(model, "VelocityY"));
+  const instant = laws.filter((model) => has(model, "ExternalForce"));
   const others = laws.filter((model) => !flat.includes(model) && !instant.includes(model));
   return [
     ["Static: force from the velocity", instant],
