@@ -80,7 +80,6 @@ export function control(
   change: (text: string | undefined, isLast: boolean) => void,
 ): HTMLElement {
   const id = `set-${name.replace(/[^\w-]/g, "_")}`;
-  const unit = unitText(variable.unit);
   const help = `${variable.help} ${variable.bound ? `Must be ${variable.bound}.` : ""}`;
   const label = h("label", { for: id, title: help }, variable.name.split(".").at(-1) ?? "");
   const of = laws && h("small", { class: "of" }, laws.join(", "));
@@ -93,38 +92,43 @@ export function control(
   row.append(h("div", { class: "name" }, label, of, undo));
   if (variable.kind === "choice" || variable.kind === "boolean") {
     row.append(choice(id, variable, now, help, give));
-    return row;
+  } else {
+    row.append(number(id, variable, scaleOf(variable, start), now, help, give));
   }
-  const scale = scaleOf(variable, start);
+  return row;
+}
+/** A slider, and a field for values beyond its ends. */
+function number(
+  id: string,
+  variable: Variable,
+  scale: Scale,
+  now: string,
+  help: string,
+  give: (text: string, isLast: boolean) => void,
+): HTMLElement {
+  const unit = unitText(variable.unit);
   const slider = h("input", { type: "range", min: 0, max: STEPS, step: 1, "aria-label": variable.name });
-  const field = h("input", { id, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false" });
-  const show = (shown: string) => {
-    const number = parsed(shown);
-    if (number !== undefined) slider.value = String(scale.place(number));
-    slider.setAttribute("aria-valuetext", `${number === undefined ? shown : short(number)} ${unit}`);
+  const field = h("input", { id, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", title: help });
+  const show = (text: string) => {
+    const value = parsed(text);
+    if (value !== undefined) slider.value = String(scale.place(value));
+    slider.setAttribute("aria-valuetext", `${value === undefined ? text : short(value)} ${unit}`);
+    field.value = text;
+    if (refusal(variable, text)) field.setAttribute("aria-invalid", "true");
+    else field.removeAttribute("aria-invalid");
   };
-  field.value = now;
-  field.title = help;
   show(now);
-  const fault = refusal(variable, now);
-  if (fault) field.setAttribute("aria-invalid", "true");
   const moved = (isLast: boolean) => {
-    field.value = String(scale.value(Number(slider.value)));
-    field.removeAttribute("aria-invalid");
-    show(field.value);
+    show(String(scale.value(Number(slider.value))));
     give(field.value, isLast);
   };
   slider.addEventListener("input", () => moved(false));
   slider.addEventListener("change", () => moved(true));
   field.addEventListener("change", () => {
-    const wrong = refusal(variable, field.value);
-    field.toggleAttribute("aria-invalid", wrong !== undefined);
-    if (wrong) field.setAttribute("aria-invalid", "true");
     show(field.value);
     give(field.value.trim(), true);
   });
-  row.append(h("div", { class: "value" }, slider, field, h("span", { class: "unit" }, unit)));
-  return row;
+  return h("div", { class: "value" }, slider, field, h("span", { class: "unit" }, unit));
 }
 
 function choice(

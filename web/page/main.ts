@@ -130,23 +130,29 @@ function heedButtons(step: (to: "undo" | "redo") => void): void {
   });
 }
 
+/** Shows links in the address of the page. */
+function addressWriter(): (hash: string, isLast: boolean) => void {
+  let shownAt = 0;
+  return (hash, isLast) => {
+    // A browser refuses to do so too often while a slider moves; the last change is always shown.
+    if (!isLast && performance.now() - shownAt <= 100) return;
+    window.history.replaceState(null, "", hash || location.pathname + location.search);
+    shownAt = performance.now();
+  };
+}
+
 async function start(): Promise<void> {
   const { answer: catalogue } = await new Lane().ask<Catalogue>({ ask: "catalogue" });
   setPalette(catalogue.palette);
+  const write = addressWriter();
   const page: Page = {
     catalogue,
     changed(isLast) {
-      const { hash } = views;
-      // A browser refuses to do so too often while a slider moves; the last change is always shown.
-      if (isLast || performance.now() - shownAt > 100) {
-        window.history.replaceState(null, "", hash || location.pathname + location.search);
-        shownAt = performance.now();
-      }
-      if (isLast) history.keep(hash);
+      write(views.hash, isLast);
+      if (isLast) history.keep(views.hash);
     },
     fault: show,
   };
-  let shownAt = 0;
   const views = new Views(page, document.getElementById("views")!);
   const open = async (hash: string) => {
     const { view, state, faults } = fromHash(hash);

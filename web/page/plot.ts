@@ -11,6 +11,27 @@ import { heedTouch, type Place, type Touched } from "./touch";
 /** Listeners to the cursor: the number of the output time it is at, or none. */
 type CursorListener = (at: number | null, from: unknown) => void;
 
+const FONT = "12px system-ui, 'Noto Sans', Arial, sans-serif";
+
+function axis(label: string, size: number): uPlot.Axis {
+  const { ink, grid } = colours();
+  return {
+    stroke: ink,
+    font: FONT,
+    labelFont: FONT,
+    label,
+    size,
+    labelSize: 20,
+    grid: { stroke: grid, width: 1 },
+    ticks: { stroke: grid, width: 1 },
+    values: (_, values) => {
+      const step = values.length > 1 ? Math.abs(values[1]! - values[0]!) : 1;
+      const decimals = decimalsOf(step);
+      return values.map((value) => tickText(value, decimals));
+    },
+  };
+}
+
 /** The cursor that plots share. */
 export class Cursor {
   private readonly listeners: CursorListener[] = [];
@@ -276,23 +297,7 @@ export class TimePlot extends Plot {
 
   private build(): void {
     this.chart?.destroy();
-    const { ink, grid, laws } = colours();
-    const font = "12px system-ui, 'Noto Sans', Arial, sans-serif";
-    const axis = (label: string, size: number): uPlot.Axis => ({
-      stroke: ink,
-      font,
-      labelFont: font,
-      label,
-      size,
-      labelSize: 20,
-      grid: { stroke: grid, width: 1 },
-      ticks: { stroke: grid, width: 1 },
-      values: (_, values) => {
-        const step = values.length > 1 ? Math.abs(values[1]! - values[0]!) : 1;
-        const decimals = decimalsOf(step);
-        return values.map((value) => tickText(value, decimals));
-      },
-    });
+    const { laws } = colours();
     const { x, y, curves } = this.diagram;
     const series = curves.map(({ name, law }) => ({
       label: name,

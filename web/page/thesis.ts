@@ -9,7 +9,6 @@ import type { Solved } from "./types";
 
 const HEADING = "Table 6.5 of the thesis, computed here";
 
-/** Times of the laws of Table 6.5 with the solvers of this page, beside those of the thesis. */
 /** A run on the belt, and the median of its times in ms: the first run of a worker also prepares the library. */
 async function timed(lane: Lane, law: string, solver: string): Promise<{ took: number; solved: Solved }> {
   const runs = [];
@@ -19,32 +18,35 @@ async function timed(lane: Lane, law: string, solver: string): Promise<{ took: n
   return { took: runs.map((run) => run.took).sort((a, b) => a - b)[1]!, solved: runs[0]!.answer };
 }
 
+/** A row of the table: the law, its times with the solvers of this page, its events, and its times in the thesis. */
+async function rowOf(lane: Lane, law: string, solvers: string[], printed: (number | null)[]): Promise<HTMLElement> {
+  const cells = [];
+  let events = "";
+  for (const solver of solvers) {
+    const { took, solved } = await timed(lane, law, solver);
+    cells.push(solved.reached ? took.toFixed(1) : solved.end);
+    events = String(solved.events.length);
+  }
+  const theirs = printed.map((time) => (time === null ? "DNC" : time.toFixed(4)));
+  return h("tr", {}, h("th", { scope: "row" }, law), ...[...cells, events, ...theirs].map((cell) => h("td", {}, cell)));
+}
+
+/** Times of the laws of Table 6.5 with the solvers of this page, beside those of the thesis. */
 export function thesisTables({ catalogue, fault }: Page): HTMLElement {
   const { classes, times } = catalogue.thesis;
-  const solvers = catalogue.solvers.filter(({ name }) => name.startsWith("ro"));
-  const head = ["Law", ...solvers.map(({ name }) => `${name}, ms`), "Events", ...classes.map((name) => `Thesis, ${name}, s`)];
+  const solvers = catalogue.solvers.map(({ name }) => name).filter((name) => name.startsWith("ro"));
+  const head = ["Law", ...solvers.map((name) => `${name}, ms`), "Events", ...classes.map((name) => `Thesis, ${name}, s`)];
   const body = h("tbody", {});
   const caption = h("caption", {}, "The belt of Table 6.1 over 40 s; DNC: did not converge");
   const headings = h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text))));
   const table = h("table", {}, caption, headings, body);
   const lane = new Lane();
-  const row = async ([law, printed]: [string, (number | null)[]]) => {
-    const cells = [];
-    let events = "";
-    for (const { name: solver } of solvers) {
-      const { took, solved } = await timed(lane, law, solver);
-      cells.push(solved.reached ? took.toFixed(1) : solved.end);
-      events = String(solved.events.length);
-    }
-    const theirs = printed.map((time) => (time === null ? "DNC" : time.toFixed(4)));
-    body.append(h("tr", {}, h("th", { scope: "row" }, law), ...[...cells, events, ...theirs].map((cell) => h("td", {}, cell))));
-  };
   const compute = h("button", { type: "button", id: "compute-thesis" }, "Compute");
   compute.addEventListener("click", async () => {
     compute.disabled = true;
     body.replaceChildren();
     try {
-      for (const one of times) await row(one);
+      for (const [law, printed] of times) body.append(await rowOf(lane, law, solvers, printed));
     } catch (reason) {
       fault(faultText(reason));
     }

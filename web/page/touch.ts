@@ -1,20 +1,20 @@
 /** Fingers on a plot. */
 
-/** A place in the area of a plot, in pixels from its upper left corner. */
+/** A position in the area of a plot, in pixels from its upper left corner. */
 export type Place = [number, number];
 
 /** What fingers can do to a plot. */
 export interface Touched {
   /** Whether only a part is shown. */
   isPart(): boolean;
-  /** Moves the cursor to a place. */
+  /** Moves the cursor there. */
   touch(place: Place): void;
-  /** Brings what is at one place to another one; what is shown becomes larger by the factor. */
+  /** Pans from one position to another and zooms by a factor. */
   bring(from: Place, to: Place, factor: number): void;
   reset(): void;
 }
 
-/** Way after which a finger has moved, in pixels, and longest time between two taps, in ms (chosen). */
+/** Distance after which a finger has moved, in pixels, and longest time between two taps, in ms (chosen). */
 const MOVED = 8;
 const TWICE = 350;
 
@@ -35,47 +35,66 @@ function fingers(area: HTMLElement, { touches }: TouchEvent): Fingers | undefine
 }
 
 /**
- * One finger moves the cursor, or what is shown if that is a part; two show more or less; two taps show all. A finger
- * that goes up or down first scrolls the page.
+ * One finger moves the cursor, or the plot where only a part is shown; two zoom; a double tap shows all. A finger that
+ * goes up or down first scrolls the page.
  */
 export function heedTouch(area: HTMLElement, plot: Touched): void {
-  let [begin, last] = [undefined as Fingers | undefined, undefined as Fingers | undefined];
-  let isOurs = false;
-  let tapped = -Infinity;
-  const where = (event: TouchEvent) => fingers(area, event);
-  const place = (event: TouchEvent) => {
-    begin = last = where(event);
-    isOurs = begin?.apart !== undefined;
-    if (isOurs) event.preventDefault();
-  };
-  const move = (event: TouchEvent) => {
-    const now = where(event);
+  const gesture = new Gesture(area, plot);
+  area.addEventListener("touchstart", (event) => gesture.start(event), { passive: false });
+  area.addEventListener("touchmove", (event) => gesture.move(event), { passive: false });
+  area.addEventListener("touchend", (event) => gesture.lift(event));
+  area.addEventListener("touchcancel", () => gesture.cancel());
+}
+
+class Gesture {
+  private begin: Fingers | undefined;
+  private last: Fingers | undefined;
+  private isOurs = false;
+  private tapped = -Infinity;
+
+  constructor(
+    private readonly area: HTMLElement,
+    private readonly plot: Touched,
+  ) {}
+
+  start(event: TouchEvent): void {
+    this.begin = this.last = fingers(this.area, event);
+    this.isOurs = this.begin?.apart !== undefined;
+    if (this.isOurs) event.preventDefault();
+  }
+
+  move(event: TouchEvent): void {
+    const now = fingers(this.area, event);
+    const { begin, last, plot } = this;
     if (!now || !begin || !last) return;
-    if (!isOurs) {
+    if (!this.isOurs) {
       const [right, down] = [Math.abs(now.middle[0] - begin.middle[0]), Math.abs(now.middle[1] - begin.middle[1])];
       if (Math.max(right, down) < MOVED) return;
       if (down > right) {
-        begin = undefined;
+        this.begin = undefined;
         return;
       }
-      isOurs = true;
+      this.isOurs = true;
     }
     event.preventDefault();
     if (now.apart !== undefined || plot.isPart()) plot.bring(last.middle, now.middle, (now.apart ?? 1) / (last.apart ?? 1));
     else plot.touch(now.middle);
-    last = now;
-  };
-  const lift = (event: TouchEvent) => {
-    const wasTap = begin && last && !isOurs && event.touches.length === 0;
-    if (wasTap && performance.now() - tapped < TWICE) plot.reset();
-    else if (wasTap) plot.touch(last!.middle);
-    if (wasTap) tapped = performance.now();
+    this.last = now;
+  }
+
+  lift(event: TouchEvent): void {
+    const { begin, last, plot } = this;
+    if (begin && last && !this.isOurs && event.touches.length === 0) {
+      if (performance.now() - this.tapped < TWICE) plot.reset();
+      else plot.touch(last.middle);
+      this.tapped = performance.now();
+    }
     // One of two fingers may stay.
-    begin = last = where(event);
-    isOurs = begin !== undefined;
-  };
-  area.addEventListener("touchstart", place, { passive: false });
-  area.addEventListener("touchmove", move, { passive: false });
-  area.addEventListener("touchend", lift);
-  area.addEventListener("touchcancel", () => (begin = last = undefined));
+    this.begin = this.last = fingers(this.area, event);
+    this.isOurs = this.begin !== undefined;
+  }
+
+  cancel(): void {
+    this.begin = this.last = undefined;
+  }
 }
