@@ -128,7 +128,8 @@ export class FitView {
     return number;
   }
 
-  async show(): Promise<void> {
+  /** Reports what the state has and this view does not. */
+  private checkState(): void {
     const names = [...Object.keys(RIG).map((name) => `rig.${name}`), ...IDENTIFICATION.map(({ name }) => `fit.${name}`)];
     const unknown = Object.keys(this.state.set).find((name) => !names.includes(name));
     if (unknown !== undefined) this.page.fault(`'${unknown}' is unknown`);
@@ -139,6 +140,10 @@ export class FitView {
     } catch (fault) {
       this.page.fault(faultText(fault));
     }
+  }
+
+  async show(): Promise<void> {
+    this.checkState();
     this.picker.show();
     const number = (label: string, name: string, unit: string, then: () => void = () => undefined) =>
       field(label, `rig-${name}`, this.value(name), unit, undefined, (text) => {
@@ -160,7 +165,7 @@ export class FitView {
         "fieldset",
         {},
         h("legend", {}, "Virtual rig"),
-        h("p", { class: "note" }, "A rig on which the law is known: what does a fit find again?"),
+        h("p", { class: "note" }, "Simulated rig with a known law: check what a fit recovers."),
         select("Its law", "rig-law", this.value("law"), laws, (name) => this.set("law", name)),
         number("Length", "duration", "s"),
         number("Seed", "seed", ""),
@@ -279,7 +284,7 @@ export class FitView {
     }
     const { isEnding } = this;
     this.stop();
-    this.progress.textContent = isEnding ? "Given up." : "Given up: this browser cannot keep the best so far.";
+    this.progress.textContent = isEnding ? "Stopped." : "Stopped; this browser cannot return a partial result.";
   }
 
   private stop(): void {
@@ -309,19 +314,19 @@ export class FitView {
       return;
     }
     const begin = performance.now();
-    const told = h("span", {});
-    const bar = h("progress", { "aria-label": "The fit is under way" });
-    this.progress.replaceChildren(bar, told);
+    const status = h("span", {});
+    const bar = h("progress", { "aria-label": "Fitting" });
+    this.progress.replaceChildren(bar, status);
     this.mark(true);
-    const tell = (rms?: number) => {
+    const report = (rms?: number) => {
       const seconds = ((performance.now() - begin) / 1000).toFixed(0);
       const so = rms === undefined ? "" : `, RMS residual ${short(rms)} N so far`;
       const doing = this.isEnding ? "Ending with the best so far:" : "Fitting";
-      told.textContent = `${doing} ${state.laws.join(", ")} for ${seconds} s${so}`;
+      status.textContent = `${doing} ${state.laws.join(", ")} for ${seconds} s${so}`;
     };
-    tell();
+    report();
     try {
-      const { answer, arrays } = await this.worker.ask<Fitted>({ ask: "fit", fit: this.asked(data), files: files(data) }, tell);
+      const { answer, arrays } = await this.worker.ask<Fitted>({ ask: "fit", fit: this.asked(data), files: files(data) }, report);
       this.fitted = { answer, arrays };
     } catch (fault) {
       if (fault instanceof Superseded) return;

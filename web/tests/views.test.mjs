@@ -149,7 +149,7 @@ test("a browser whose searches cannot hear of their end says so", async () => {
   await page.locator("#start-fit").click();
   await page.waitForFunction(() => /Fitting LuGre/.test(document.querySelector("#fit .progress").textContent));
   await page.locator("#cancel-fit").click();
-  assert.equal(await page.locator("#fit .progress").textContent(), "Given up: this browser cannot keep the best so far.");
+  assert.equal(await page.locator("#fit .progress").textContent(), "Stopped; this browser cannot return a partial result.");
   assert.ok(await page.locator("#start-fit").isEnabled());
   assert.deepEqual(wrong, []);
 });
