@@ -26,7 +26,7 @@ use stribeck::model::ModelType;
 use stribeck_fit::identify::{
     Estimate, Experiment, Fit, Method, Rank, Searches, Settings, Verdict, Watch, fit, fit_all, laws,
 };
-use stribeck_fit::measured::{Delay, Record, Rig};
+use stribeck_fit::measured::{Delay, Record, Setup};
 use stribeck_fit::rig::{Faults, VirtualRig};
 use stribeck_fit::sheet::Sheet;
 
@@ -238,7 +238,7 @@ fn show(name: &str, seed: u64, one: &Estimate, truth: f64, is_warned: bool) -> (
 fn read(rig: &VirtualRig, delay: Option<Delay>) -> Experiment {
     let files = rig.record().expect("a record");
     let known =
-        Rig { mass: MASS, normal_force: Some(LOAD), delay: delay.unwrap_or(Delay::Known(0.0)), ..Rig::default() };
+        Setup { mass: MASS, normal_force: Some(LOAD), delay: delay.unwrap_or(Delay::Known(0.0)), ..Setup::default() };
     let camera = files.camera.map(|text| Sheet::parse(&text).expect("a table"));
     let record = Record::of(&Sheet::parse(&files.force).expect("a table"), camera.as_ref(), &known);
     Experiment::new(rig.law.name, &record.expect("a record of a rig"))

@@ -219,7 +219,7 @@ impl VirtualRig {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measured::{Delay, Record, Rig};
+    use crate::measured::{Delay, Record, Setup};
     use crate::sheet::Sheet;
     use stribeck::catalogue::by_name;
 
@@ -240,7 +240,7 @@ mod tests {
     fn a_record_gives_back_the_friction_of_the_rig() {
         let files = rig(Faults::NOISE).record().unwrap();
         assert_eq!(files.camera, None);
-        let known = Rig { mass: 2.0, normal_force: Some(20.0), ..Rig::default() };
+        let known = Setup { mass: 2.0, normal_force: Some(20.0), ..Setup::default() };
         let record = Record::of(&Sheet::parse(&files.force).unwrap(), None, &known).unwrap();
         let sliding = record.velocity.iter().zip(&record.friction_force).filter(|(v, _)| v.abs() > 5e-3);
         let rest: Vec<f64> = sliding.map(|(v, force)| force - 4.0 * v.signum()).collect();
@@ -254,7 +254,7 @@ mod tests {
         let files = rig(Faults::ALL).record().unwrap();
         let sheets = [Some(files.force), files.camera].map(|text| Sheet::parse(&text.unwrap()).unwrap());
         let known =
-            Rig { mass: 2.0, normal_force: Some(20.0), window: Some(0.07), delay: Delay::Find(0.05), ..Rig::default() };
+            Setup { mass: 2.0, normal_force: Some(20.0), window: Some(0.07), delay: Delay::Find(0.05), ..Setup::default() };
         let record = Record::of(&sheets[0], Some(&sheets[1]), &known).unwrap();
         assert!((record.clocks.delay - DELAY).abs() < 0.2 * FRAME, "{:?}", record.clocks);
         assert!((record.quality.resolution - PIXEL).abs() < PIXEL, "{:?}", record.quality);

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use stribeck::catalogue::by_name;
 use stribeck_fit::identify::tyre::{Axes, TyreTest};
 use stribeck_fit::identify::{Experiment, Settings, Watch, fit};
-use stribeck_fit::measured::{Delay, Record, Rig, average};
+use stribeck_fit::measured::{Delay, Record, Setup, average};
 use stribeck_fit::rig::{Faults, VirtualRig};
 use stribeck_fit::sheet::Sheet;
 
@@ -43,12 +43,12 @@ fn mistakes_in_records_never_panic_and_never_give_numbers_that_are_not_finite() 
     let mut random = fastrand::Rng::with_seed(16);
     let (mut accepted, mut refused) = (0, 0);
     for trial in 0..TRIALS {
-        let rig = Rig {
+        let rig = Setup {
             mass: [0.0, 1.0][random.usize(..2)],
             normal_force: [Some(20.0), None][usize::from(random.u8(..8) == 0)],
             delay: [Delay::Known(0.0), Delay::Find(0.05)][usize::from(trial % 16 == 0)],
             window: [Some(0.05), None][usize::from(trial % 8 == 0)],
-            ..Rig::default()
+            ..Setup::default()
         };
         let outcome = if random.bool() {
             read(&mutated(&own, &mut random), None, &rig)
@@ -93,7 +93,7 @@ fn files() -> [String; 3] {
     [thin(&files.force, 7), thin(&files.camera.unwrap(), 1), thin(&with_encoder, 7)]
 }
 
-fn read(text: &str, camera: Option<&str>, rig: &Rig) -> Result<Record, String> {
+fn read(text: &str, camera: Option<&str>, rig: &Setup) -> Result<Record, String> {
     let sheet = Sheet::parse(text).map_err(|error| error.to_string())?;
     let camera = camera.map(Sheet::parse).transpose().map_err(|error| error.to_string())?;
     Record::of(&sheet, camera.as_ref(), rig).map_err(|error| error.to_string())

@@ -192,7 +192,7 @@ fn worth(name: &str, record: &Record) -> String {
         quality.fastest,
         quality.noise
     );
-    if record.alike.is_some() {
+    if record.matched_filter.is_some() {
         text += &format!(
             "  force and motion averaged alike, over {:.4} s; the motion is about {:.5} s behind the force\n",
             record.window, record.clocks.delay
@@ -205,7 +205,7 @@ fn worth(name: &str, record: &Record) -> String {
         );
     }
     let clocks = record.clocks;
-    if clocks.deviation > 0.0 && record.alike.is_none() {
+    if clocks.deviation > 0.0 && record.matched_filter.is_none() {
         text += &format!(
             "  the motion looks {:.5} s behind the force, {:.1e} s more each second; friction that builds up over a \
              distance also looks late, so this may be an overestimate: the fit of a law looks for the delay again\n",

@@ -6,7 +6,7 @@ use stribeck::catalogue::by_name;
 
 use super::tests::{estimate, fitted, measured, noise, quick, quiet, standard};
 use super::*;
-use crate::measured::{Delay, Record, Rig};
+use crate::measured::{Delay, Record, Setup};
 use crate::sheet::{DISPLACEMENT, FORCE, Sheet, TIME};
 
 #[test]
@@ -53,7 +53,7 @@ fn a_record_of_the_axis_gives_back_its_parameters() {
     let position = position.iter().map(|x| (x / 1e-6).round() * 1e-6).collect();
     let columns = [("time", outcome.time.clone()), ("force", force), ("displacement", position)];
     let sheet = Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
-    let rig = Rig { normal_force: Some(axis::NORMAL_FORCE), is_axis: true, ..Rig::default() };
+    let rig = Setup { normal_force: Some(axis::NORMAL_FORCE), is_axis: true, ..Setup::default() };
     let record = Record::of(&sheet, None, &rig).unwrap();
     let mut selection = Selection::default();
     axis::fitted(&mut selection, 0.0);
@@ -151,7 +151,7 @@ fn fit_of_axis(sheet: &Sheet, delay: Delay) -> Fit {
 }
 
 fn fit_with(sheet: &Sheet, delay: Delay, mut selection: Selection) -> Fit {
-    let rig = Rig { normal_force: Some(axis::NORMAL_FORCE), is_axis: true, delay, ..Rig::default() };
+    let rig = Setup { normal_force: Some(axis::NORMAL_FORCE), is_axis: true, delay, ..Setup::default() };
     let record = Record::of(sheet, None, &rig).unwrap();
     let law = by_name(axis::LAW).unwrap();
     let experiment = axis::in_motion(Experiment::new("axis", &record), &[law]).unwrap();
@@ -196,8 +196,12 @@ fn the_delay_of_a_controller_is_looked_for_from_half_a_sample_early_to_two_late(
             ("displacement", displacement[..count].to_vec()),
         ];
         let sheet = Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
-        let rig =
-            Rig { normal_force: Some(axis::NORMAL_FORCE), is_axis: true, delay: Delay::OfController, ..Rig::default() };
+        let rig = Setup {
+            normal_force: Some(axis::NORMAL_FORCE),
+            is_axis: true,
+            delay: Delay::OfController,
+            ..Setup::default()
+        };
         let record = Record::of(&sheet, None, &rig).unwrap();
         assert!((record.clocks.delay - 0.0075).abs() > 1e-3, "{late}: {}", record.clocks.delay);
         let [low, high] = record.delay_range.unwrap();
@@ -252,7 +256,7 @@ fn a_mass_behind_a_load_cell_is_weighed_with_all_of_its_acceleration() {
         ("displacement", time.iter().zip(&shaken).map(|(t, noise)| motion(*t)[0] + 1e-6 * noise).collect()),
     ];
     let sheet = Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
-    let record = Record::of(&sheet, None, &Rig { normal_force: Some(20.0), ..Rig::default() }).unwrap();
+    let record = Record::of(&sheet, None, &Setup { normal_force: Some(20.0), ..Setup::default() }).unwrap();
     assert!((0.003..0.01).contains(&record.acceleration_lost), "{}", record.acceleration_lost);
     let selection = Selection { fitted: vec!["mass".into()], ..Selection::default() };
     let experiments = [Experiment::new("fast", &record)];

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::path::{Component, Path};
 
-use crate::measured::{Alike, Record};
+use crate::measured::{MatchedFilter, Record};
 use stribeck_solve::system::Fault;
 
 /// A run of a rig: the motion and the load that the law is led through, and the force it shall give.
@@ -42,7 +42,7 @@ pub struct Experiment {
     /// Time in which an error of the velocity has one sign, s: the window of its filter.
     pub window: f64,
     /// Further data of a record whose force and motion are smoothed alike.
-    pub alike: Option<Alike>,
+    pub alike: Option<MatchedFilter>,
 }
 
 /// Samples that are taken to be at rest, or in steady motion.
@@ -100,15 +100,15 @@ impl Experiment {
             force: record.force.clone(),
             velocity_error: record.velocity_error,
             acceleration_error: record.acceleration_error,
-            acceleration_lost: if record.alike.is_none() { record.acceleration_lost } else { 0.0 },
+            acceleration_lost: if record.matched_filter.is_none() { record.acceleration_lost } else { 0.0 },
             delay: record.clocks.delay,
             delay_range: record.delay_range,
             left_out: Vec::new(),
             rest: Rest::default(),
             reach,
-            ends: if record.alike.is_none() { [first + reach, last - reach] } else { EVERYWHERE },
+            ends: if record.matched_filter.is_none() { [first + reach, last - reach] } else { EVERYWHERE },
             window: record.window,
-            alike: record.alike.clone(),
+            alike: record.matched_filter.clone(),
         };
         let rest = Rest { speed: UNKNOWN_DIRECTION * all.velocity_error, ..Rest::default() };
         let count = all.at_rest(rest).iter().filter(|is_at_rest| **is_at_rest).count();
@@ -280,7 +280,7 @@ impl Experiment {
             reach: self.reach,
             ends: self.ends,
             window: self.window,
-            alike: self.alike.as_ref().map(|alike| Alike {
+            alike: self.alike.as_ref().map(|alike| MatchedFilter {
                 jerk: take(&alike.jerk),
                 least_speed: take(&alike.least_speed),
                 noise: alike.noise,
@@ -414,7 +414,7 @@ mod tests {
             ("displacement", time.iter().zip(&shaken).map(|(t, noise)| place(*t) + 1e-7 * noise).collect()),
         ];
         let sheet = crate::sheet::Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
-        let rig = crate::measured::Rig { mass: 2.0, normal_force: Some(20.0), ..crate::measured::Rig::default() };
+        let rig = crate::measured::Setup { mass: 2.0, normal_force: Some(20.0), ..crate::measured::Setup::default() };
         let experiment = Experiment::new("paused", &Record::of(&sheet, None, &rig).unwrap());
         let share = experiment.samples() as f64 / time.len() as f64;
         assert!((0.5..0.6).contains(&share), "{share}");

@@ -15,7 +15,7 @@ use toml::Value;
 use ts_rs::TS;
 
 use super::{Experiment, Method, Ranking, Selection, Settings, Watch, axis, fit_all, held_out, laws_named, names};
-use crate::measured::{Columns, Delay, MeasuredError, Record, Rig};
+use crate::measured::{Columns, Delay, MeasuredError, Record, Setup};
 use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TIME, VELOCITY, tables};
 
 /// Records, what is known of their rig, the laws, and how they are fitted.
@@ -198,7 +198,7 @@ impl Inquiry {
     }
 
     /// The rig.
-    pub(super) fn rig(&self) -> Rig {
+    pub(super) fn setup(&self) -> Setup {
         let delay = match self.delay {
             Some(DelayChoice::Known(delay)) => Delay::Known(delay),
             Some(DelayChoice::Find(longest)) => Delay::Find(longest.unwrap_or(Delay::LONGEST)),
@@ -207,7 +207,7 @@ impl Inquiry {
         };
         let normal_force = self.normal_force.or(self.axis.then_some(axis::NORMAL_FORCE));
         let (mass, window, skip) = (self.mass(), self.window, self.skip.unwrap_or(0.0));
-        Rig { mass, normal_force, window, delay, skip, is_axis: self.axis }
+        Setup { mass, normal_force, window, delay, skip, is_axis: self.axis }
     }
 
     fn columns(&self) -> Result<Columns, Fault> {
@@ -300,7 +300,7 @@ impl Inquiry {
     }
 
     fn record(&self, path: &Path, from: &dyn Source) -> Result<Record, Fault> {
-        let (rig, columns) = (self.rig(), self.columns()?);
+        let (setup, columns) = (self.setup(), self.columns()?);
         let read = |path: &Path| from.tables(path).map_err(|error| unreadable(path, error.to_string()));
         let mut own = read(path)?;
         let mut motion = self.motion.as_deref().map(read).transpose()?.unwrap_or_default();
@@ -308,7 +308,7 @@ impl Inquiry {
             (MeasuredError::Motion(error), Some(camera)) => unreadable(camera, with_remedy(&error)),
             (error, _) => unreadable(path, with_remedy(&error)),
         };
-        let said = columns.apply(&mut own, &mut motion, &rig).map_err(refused)?;
+        let said = columns.apply(&mut own, &mut motion, &setup).map_err(refused)?;
         let is_elsewhere = |quantity: &str| self.motion.is_some() && is_of_motion(quantity);
         for table in &own {
             from.check(path, table, &|quantity| Columns::knows(quantity) && !is_elsewhere(quantity))?;
@@ -320,7 +320,7 @@ impl Inquiry {
         // The channels of a file may have several clocks.
         let apart = if has_motion(&own) { None } else { with_motion(others) };
         let motion = with_motion(motion).or(apart);
-        let mut record = Record::of(&own, motion.as_ref(), &rig).map_err(refused)?;
+        let mut record = Record::of(&own, motion.as_ref(), &setup).map_err(refused)?;
         record.quality.findings.splice(0..0, said);
         Ok(record)
     }

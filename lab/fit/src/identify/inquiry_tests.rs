@@ -73,7 +73,7 @@ fn what_a_description_means_is_what_it_says() {
     assert_eq!(laws("axis = true").unwrap(), [axis::LAW]);
     assert_eq!(laws("axis = true\nlaw = \"Dahl\"").unwrap(), ["Dahl"]);
     assert_eq!(laws("").unwrap_err().to_string(), "no law was given");
-    let delay = |text: &str| described(text).rig().delay;
+    let delay = |text: &str| described(text).setup().delay;
     assert_eq!(delay(""), Delay::Known(0.0));
     assert_eq!(delay("axis = true"), Delay::OfController);
     assert_eq!(delay("delay = \"find\""), Delay::Find(Delay::LONGEST));

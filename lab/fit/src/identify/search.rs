@@ -312,7 +312,7 @@ mod tests {
     use super::super::Experiment;
     use super::super::tests::{fitted, measured, standard, whole_problem};
     use super::*;
-    use crate::measured::{Delay, Record, Rig};
+    use crate::measured::{Delay, Record, Setup};
     use crate::rig::{Faults, VirtualRig};
     use crate::sheet::Sheet;
 
@@ -344,7 +344,7 @@ mod tests {
         let law = by_name("Leuven").unwrap();
         let rig =
             VirtualRig { law, values: Vec::new(), mass: 2.0, normal_force: 20.0, duration: 4.0, faults, seed: 31_031 };
-        let known = Rig { mass: 2.0, normal_force: Some(20.0), delay: Delay::Known(0.0), ..Rig::default() };
+        let known = Setup { mass: 2.0, normal_force: Some(20.0), delay: Delay::Known(0.0), ..Setup::default() };
         let record = Record::of(&Sheet::parse(&rig.record().unwrap().force).unwrap(), None, &known).unwrap();
         let experiment = Experiment::new(law.name, &record);
         let without = Settings { mass: 2.0, profiles: false, repetitions: 0, ..Settings::default() };

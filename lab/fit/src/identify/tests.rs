@@ -365,7 +365,7 @@ fn laws_that_differ_as_the_contact_speeds_up_explain_their_own_records() {
             faults: crate::rig::Faults::NOISE,
             seed: 1,
         };
-        let known = crate::measured::Rig { mass: 2.0, normal_force: Some(20.0), ..Default::default() };
+        let known = crate::measured::Setup { mass: 2.0, normal_force: Some(20.0), ..Default::default() };
         let sheet = crate::sheet::Sheet::parse(&rig.record().unwrap().force).unwrap();
         let data = Experiment::new(law, &crate::measured::Record::of(&sheet, None, &known).unwrap());
         let fit = fitted(law, slice::from_ref(&data), &Settings { mass: 2.0, ..quick() });
@@ -383,7 +383,7 @@ fn record_of_noisy_velocity(law: &str) -> Experiment {
         text + &format!("{t},{force},{load},{}\n", v + 1e-4 * noise)
     });
     let sheet = crate::sheet::Sheet::parse(&text).unwrap();
-    Experiment::new(law, &crate::measured::Record::of(&sheet, None, &crate::measured::Rig::default()).unwrap())
+    Experiment::new(law, &crate::measured::Record::of(&sheet, None, &crate::measured::Setup::default()).unwrap())
 }
 
 /// Some of 2000 samples have a velocity that may have either sign. With them, laws that are smooth there explain
@@ -433,7 +433,7 @@ fn only_samples_at_the_ends_of_the_motion_are_left_out() {
     let force = rows(0, 2000, "force", &|t| 2.0 * (1e3 * (3.0 * t).cos()).tanh());
     let counted = |motion: String| {
         let [force, motion] = [&force, &motion].map(|text| crate::sheet::Sheet::parse(text).unwrap());
-        let rig = crate::measured::Rig { normal_force: Some(20.0), window: Some(0.1), ..Default::default() };
+        let rig = crate::measured::Setup { normal_force: Some(20.0), window: Some(0.1), ..Default::default() };
         Experiment::new("rig", &crate::measured::Record::of(&force, Some(&motion), &rig).unwrap())
     };
     let [short, long] = [(0, 2000), (-100, 2100)].map(|(from, to)| counted(rows(from, to, "displacement", &moved)));

@@ -1,9 +1,11 @@
-//! Two clocks: that of the load cell and that of the camera.
+//! The clocks of force and motion: delay and drift of a camera against a load cell.
 
 use nalgebra::{SMatrix, SVector};
 use stribeck::number::Real;
 
-/// How far the motion is behind the force.
+use super::quality::extremes;
+
+/// Clock of the motion against that of the force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clocks {
     /// Delay in the middle of the record, s: the motion at time t + delay belongs to the force at t.
@@ -17,28 +19,28 @@ pub struct Clocks {
 }
 
 impl Clocks {
-    /// Clocks of which the delay is known.
+    /// Clocks with a known delay and no drift.
     pub fn known(delay: f64) -> Clocks {
         Clocks { delay, deviation: 0.0, drift: 0.0, middle: 0.0 }
     }
 
-    /// The time on the clock of the motion.
+    /// Converts a time of the force to the clock of the motion, s.
     pub fn of_motion(&self, time: f64) -> f64 {
         time + self.delay + self.drift * (time - self.middle)
     }
 
-    /// Times of the motion on the clock of the force.
+    /// Converts times of the motion to the clock of the force, s.
     pub(super) fn ends(&self, of_motion: [f64; 2]) -> [f64; 2] {
         of_motion.map(|time| (time - self.delay + self.drift * self.middle) / (1.0 + self.drift))
     }
 }
 
-/// Range around a middle.
-pub(super) fn around(middle: f64, half: f64) -> [f64; 2] {
+/// The range middle +- half.
+pub(super) fn range_around(middle: f64, half: f64) -> [f64; 2] {
     [middle - half, middle + half]
 }
 
-/// Places of the delays that are tried first, to each side (chosen).
+/// Delays on each side of 0 in the coarse search (chosen).
 const COARSE: i32 = 40;
 
 /// Halvings of the step of a search.
@@ -48,76 +50,93 @@ const HALVINGS: usize = 12;
 pub(super) struct Pair<'a> {
     time: &'a [f64],
     force: &'a [f64],
-    /// Samples of the force that are looked at.
+    /// Samples of the force that are used.
     chosen: Vec<usize>,
-    /// Even grid on the clock of the motion, and what may explain the force there.
+    /// Even grid on the clock of the motion, and the regressors there.
     begin: f64,
     step: f64,
     terms: Vec<[f64; TERMS]>,
 }
 
-/// Most samples that are looked at, and places of the grid (chosen).
+/// Most samples of the force that are used, and points of the grid (chosen).
 const MOST_SAMPLES: usize = 4000;
-const PLACES: usize = 8000;
+const POINTS: usize = 8000;
 
-/// Speeds within which friction turns, as parts of the largest one, and ways within which it turns, as parts of the
-/// travel (chosen): regularised laws and bristles of any stiffness.
+/// Speeds, relative to the largest one, and displacements, relative to the travel, within which friction reverses
+/// (chosen): regularised laws and bristles of any stiffness.
 const SPEEDS: [f64; 2] = [3e-3, 3e-2];
-const WAYS: [f64; 3] = [3e-3, 2e-2, 0.1];
+const DISPLACEMENTS: [f64; 3] = [3e-3, 2e-2, 0.1];
 
-/// Terms that explain the force: offset, velocity, acceleration, friction of each speed and way.
-const TERMS: usize = 3 + SPEEDS.len() + WAYS.len();
+/// Regressors of the force: offset, velocity, acceleration, friction of each displacement and speed.
+const TERMS: usize = 3 + SPEEDS.len() + DISPLACEMENTS.len();
+
+/// Regressors along a motion.
+struct Regressors {
+    /// Largest speed, m/s, and acceleration, m/s2.
+    fastest: f64,
+    steepest: f64,
+    /// Range of the displacement, m.
+    travel: f64,
+    /// Displacement of the point before, m.
+    before: f64,
+    /// Friction of each displacement, relative to its steady level.
+    hysteresis: [f64; DISPLACEMENTS.len()],
+}
+
+impl Regressors {
+    fn new(motion: &[[f64; 3]]) -> Regressors {
+        let largest = |number: usize| motion.iter().map(|all| all[number].abs()).fold(f64::MIN_POSITIVE, f64::max);
+        let [low, high] = extremes(motion.iter().map(|all| all[0]));
+        let hysteresis = [0.0; DISPLACEMENTS.len()];
+        Regressors { fastest: largest(1), steepest: largest(2), travel: high - low, before: motion[0][0], hysteresis }
+    }
+
+    /// Regressors at the next point.
+    fn next(&mut self, [x, v, a]: &[f64; 3]) -> [f64; TERMS] {
+        let change = x - self.before;
+        self.before = *x;
+        let mut terms = [1.0; TERMS];
+        [terms[1], terms[2]] = [v / self.fastest, a / self.steepest];
+        for ((state, width), term) in self.hysteresis.iter_mut().zip(DISPLACEMENTS).zip(&mut terms[3..]) {
+            // Exact for dz = dx (1 - sgn(dx) z) / width.
+            let steady = if change == 0.0 { *state } else { change.signum() };
+            *state = steady + (*state - steady) * Real::exp(-change.abs() / (width * self.travel));
+            *term = *state;
+        }
+        for (speed, term) in SPEEDS.iter().zip(&mut terms[3 + DISPLACEMENTS.len()..]) {
+            *term = Real::tanh(v / (speed * self.fastest));
+        }
+        terms
+    }
+}
 
 impl<'a> Pair<'a> {
-    /// Prepares what may explain the force: displacement, velocity and acceleration of the motion, between its ends.
+    /// `motion`: displacement, velocity and acceleration at a time between `begin` and `end`.
     pub fn new(
         time: &'a [f64],
         force: &'a [f64],
         [begin, end]: [f64; 2],
         motion: &dyn Fn(f64) -> [f64; 3],
     ) -> Pair<'a> {
-        let step = (end - begin) / (PLACES - 1) as f64;
-        let moved: Vec<[f64; 3]> = (0..PLACES).map(|at| motion(begin + step * at as f64)).collect();
-        let largest = |number: usize| moved.iter().map(|all| all[number].abs()).fold(f64::MIN_POSITIVE, f64::max);
-        let [fastest, steepest] = [largest(1), largest(2)];
-        let ends = moved
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], all| [low.min(all[0]), high.max(all[0])]);
-        let travel = ends[1] - ends[0];
-        let mut hysteresis = [0.0; WAYS.len()];
-        let mut before = moved[0][0];
-        let term = |[x, v, a]: &[f64; 3]| {
-            let change = x - before;
-            before = *x;
-            let mut terms = [1.0; TERMS];
-            for ((state, way), term) in hysteresis.iter_mut().zip(WAYS).zip(&mut terms[3..]) {
-                // Exact for dz = dx (1 - sgn(dx) z) / way.
-                let steady = if change == 0.0 { *state } else { change.signum() };
-                *state = steady + (*state - steady) * Real::exp(-change.abs() / (way * travel));
-                *term = *state;
-            }
-            [terms[1], terms[2]] = [v / fastest, a / steepest];
-            for (speed, term) in SPEEDS.iter().zip(&mut terms[3 + WAYS.len()..]) {
-                *term = Real::tanh(v / (speed * fastest));
-            }
-            terms
-        };
-        let terms = moved.iter().map(term).collect();
+        let step = (end - begin) / (POINTS - 1) as f64;
+        let sampled: Vec<[f64; 3]> = (0..POINTS).map(|at| motion(begin + step * at as f64)).collect();
+        let mut regressors = Regressors::new(&sampled);
+        let terms = sampled.iter().map(|point| regressors.next(point)).collect();
         let chosen = (0..time.len()).step_by(time.len().div_ceil(MOST_SAMPLES)).collect();
         Pair { time, force, chosen, begin, step, terms }
     }
 
-    /// Terms at a time on the clock of the motion, on straight lines between the places of the grid.
+    /// Regressors at a time on the clock of the motion, by linear interpolation.
     fn at(&self, time: f64) -> SVector<f64, TERMS> {
-        let place = ((time - self.begin) / self.step).clamp(0.0, (self.terms.len() - 1) as f64);
-        let left = (place as usize).min(self.terms.len() - 2);
-        let share = place - left as f64;
+        let position = ((time - self.begin) / self.step).clamp(0.0, (self.terms.len() - 1) as f64);
+        let left = (position as usize).min(self.terms.len() - 2);
+        let share = position - left as f64;
         let [low, high] = [left, left + 1].map(|at| SVector::from(self.terms[at]));
         low * (1.0 - share) + high * share
     }
 
-    /// Sum of squares that the motion does not explain.
-    pub fn unexplained(&self, clocks: &Clocks) -> f64 {
+    /// Sum of the squared residuals of the regression of the force.
+    pub fn residual(&self, clocks: &Clocks) -> f64 {
         let (mut gram, mut right) = (SMatrix::<f64, TERMS, TERMS>::identity() * 1e-9, SVector::<f64, TERMS>::zeros());
         let mut total = 0.0;
         for at in &self.chosen {
@@ -129,34 +148,43 @@ impl<'a> Pair<'a> {
         gram.cholesky().map_or(f64::INFINITY, |gram| total - right.dot(&gram.solve(&right)))
     }
 
-    /// Finds the delay, at most `longest`, with which the motion best explains the force as a sum of inertia, friction
-    /// that turns within some way, viscous friction and offset; and its drift, at most a tenth of that over the record.
+    /// Estimates delay, at most `longest`, and drift, at most a tenth of that over the record: those with which the motion
+    /// best explains the force as a sum of inertia, hysteretic friction, viscous friction and offset.
     pub fn find(&self, longest: f64) -> Clocks {
+        let (least, [delay, drift]) = self.minimum(longest);
+        let apart = longest / f64::from(COARSE);
+        let cost = |delay: f64| self.residual(&self.clocks([delay, drift]));
+        let curvature = (cost(delay - apart) - 2.0 * least + cost(delay + apart)) / (apart * apart);
+        let variance = least / self.chosen.len() as f64;
+        let deviation = (2.0 * variance / curvature.max(f64::MIN_POSITIVE)).sqrt().min(longest);
+        Clocks { deviation, ..self.clocks([delay, drift]) }
+    }
+
+    /// Clocks with a delay in the middle of the record.
+    fn clocks(&self, [delay, drift]: [f64; 2]) -> Clocks {
         let [first, last] = [self.time[0], self.time[self.time.len() - 1]];
-        let clocks = |delay: f64, drift: f64| Clocks { delay, deviation: 0.0, drift, middle: 0.5 * (first + last) };
-        let cost = |delay: f64, drift: f64| self.unexplained(&clocks(delay, drift));
+        Clocks { delay, deviation: 0.0, drift, middle: 0.5 * (first + last) }
+    }
+
+    /// Least residual, and delay and drift there: a coarse search of the delay, then a pattern search of both.
+    fn minimum(&self, longest: f64) -> (f64, [f64; 2]) {
+        let [first, last] = [self.time[0], self.time[self.time.len() - 1]];
+        let cost = |point: [f64; 2]| (self.residual(&self.clocks(point)), point);
+        let lower = |a: (f64, [f64; 2]), b: (f64, [f64; 2])| if b.0 < a.0 { b } else { a };
         let mut step = [longest / f64::from(COARSE), 0.1 * longest / (last - first)];
-        let places = (-COARSE..=COARSE).map(|k| f64::from(k) * step[0]);
-        let mut best = places
-            .map(|delay| (cost(delay, 0.0), [delay, 0.0]))
-            .fold((f64::INFINITY, [0.0; 2]), |a, b| if b.0 < a.0 { b } else { a });
+        let coarse = (-COARSE..=COARSE).map(|k| cost([f64::from(k) * step[0], 0.0]));
+        let mut best = coarse.fold((f64::INFINITY, [0.0; 2]), lower);
         for _ in 0..HALVINGS {
             for number in [0, 1] {
-                let moved = |direction: f64| {
-                    let mut place = best.1;
-                    place[number] += direction * step[number];
-                    (cost(place[0], place[1]), place)
-                };
-                let sides = [moved(-1.0), moved(1.0)];
-                best = sides.into_iter().fold(best, |a, b| if b.0 < a.0 { b } else { a });
+                let neighbours = [-1.0, 1.0].map(|direction| {
+                    let mut point = best.1;
+                    point[number] += direction * step[number];
+                    cost(point)
+                });
+                best = neighbours.into_iter().fold(best, lower);
             }
             step = step.map(|step| 0.5 * step);
         }
-        let [delay, drift] = best.1;
-        let apart = longest / f64::from(COARSE);
-        let bend = (cost(delay - apart, drift) - 2.0 * best.0 + cost(delay + apart, drift)) / (apart * apart);
-        let variance = best.0 / self.chosen.len() as f64;
-        let deviation = (2.0 * variance / bend.max(f64::MIN_POSITIVE)).sqrt().min(longest);
-        Clocks { deviation, ..clocks(delay, drift) }
+        best
     }
 }

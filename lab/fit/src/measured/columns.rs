@@ -1,14 +1,12 @@
-//! Columns of records: what they are called in files, and the factors of signals that are not in the unit of their
-//! quantity.
+//! Columns of records: their names in files, and factors for signals in other units.
 
-use super::{MeasuredError, Rig, units};
+use super::{MeasuredError, Setup, units};
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
 /// Quantities of a record.
 const QUANTITIES: [&Quantity; 5] = [&TIME, &FORCE, &DISPLACEMENT, &VELOCITY, &NORMAL_FORCE];
 
-/// Names that a column may have besides that of its quantity. A single letter means what it says in upper or lower
-/// case; longer names may have either.
+/// Names that a column may have besides that of its quantity. Single letters are case-sensitive, longer names are not.
 fn others(quantity: &Quantity) -> &'static [&'static str] {
     match quantity.name {
         "time" => &["t"],
@@ -37,7 +35,7 @@ impl Columns {
         QUANTITIES.iter().any(|known| known.name == name)
     }
 
-    /// Refuses quantities that no record has, and factors without sense.
+    /// Rejects quantities that no record has, and factors that are 0 or not finite.
     pub fn check(&self) -> Result<(), SheetError> {
         let named = self.names.iter().map(|(name, _)| name).chain(self.factors.iter().map(|(name, _)| name));
         if let Some(name) = named.into_iter().find(|name| !Columns::knows(name)) {
@@ -50,55 +48,71 @@ impl Columns {
         }
     }
 
-    /// Gives the columns of the tables of a record the names of their quantities, and their factors; says what was not
-    /// called so. `motion` are the tables of the motion if it is elsewhere. A normal force is looked for only where
-    /// none is known, and not for an axis.
-    pub fn apply(&self, record: &mut [Sheet], motion: &mut [Sheet], rig: &Rig) -> Result<Vec<String>, MeasuredError> {
+    /// Names the columns of the tables of a record after their quantities and applies the factors; returns a note for each
+    /// column that was called otherwise. `motion` are the tables of the motion if it has some of its own. A normal force
+    /// is looked up only where none is known, and not for an axis.
+    pub fn apply(
+        &self,
+        record: &mut [Sheet],
+        motion: &mut [Sheet],
+        setup: &Setup,
+    ) -> Result<Vec<String>, MeasuredError> {
+        self.rename(record, motion)?;
+        let mut notes = Vec::new();
+        for table in &mut *record {
+            notes.extend(self.find(std::slice::from_mut(table), &TIME)?);
+        }
+        for table in &mut *motion {
+            notes.extend(self.find(std::slice::from_mut(table), &TIME).map_err(MeasuredError::of_motion)?);
+        }
+        notes.extend(self.find(record, &FORCE)?);
+        if motion.is_empty() {
+            notes.extend(self.find_motion(record)?);
+        } else {
+            notes.extend(self.find_motion(motion).map_err(MeasuredError::of_motion)?);
+        }
+        if setup.normal_force.is_none() && !setup.is_axis {
+            notes.extend(self.find(record, &NORMAL_FORCE)?);
+        }
+        notes.extend(self.assumed_units(record, motion));
+        self.scale(record, motion);
+        for table in if motion.is_empty() { &*record } else { &[] } {
+            notes.extend(units::motion(table)?);
+        }
+        for table in &*motion {
+            notes.extend(units::motion(table).map_err(MeasuredError::of_motion)?);
+        }
+        Ok(notes)
+    }
+
+    /// Renames the columns that the user has named.
+    fn rename(&self, record: &mut [Sheet], motion: &mut [Sheet]) -> Result<(), MeasuredError> {
         for (name, column) in &self.names {
             if !record.iter().chain(&*motion).any(|table| table.has(column)) {
                 return Err(record.first().map_or(SheetError::Empty, |table| table.missing(column)).into());
             }
             record.iter_mut().chain(&mut *motion).for_each(|table| table.rename(column, name));
         }
-        let mut said = Vec::new();
-        for table in &mut *record {
-            said.extend(self.find(std::slice::from_mut(table), &TIME)?);
-        }
-        for table in &mut *motion {
-            said.extend(self.find(std::slice::from_mut(table), &TIME).map_err(MeasuredError::of_motion)?);
-        }
-        said.extend(self.find(record, &FORCE)?);
-        if motion.is_empty() {
-            said.extend(self.find_motion(record)?);
-        } else {
-            said.extend(self.find_motion(motion).map_err(MeasuredError::of_motion)?);
-        }
-        if rig.normal_force.is_none() && !rig.is_axis {
-            said.extend(self.find(record, &NORMAL_FORCE)?);
-        }
-        let said_units = self.assumed(record, motion);
+        Ok(())
+    }
+
+    fn scale(&self, record: &mut [Sheet], motion: &mut [Sheet]) {
         for (name, factor) in &self.factors {
             for quantity in QUANTITIES.iter().filter(|quantity| quantity.name == name) {
                 record.iter_mut().chain(&mut *motion).for_each(|table| table.scale(quantity, *factor));
             }
         }
-        said.extend(said_units);
-        for table in &*record {
-            said.extend(if motion.is_empty() { units::motion(table)? } else { None });
-        }
-        for table in &*motion {
-            said.extend(units::motion(table).map_err(MeasuredError::of_motion)?);
-        }
-        Ok(said)
     }
 
-    /// Says which quantities have no unit, neither in the file nor by a factor.
-    fn assumed(&self, record: &[Sheet], motion: &[Sheet]) -> Option<String> {
+    fn factor(&self, quantity: &Quantity) -> Option<f64> {
+        self.factors.iter().find(|(name, _)| name == quantity.name).map(|(_, factor)| *factor)
+    }
+
+    /// A note on the quantities that have a unit neither in the file nor by a factor.
+    fn assumed_units(&self, record: &[Sheet], motion: &[Sheet]) -> Option<String> {
         let of_motion = if motion.is_empty() { record } else { motion };
-        let is_said = |quantity: &Quantity| {
-            self.factors.iter().any(|(name, factor)| name == quantity.name && factor.abs() != 1.0)
-        };
-        let columns = QUANTITIES.iter().filter(|quantity| !is_said(quantity)).flat_map(|quantity| {
+        let is_scaled = |quantity: &Quantity| self.factor(quantity).is_some_and(|factor| factor.abs() != 1.0);
+        let columns = QUANTITIES.iter().filter(|quantity| !is_scaled(quantity)).flat_map(|quantity| {
             let has_time = quantity.name == TIME.name;
             let is_of_motion = has_time || [DISPLACEMENT.name, VELOCITY.name].contains(&quantity.name);
             let record = record.iter().filter(move |_| !is_of_motion || has_time);
@@ -108,16 +122,16 @@ impl Columns {
         units::assumed(&columns.collect::<Vec<_>>())
     }
 
-    /// Looks for the columns of the motion, unless one is called so.
+    /// Finds the columns of the motion by their other names, unless one has its own.
     fn find_motion(&self, tables: &mut [Sheet]) -> Result<Vec<String>, SheetError> {
         if tables.iter().any(|table| table.has(DISPLACEMENT.name) || table.has(VELOCITY.name)) {
             return Ok(Vec::new());
         }
-        let found = [self.find(tables, &DISPLACEMENT)?, self.find(tables, &VELOCITY)?];
-        Ok(found.into_iter().flatten().collect())
+        let notes = [self.find(tables, &DISPLACEMENT)?, self.find(tables, &VELOCITY)?];
+        Ok(notes.into_iter().flatten().collect())
     }
 
-    /// Looks for the column of a quantity by its other names; says which one it took.
+    /// Finds the column of a quantity by its other names, renames it and returns a note.
     fn find(&self, tables: &mut [Sheet], quantity: &Quantity) -> Result<Option<String>, SheetError> {
         if tables.iter().any(|table| table.has(quantity.name)) {
             return Ok(None);
@@ -126,21 +140,23 @@ impl Columns {
             let all = tables.iter().flat_map(|table| table.names().filter(|name| is_among(name, names)));
             all.map(str::to_owned).collect()
         };
-        let factor = self.factors.iter().find(|(name, _)| name == quantity.name).map(|(_, factor)| *factor);
-        let mut found = of(others(quantity));
-        if quantity.name == FORCE.name && found.is_empty() {
-            found = of(&SIGNALS);
-            if let ([column], None) = (found.as_slice(), factor) {
+        let factor = self.factor(quantity);
+        let mut candidates = of(others(quantity));
+        if quantity.name == FORCE.name && candidates.is_empty() {
+            candidates = of(&SIGNALS);
+            if let ([column], None) = (candidates.as_slice(), factor) {
                 return Err(SheetError::NoFactor { column: column.clone() });
             }
         }
-        let [column] = found.as_slice() else {
-            let [wanted, candidates] = [quantity.name.to_owned(), found.join("', '")];
-            return if found.is_empty() { Ok(None) } else { Err(SheetError::Ambiguous { wanted, candidates }) };
-        };
-        tables.iter_mut().for_each(|table| table.rename(column, quantity.name));
-        let factor = factor.map_or(String::new(), |factor| format!(", times {factor}"));
-        Ok(Some(format!("column '{column}' was taken as {}{factor}", quantity.name)))
+        match candidates.as_slice() {
+            [] => Ok(None),
+            [column] => {
+                tables.iter_mut().for_each(|table| table.rename(column, quantity.name));
+                let times = factor.map_or(String::new(), |factor| format!(", times {factor}"));
+                Ok(Some(format!("column '{column}' was taken as {}{times}", quantity.name)))
+            }
+            _ => Err(SheetError::Ambiguous { wanted: quantity.name.to_owned(), candidates: candidates.join("', '") }),
+        }
     }
 }
 
@@ -156,7 +172,7 @@ mod tests {
         let mut tables = vec![Sheet::parse(text).unwrap()];
         let factors = factors.iter().map(|(name, factor)| ((*name).to_owned(), *factor)).collect();
         let columns = Columns { factors, ..Columns::default() };
-        let said = columns.apply(&mut tables, &mut [], &Rig::default()).map_err(|error| error.to_string());
+        let said = columns.apply(&mut tables, &mut [], &Setup::default()).map_err(|error| error.to_string());
         (said, tables)
     }
 
@@ -187,14 +203,14 @@ mod tests {
             ..Columns::default()
         };
         let [mut record, mut motion] = tables().map(|table| [table]);
-        let said = named("force", "Kraft").apply(&mut record, &mut motion, &Rig::default()).unwrap();
+        let said = named("force", "Kraft").apply(&mut record, &mut motion, &Setup::default()).unwrap();
         let units = "time, force, displacement: no unit in the file, taken as s, N, m";
         assert_eq!(said, ["column 't' was taken as time", units]);
         assert_eq!(record[0].column(&FORCE).unwrap(), Some(vec![2.0]));
         assert_eq!(motion[0].column(&DISPLACEMENT).unwrap(), Some(vec![5.0]));
         assert!(motion[0].column(&FORCE).unwrap().is_none());
         let [mut record, mut motion] = tables().map(|table| [table]);
-        let error = named("force", "Kraf").apply(&mut record, &mut motion, &Rig::default()).unwrap_err().to_string();
+        let error = named("force", "Kraf").apply(&mut record, &mut motion, &Setup::default()).unwrap_err().to_string();
         assert_eq!(error, "no column 'Kraf'; there are t, Kraft, x");
     }
 
@@ -203,7 +219,7 @@ mod tests {
     fn what_is_wrong_with_the_motion_is_said_of_the_motion() {
         let refusal = |motion: &str| {
             let [mut record, mut motion] = ["time,force\n1,2\n", motion].map(|text| [Sheet::parse(text).unwrap()]);
-            let said = Columns::default().apply(&mut record, &mut motion, &Rig::default());
+            let said = Columns::default().apply(&mut record, &mut motion, &Setup::default());
             said.unwrap_err().to_string()
         };
         assert_eq!(
@@ -216,13 +232,13 @@ mod tests {
     /// Its column N may be a counter, and it needs no normal force.
     #[test]
     fn an_axis_has_a_normal_force_only_if_it_is_named() {
-        let axis = Rig { is_axis: true, ..Rig::default() };
+        let axis = Setup { is_axis: true, ..Setup::default() };
         let named = Columns { names: vec![("normal_force".into(), "N".into())], ..Columns::default() };
-        let known = Rig { normal_force: Some(2.0), ..Rig::default() };
+        let known = Setup { normal_force: Some(2.0), ..Setup::default() };
         let cases = [
             (Columns::default(), &axis, None),
             (named, &axis, Some(vec![4.0])),
-            (Columns::default(), &Rig::default(), Some(vec![4.0])),
+            (Columns::default(), &Setup::default(), Some(vec![4.0])),
             (Columns::default(), &known, None),
         ];
         for (columns, rig, expected) in cases {

@@ -1,16 +1,17 @@
-//! Cycles: the strokes to and fro, laid on top of each other.
+//! The mean cycle of a periodic record.
 
 use super::Record;
+use super::quality::extremes;
 use crate::sheet::text;
 
-/// A cycle: mean of all of them, over equal parts of the period.
+/// Mean of the cycles of a record, over equal parts of the period.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cycle {
     /// Number of cycles.
     pub count: usize,
     /// Mean period, s.
     pub period: f64,
-    /// Part of the period, from 0 to 1.
+    /// Fraction of the period, from 0 to 1.
     pub phase: Vec<f64>,
     /// Displacement, m.
     pub displacement: Vec<f64>,
@@ -35,48 +36,46 @@ impl Cycle {
     }
 }
 
-/// Places of a cycle (chosen).
-const PLACES: usize = 400;
+/// Points of a cycle (chosen).
+const POINTS: usize = 400;
 
-/// Part of the largest speed that the slider must exceed between two turns: slower motion is noise (chosen).
+/// Fraction of the largest speed that the slider must exceed between two reversals: slower motion is noise (chosen).
 pub(super) const TURN: f64 = 0.05;
 
-/// Standard deviation of the displacement among cycles, as a part of the mean stroke, from which they are not the same
-/// motion (chosen). The mean of strokes of different length is a friction that there never was.
-const UNLIKE: f64 = 0.05;
+/// Standard deviation of the displacement among cycles, relative to the mean stroke, above which they are different
+/// motions (chosen): the mean of strokes of different length has a friction that never occurred.
+const DIFFERENT: f64 = 0.05;
 
-/// Averages the whole cycles of a record; None if there are fewer than two, if they are different motions, or if
-/// the samples are averages already, which mix both directions at the turns.
+/// Averages the complete cycles of a record; None with fewer than two, if they are different motions, or if the samples
+/// are averages of a matched filter, which mix both directions at the reversals.
 pub fn average(record: &Record) -> Option<Cycle> {
     let starts = starts(record);
-    let periods: Vec<[f64; 2]> = starts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-    let count = periods.len();
-    if count < 2 || record.alike.is_some() {
+    let count = starts.len().saturating_sub(1);
+    if count < 2 || record.matched_filter.is_some() {
         return None;
     }
-    let mean = |values: &[f64], phase: f64| {
-        let at = periods.iter().map(|[from, to]| interpolate(&record.time, values, from + phase * (to - from)));
-        let values: Vec<f64> = at.collect();
-        let mean = values.iter().sum::<f64>() / count as f64;
-        let spread = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (count - 1) as f64;
-        (mean, spread.sqrt())
+    let phase: Vec<f64> = (0..POINTS).map(|point| point as f64 / (POINTS - 1) as f64).collect();
+    let statistics = |values: &[f64]| -> (Vec<f64>, Vec<f64>) {
+        phase.iter().map(|phase| statistics(&record.time, values, &starts, *phase)).unzip()
     };
-    let mut cycle = Cycle { count, period: (starts[count] - starts[0]) / count as f64, ..Cycle::default() };
-    let mut apart = 0.0;
-    for place in 0..PLACES {
-        let phase = place as f64 / (PLACES - 1) as f64;
-        let (force, deviation) = mean(&record.friction_force, phase);
-        cycle.phase.push(phase);
-        let (displacement, unlike) = mean(&record.displacement, phase);
-        apart += unlike * unlike / PLACES as f64;
-        cycle.displacement.push(displacement);
-        cycle.velocity.push(mean(&record.velocity, phase).0);
-        cycle.friction_force.push(force);
-        cycle.deviation.push(deviation);
-    }
-    let ends = |[low, high]: [f64; 2], x: &f64| [low.min(*x), high.max(*x)];
-    let [low, high] = cycle.displacement.iter().fold([f64::INFINITY, f64::NEG_INFINITY], ends);
-    (f64::sqrt(apart) <= UNLIKE * (high - low)).then_some(cycle)
+    let (displacement, spread) = statistics(&record.displacement);
+    let variance = spread.iter().map(|spread| spread * spread / POINTS as f64).sum::<f64>();
+    let [low, high] = extremes(displacement.iter().copied());
+    let (friction_force, deviation) = statistics(&record.friction_force);
+    let velocity = statistics(&record.velocity).0;
+    let period = (starts[count] - starts[0]) / count as f64;
+    let cycle = Cycle { count, period, phase, displacement, velocity, friction_force, deviation };
+    (f64::sqrt(variance) <= DIFFERENT * (high - low)).then_some(cycle)
+}
+
+/// Mean and standard deviation of a quantity at a phase, over the cycles between some times.
+fn statistics(time: &[f64], values: &[f64], starts: &[f64], phase: f64) -> (f64, f64) {
+    let cycles = starts.windows(2).map(|pair| interpolate(time, values, pair[0] + phase * (pair[1] - pair[0])));
+    let samples: Vec<f64> = cycles.collect();
+    let count = samples.len() as f64;
+    let mean = samples.iter().sum::<f64>() / count;
+    let squares = samples.iter().map(|value| (value - mean).powi(2)).sum::<f64>();
+    (mean, (squares / (count - 1.0)).sqrt())
 }
 
 /// Times at which the slider begins to move forwards.

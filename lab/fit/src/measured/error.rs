@@ -1,4 +1,4 @@
-//! Errors of a record and of what is known about its rig.
+//! Errors of a record and of its setup.
 
 use crate::sheet::SheetError;
 
@@ -8,12 +8,12 @@ pub enum MeasuredError {
     /// The table cannot be read.
     #[error(transparent)]
     Sheet(#[from] SheetError),
-    /// The table of the motion, where it has one of its own.
+    /// The table of the motion, if that is a file of its own.
     #[error("the motion: {0}")]
     Motion(Box<MeasuredError>),
-    /// A value about the rig is not admitted.
+    /// A value of the setup is out of range.
     #[error("{name} = {value}: must be {wanted}")]
-    Rig {
+    Setup {
         /// Its name.
         name: &'static str,
         /// The value.
@@ -39,7 +39,7 @@ pub enum MeasuredError {
         /// How many are needed.
         least: usize,
     },
-    /// A channel does not move.
+    /// A channel is constant.
     #[error("{name}: all values are {value}; nothing can be identified from it")]
     Constant {
         /// The channel.
@@ -102,18 +102,18 @@ pub enum MeasuredError {
         /// Outcome.
         value: f64,
     },
-    /// Force and motion cannot be smoothed alike.
+    /// No samples are left for the matched filter.
     #[error(
-        "nothing is left between rest, turns and the ends: the body must keep its direction for longer than {} s, in \
-         which force and motion are smoothed, and for {} s at each side, in which the delay is sought; move it farther \
+        "no samples are left between rest, reversals and the ends of the record: the body must keep its direction for \
+         longer than {} s, the window of the filter, and for {} s on each side, the range of the delay; move it farther \
          or slower, sample faster, or give a shorter window or delay",
-        short(*window), short(*doubt)
+        short(*window), short(*tolerance)
     )]
     NoStroke {
-        /// Length of the shortest window that was tried, s.
+        /// Length of the shortest window, s.
         window: f64,
-        /// Largest deviation of the delay that was allowed for, s.
-        doubt: f64,
+        /// Largest admitted deviation of the delay, s.
+        tolerance: f64,
     },
     /// Friction would drive the slider.
     #[error(
@@ -125,7 +125,7 @@ pub enum MeasuredError {
         energy: f64,
         /// Largest speed, m/s.
         fastest: f64,
-        /// Quantity that the motion is taken from.
+        /// Measured quantity of the motion.
         motion: &'static str,
         /// Mass between load cell and contact, kg.
         mass: f64,
@@ -133,13 +133,13 @@ pub enum MeasuredError {
 }
 
 impl MeasuredError {
-    /// The same, of the table of the motion.
+    /// An error in the table of the motion.
     pub(super) fn of_motion(error: impl Into<MeasuredError>) -> MeasuredError {
         MeasuredError::Motion(Box::new(error.into()))
     }
 }
 
-/// A number with six digits at most, for a text.
+/// Rounds to six significant digits, for messages.
 pub(super) fn short(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }

@@ -1,4 +1,4 @@
-//! Measured friction: from the force and the motion of a slider on a rig to friction over displacement and velocity.
+//! Measured friction: force and motion of a slider on a rig, and the friction that follows from them.
 //!
 //! A slider is dragged to and fro through a load cell. With the force F of the load cell on the slider, the mass m
 //! between load cell and contact, and the acceleration a, in both strokes:
@@ -16,17 +16,17 @@
 //!
 //! # Sign
 //! Force, displacement and velocity are positive in the same direction, so that friction takes energy out of the
-//! motion; a file in which it does not is refused.
+//! motion; a file in which it adds energy is rejected.
 //!
 //! # Source
 //! Rig and balance of forces: chapter 8 of F. Novais, "A critical analysis on friction force models in dynamical
 //! systems", MSc thesis, University of Minho (2024).
 
-mod alike;
 mod clock;
 mod columns;
 mod cycle;
 mod error;
+mod matched_filter;
 mod plausible;
 mod polynomial;
 mod quality;
@@ -38,11 +38,11 @@ mod tests;
 mod units;
 mod window;
 
-pub use alike::SLOW;
 pub use clock::Clocks;
 pub use columns::Columns;
 pub use cycle::{Cycle, average, interpolate};
 pub use error::MeasuredError;
+pub use matched_filter::SLOW;
 pub(crate) use polynomial::correlation_of_slopes;
 pub use quality::noise;
-pub use record::{Alike, Delay, Gap, Quality, Record, Rig};
+pub use record::{Delay, Gap, MatchedFilter, Quality, Record, Setup};

@@ -1,39 +1,39 @@
-//! Checks of a record against what a rig can have measured.
+//! Plausibility of a record: window and energy.
 
 use super::error::short;
-use super::{MeasuredError, Record, Rig};
+use super::{MeasuredError, Record, Setup};
 
-/// Samples of the shortest window in which force and motion are smoothed alike.
-const LEAST_ALIKE: f64 = 3.0;
+/// Shortest window of a matched filter, in samples.
+const SHORTEST_MATCHED: f64 = 3.0;
 
-/// Refuses a window that was not used because it is too short, and friction that drives the slider.
-pub(super) fn check(record: &Record, rig: &Rig) -> Result<(), MeasuredError> {
-    let shortest = if rig.is_axis { LEAST_ALIKE * record.quality.interval } else { record.acceleration_window };
-    if let Some(value) = rig.window.filter(|window| *window > 0.0 && *window < (1.0 - 1e-9) * shortest) {
+/// Rejects a window that is too short for the samples, and friction that drives the slider.
+pub(super) fn check(record: &Record, setup: &Setup) -> Result<(), MeasuredError> {
+    let shortest = if setup.is_axis { SHORTEST_MATCHED * record.quality.interval } else { record.acceleration_window };
+    if let Some(value) = setup.window.filter(|window| *window > 0.0 && *window < (1.0 - 1e-9) * shortest) {
         let wanted = format!("at least {} s for the intervals of the file, or 0 for that", short(shortest));
-        return Err(MeasuredError::Rig { name: "window", value, wanted });
+        return Err(MeasuredError::Setup { name: "window", value, wanted });
     }
-    let energy = work(record, rig);
+    let energy = work(record, setup);
     if energy < 0.0 {
         let motion = if record.is_differentiated { "displacement" } else { "velocity" };
-        let (fastest, mass) = (record.quality.fastest, rig.mass);
+        let (fastest, mass) = (record.quality.fastest, setup.mass);
         return Err(MeasuredError::Drives { energy: -energy, fastest, motion, mass });
     }
     Ok(())
 }
 
-/// Work of the friction force, J: from turn to turn where a mass may be missing, since there it has no kinetic energy; 0 if
-/// nothing can be said.
-fn work(record: &Record, rig: &Rig) -> f64 {
+/// Work of the friction force, J: from reversal to reversal where a mass may be missing, since it has no kinetic energy
+/// there; 0 where the sign of the work is uncertain.
+fn work(record: &Record, setup: &Setup) -> f64 {
     let (f, x) = (&record.friction_force, &record.displacement);
     let turns = || (1..x.len()).filter(|at| record.velocity[at - 1] * record.velocity[*at] <= 0.0);
     let part = match (turns().next(), turns().next_back()) {
-        _ if rig.mass > 0.0 => 1..x.len(),
+        _ if setup.mass > 0.0 => 1..x.len(),
         (Some(first), Some(last)) if first < last => first + 1..last,
-        _ if rig.is_axis => return 0.0,
+        _ if setup.is_axis => return 0.0,
         _ => 1..x.len(),
     };
-    // Samples may be far apart, and the inertia of an unknown mass is in the force: its mean belongs to each way.
+    // Trapezoids: samples may be far apart, and the inertia of an unknown mass is in the force.
     part.map(|at| 0.5 * (f[at] + f[at - 1]) * (x[at] - x[at - 1])).sum()
 }
 
@@ -55,9 +55,9 @@ mod tests {
             "time,force,displacement\n".to_owned() + &rows.collect::<String>()
         };
         let is_refused = |text: &str, is_axis: bool| {
-            let rig = Rig { normal_force: Some(1.0), is_axis, ..Rig::default() };
+            let setup = Setup { normal_force: Some(1.0), is_axis, ..Setup::default() };
             let sheet = crate::sheet::Sheet::parse(text).unwrap();
-            matches!(Record::of(&sheet, None, &rig), Err(MeasuredError::Drives { .. }))
+            matches!(Record::of(&sheet, None, &setup), Err(MeasuredError::Drives { .. }))
         };
         assert!(!is_refused(&text(1.0, 2.0), true), "one stroke that ends slower than it began");
         assert!(!is_refused(&text(1.0, 40.0), true) && !is_refused(&text(1.0, 40.0), false), "strokes to and fro");

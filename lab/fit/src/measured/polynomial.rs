@@ -23,7 +23,7 @@ use nalgebra::{SMatrix, SVector};
 /// Degree of the polynomials plus one.
 const TERMS: usize = 4;
 
-/// Correlation of the slopes of white noise at two times: that many seconds apart, in windows of this length.
+/// Correlation of the slopes of white noise at two times `apart`, s, in windows of length `window`, s.
 pub fn correlation_of_slopes(apart: f64, window: f64) -> f64 {
     if window == 0.0 {
         return if apart == 0.0 { 1.0 } else { 0.0 };
@@ -52,11 +52,11 @@ impl<'a> Local<'a> {
     /// Value, first and second derivative at a time.
     pub fn at(&self, time: f64) -> [f64; 3] {
         let (gram, right, half) = self.equations(time);
-        let [value, slope, bend, _] = gram.lu().solve(&right).map_or([f64::NAN; TERMS], |found| found.into());
+        let [value, slope, bend, _] = gram.lu().solve(&right).map_or([f64::NAN; TERMS], |solution| solution.into());
         [value, slope / half, 2.0 * bend / (half * half)]
     }
 
-    /// Their variances by white noise of variance 1.
+    /// Variances of value, first and second derivative by white noise of variance 1.
     pub fn variances(&self, time: f64) -> [f64; 3] {
         let (gram, _, half) = self.equations(time);
         let factors = gram.lu();

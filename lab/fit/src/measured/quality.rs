@@ -1,91 +1,94 @@
-//! Quality of a record: whether it can tell anything, before anybody fits it.
+//! Data quality of a record, before any fit.
 
 use super::cycle::TURN;
-use super::record::{Gap, Quality, Record, Rig};
+use super::record::{Gap, Quality, Record, Setup};
 
-/// Intervals from which there is a gap between two samples (chosen).
+/// Distance of two samples, in median intervals, above which there is a gap between them (chosen).
 pub(super) const GAP: f64 = 3.0;
 
-/// Samples at an end of the range that look like saturation (chosen).
+/// Fraction of the samples at a limit of the range above which it looks like saturation (chosen).
 const SATURATED: f64 = 0.01;
 
-/// Samples per reversal below which the approach to rest is not seen (chosen).
+/// Samples per reversal below which the approach to rest is not resolved (chosen).
 const FEW: f64 = 10.0;
 
-/// Range of the normal force, relative to its mean, below which its influence is not seen (chosen).
+/// Range of the normal force, relative to its mean, below which its influence cannot be identified (chosen).
 const ONE_LOAD: f64 = 0.1;
 
-/// Looks at a record.
-pub(super) fn quality(record: &Record, rig: &Rig) -> Quality {
+/// Assesses a record.
+pub(super) fn quality(record: &Record, setup: &Setup) -> Quality {
     let mut steps: Vec<f64> = record.time.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let gap = |interval: f64| {
-        let pairs = record.time.windows(2).filter(move |pair| pair[1] - pair[0] > GAP * interval);
-        pairs.map(|pair| Gap { time: pair[0], length: pair[1] - pair[0] }).collect()
-    };
     let interval = median(&mut steps);
     let fastest = record.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     let slow = record.velocity.iter().filter(|v| v.abs() < 0.1 * fastest).count() as f64;
     let reversals = reversals(&record.velocity, fastest);
-    let ends = |values: &[f64]| {
-        values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(*value), high.max(*value)])
-    };
-    let mut found = Quality {
+    let mut quality = Quality {
         samples: record.time.len(),
         duration: record.time[record.time.len() - 1] - record.time[0],
         interval,
-        gaps: gap(interval),
-        saturated: saturated(&record.force, ends(&record.force)),
+        gaps: gaps(&record.time, interval),
+        saturated: saturated(&record.force),
         noise: noise(&record.force),
         resolution: resolution(&record.displacement),
         fastest,
         slow: slow / (reversals.max(1)) as f64,
         reversals,
-        loads: ends(&record.normal_force),
+        loads: extremes(record.normal_force.iter().copied()),
         findings: Vec::new(),
     };
-    found.findings = findings(&found);
-    // The load of an axis is a unit of its friction.
-    found.findings.extend((!rig.is_axis).then(|| one_load(found.loads)).flatten());
-    found
+    // The normal force of an axis is only the unit of its friction.
+    let one_load = if setup.is_axis { None } else { one_load(quality.loads) };
+    let findings = [gap(&quality.gaps), saturation(quality.saturated), few_reversals(&quality), one_load];
+    quality.findings = findings.into_iter().flatten().collect();
+    quality
 }
 
-fn findings(found: &Quality) -> Vec<String> {
-    let mut list = Vec::new();
-    if let Some(gap) = found.gaps.first() {
-        let more = if found.gaps.len() > 1 { format!(" and {} more", found.gaps.len() - 1) } else { String::new() };
-        list.push(format!(
-            "a gap of {:.3} s at {:.3} s{more}: the law is driven across it on a straight line",
-            gap.length, gap.time
-        ));
-    }
-    if found.saturated > SATURATED {
-        list.push(format!(
-            "{:.1} % of the forces are at an end of the range: is the load cell saturated?",
-            100.0 * found.saturated
-        ));
-    }
-    if found.reversals == 0 {
-        list.push(
-            "no reversal: neither pre-sliding (stiffness and damping of bristles) nor an offset can be seen; drag the \
-             slider to and fro"
+fn gaps(time: &[f64], interval: f64) -> Vec<Gap> {
+    let pairs = time.windows(2).filter(|pair| pair[1] - pair[0] > GAP * interval);
+    pairs.map(|pair| Gap { time: pair[0], length: pair[1] - pair[0] }).collect()
+}
+
+/// Least and largest value.
+pub(super) fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
+}
+
+fn gap(gaps: &[Gap]) -> Option<String> {
+    let Gap { time, length } = gaps.first()?;
+    let more = if gaps.len() > 1 { format!(" and {} more", gaps.len() - 1) } else { String::new() };
+    Some(format!("a gap of {length:.3} s at {time:.3} s{more}: the law is driven across it on a straight line"))
+}
+
+fn saturation(saturated: f64) -> Option<String> {
+    let percent = 100.0 * saturated;
+    (saturated > SATURATED)
+        .then(|| format!("{percent:.1} % of the forces are at an end of the range: is the load cell saturated?"))
+}
+
+fn few_reversals(quality: &Quality) -> Option<String> {
+    if quality.reversals == 0 {
+        Some(
+            "no reversal: neither pre-sliding (stiffness and damping of bristles) nor an offset can be identified; drag \
+             the slider to and fro"
                 .to_owned(),
-        );
-    } else if found.slow < FEW {
-        list.push(format!(
-            "{:.1} samples per reversal below a tenth of the largest speed: the static level and the Stribeck velocity \
-             are hardly seen; sample faster or turn more slowly",
-            found.slow
-        ));
+        )
+    } else if quality.slow < FEW {
+        Some(format!(
+            "{:.1} samples per reversal below a tenth of the largest speed: they hardly determine the static level and \
+             the Stribeck velocity; sample faster or turn more slowly",
+            quality.slow
+        ))
+    } else {
+        None
     }
-    list
 }
 
 fn one_load([low, high]: [f64; 2]) -> Option<String> {
     (high - low < ONE_LOAD * 0.5 * (high + low))
-        .then(|| format!("one normal force ({high} N): how friction depends on it cannot be seen in this record alone"))
+        .then(|| format!("one normal force ({high} N): this record alone does not show how friction depends on it"))
 }
 
-/// Changes of direction between motions that are faster than a part of the fastest.
+/// Changes of direction between motions faster than [`TURN`] times the fastest.
 fn reversals(velocity: &[f64], fastest: f64) -> usize {
     let signs = velocity.iter().filter(|v| v.abs() > TURN * fastest).map(|v| *v > 0.0);
     let signs: Vec<bool> = signs.collect();
@@ -98,15 +101,16 @@ pub(super) fn median(values: &mut [f64]) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// Share of the samples that have exactly the lowest or highest value, if it occurs more than once in a row.
-fn saturated(force: &[f64], [low, high]: [f64; 2]) -> f64 {
+/// Fraction of the samples with exactly the lowest or highest value, if it occurs more than once in a row.
+fn saturated(force: &[f64]) -> f64 {
+    let [low, high] = extremes(force.iter().copied());
     let is_end = |value: &f64| *value == low || *value == high;
     let count = force.windows(2).filter(|pair| is_end(&pair[0]) && pair[0] == pair[1]).count();
     if low < high { count as f64 / force.len() as f64 } else { 0.0 }
 }
 
-/// Noise of a force, from differences of the third order, whose variance is 20 times that of white noise; the median of their
-/// magnitudes, 0.6745 standard deviations, is blind to the reversals.
+/// Standard deviation of the noise of a signal, from third differences, whose variance is 20 times that of white noise. The
+/// median of their magnitudes, 0.6745 standard deviations, is robust against the reversals.
 pub fn noise(force: &[f64]) -> f64 {
     let mut third: Vec<f64> = force.windows(4).map(|f| (f[3] - 3.0 * f[2] + 3.0 * f[1] - f[0]).abs()).collect();
     median(&mut third) / (0.6745 * f64::sqrt(20.0))
@@ -119,14 +123,14 @@ pub(super) fn resolution(values: &[f64]) -> f64 {
     if least.is_finite() { least } else { 0.0 }
 }
 
-/// Sizes of steps from which they are those of a resolution (chosen): a trapezoid that was computed has fewer.
+/// Number of different steps from which values look quantised (chosen): a computed trapezoid has fewer.
 const SIZES: usize = 5;
 
-/// Part of the least change by which a change may differ from a multiple of it (chosen).
+/// Largest distance of a change from a multiple of the least one, relative to that (chosen).
 const OFF: f64 = 0.01;
 
-/// Standard deviation of the error of rounding to the least change; 0 if the values do not look rounded: if changes are
-/// not multiples of it, or if there are neither steps between samples that stay the same, nor steps of many sizes.
+/// Standard deviation of the quantisation error; 0 if the values do not look quantised: if changes are not multiples of
+/// the least one, or if there are neither single steps between equal samples nor steps of many sizes.
 pub(super) fn rounding(values: &[f64]) -> f64 {
     let resolution = resolution(values);
     let is_alone = |of: &[f64]| of[0] == of[1] && of[1] != of[2] && of[2] == of[3];
@@ -152,7 +156,7 @@ mod tests {
 
     /// Rounding errors of a sine are even between -1/2 and 1/2; a trapezoid in whole steps has none.
     #[test]
-    fn rounded_values_are_told_from_computed_ones() {
+    fn rounded_values_are_distinguished_from_computed_ones() {
         let sine = |step: f64| -> Vec<f64> {
             (0..2000).map(|k| ((0.01 * f64::from(k)).sin() / step).round() * step).collect()
         };

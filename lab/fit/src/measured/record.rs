@@ -4,45 +4,45 @@ use super::MeasuredError;
 use super::clock::Clocks;
 use crate::sheet::text;
 
-/// Properties of a rig.
+/// Properties of a measurement that its file does not have.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Rig {
+pub struct Setup {
     /// Mass between load cell and contact, kg.
     pub mass: f64,
     /// Normal force, N, if the file does not have it.
     pub normal_force: Option<f64>,
-    /// Window in which the motion is smoothed and differentiated, s; if it is not given, 5 to 391 samples and at most
-    /// a tenth of the record, one for the velocity and one for the acceleration, with the least error of each.
+    /// Window of the filter of the motion, s. By default one for the velocity and one for the acceleration, each with the
+    /// least error, of 5 to 391 samples and at most a tenth of the record.
     pub window: Option<f64>,
-    /// How far the motion is behind the force.
+    /// Delay of the motion behind the force.
     pub delay: Delay,
-    /// Start of the record that is left out, s.
+    /// Length of the start of the record to skip, s.
     pub skip: f64,
-    /// Whether it is an axis, whose force is that of its drive: force and motion are then smoothed alike, in the window.
+    /// Whether it is an axis, whose force is that of its drive: force and motion then pass a matched filter.
     pub is_axis: bool,
 }
 
 /// Delay of the motion behind the force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Delay {
-    /// It is known, in s.
+    /// Known, in s.
     Known(f64),
-    /// It is to be found, at most this long, in s.
+    /// To be estimated, at most this long, in s.
     Find(f64),
-    /// It is that of a controller which holds its force until the next sample: up to two samples of the record, to be
-    /// found. Only of an axis.
+    /// That of a controller which holds its force until the next sample: estimated, up to two samples of the record. Only
+    /// for an axis.
     OfController,
 }
 
 impl Delay {
-    /// Longest delay that is looked for unless another one is given, s (chosen).
+    /// Default limit of an estimated delay, s (chosen).
     pub const LONGEST: f64 = 0.1;
 }
 
-impl Default for Rig {
+impl Default for Setup {
     /// No mass, one clock.
-    fn default() -> Rig {
-        Rig { mass: 0.0, normal_force: None, window: None, delay: Delay::Known(0.0), skip: 0.0, is_axis: false }
+    fn default() -> Setup {
+        Setup { mass: 0.0, normal_force: None, window: None, delay: Delay::Known(0.0), skip: 0.0, is_axis: false }
     }
 }
 
@@ -66,7 +66,7 @@ pub struct Quality {
     pub interval: f64,
     /// Gaps between samples.
     pub gaps: Vec<Gap>,
-    /// Share of the samples at an end of the range of the force, where the load cell may be saturated.
+    /// Fraction of the samples at a limit of the range of the force, where the load cell may be saturated.
     pub saturated: f64,
     /// Noise of the force, standard deviation in N.
     pub noise: f64,
@@ -80,18 +80,18 @@ pub struct Quality {
     pub reversals: usize,
     /// Least and largest normal force, N.
     pub loads: [f64; 2],
-    /// Sentences on what is missing or doubtful.
+    /// Warnings about what the record cannot determine.
     pub findings: Vec<String>,
 }
 
-/// Data for each sample of a record whose force and motion are smoothed alike.
+/// Extra columns of a matched-filtered record.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Alike {
+pub struct MatchedFilter {
     /// Third derivative of the displacement, m/s3.
     pub jerk: Vec<f64>,
-    /// Least speed within the reach of the filter, m/s, of a velocity that is smoothed less; 0 where it turns.
+    /// Least speed within the reach of the filter, m/s, before filtering; 0 where the motion turns.
     pub least_speed: Vec<f64>,
-    /// Noise of the force that the filter leaves, standard deviation in N.
+    /// Noise of the filtered force, standard deviation in N.
     pub noise: f64,
 }
 
@@ -112,18 +112,17 @@ pub struct Record {
     pub normal_force: Vec<f64>,
     /// Friction force f_f = F - m a, N.
     pub friction_force: Vec<f64>,
-    /// Window of the filter of the velocity, s; 0 if that was measured.
+    /// Window of the filter of the velocity, s; 0 if the velocity was measured.
     pub window: f64,
     /// Window of the filter of the acceleration, s.
     pub acceleration_window: f64,
     /// Whether the velocity comes from the displacement.
     pub is_differentiated: bool,
-    /// Error of the velocity around rest, m/s, root mean square: its noise if it was measured; otherwise what the filter
-    /// lets pass of the noise of the displacement and swallows of the motion.
+    /// RMS error of the velocity near rest, m/s: its noise if it was measured, otherwise filtered noise plus filter bias.
     pub velocity_error: f64,
-    /// Error of the acceleration where it passes through 0, m/s2, root mean square: what the filter lets pass of noise.
+    /// RMS error of the acceleration near its zeros, m/s2: filtered noise.
     pub acceleration_error: f64,
-    /// Part of the acceleration that its filter takes away.
+    /// Fraction of the acceleration that its filter attenuates.
     pub acceleration_lost: f64,
     /// Median interval between samples of the motion, s.
     pub motion_interval: f64,
@@ -131,16 +130,16 @@ pub struct Record {
     pub motion_ends: [f64; 2],
     /// Clocks of force and motion.
     pub clocks: Clocks,
-    /// Range in which the delay is, s; None if it is known.
+    /// Range of an estimated delay, s; None if it is known.
     pub delay_range: Option<[f64; 2]>,
-    /// Further data of a record whose force and motion are smoothed alike.
-    pub alike: Option<Alike>,
+    /// Extra columns of a matched-filtered record.
+    pub matched_filter: Option<MatchedFilter>,
     /// Quality.
     pub quality: Quality,
 }
 
 impl Record {
-    /// Refuses what sums and quotients of extreme numbers give.
+    /// Rejects derived columns that overflow.
     pub(super) fn finite(&self) -> Result<(), MeasuredError> {
         let computed: [(&'static str, &[f64]); 4] = [
             ("displacement", &self.displacement),

@@ -1,19 +1,20 @@
-//! The way from the tables of a rig to a record: checks, clocks, filters.
+//! From the tables of a rig to a record: checks, clocks, filters.
 
 use super::MeasuredError;
-use super::alike;
-use super::clock::{Clocks, Pair, around};
+use super::clock::{Clocks, Pair, range_around};
 use super::error::short;
+use super::matched_filter::{self, Filter};
 use super::plausible;
 use super::polynomial::Local;
-use super::quality::{median, noise, quality, rounding};
-use super::record::{Delay, Quality, Record, Rig};
+use super::quality::{extremes, median, noise, quality, rounding};
+use super::record::{Delay, Quality, Record, Setup};
 use super::stencil::derivatives;
 use super::window::{Signal, shortest};
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, TIME, VELOCITY};
-/// Samples of the motion, or standard deviations, by which a delay that was found without the law may be off (chosen):
-/// friction that turns within some way looks late, and its way is not known before the fit.
-const DOUBT: f64 = 3.0;
+
+/// Tolerance of a delay that was estimated without the law, in samples of the motion or standard deviations (chosen):
+/// hysteretic friction looks like a delay, and its displacement is not known before the fit.
+const TOLERANCE: f64 = 3.0;
 
 /// Least number of samples.
 const LEAST: usize = 20;
@@ -21,55 +22,56 @@ const LEAST: usize = 20;
 impl Record {
     /// Reads a table with the columns `time`, `force`, `displacement` or `velocity`, and perhaps `normal_force`; the
     /// motion may be in a table of its own, with its own times.
-    pub fn of(sheet: &Sheet, motion: Option<&Sheet>, rig: &Rig) -> Result<Record, MeasuredError> {
-        check(rig)?;
+    pub fn of(sheet: &Sheet, motion: Option<&Sheet>, setup: &Setup) -> Result<Record, MeasuredError> {
+        check(setup)?;
         let time = times(sheet)?;
-        check_lengths(rig, &time)?;
+        check_lengths(setup, &time)?;
         let force = sheet.required(FORCE.name, &FORCE)?;
         moving("force", &force)?;
-        let load = load(sheet, rig)?;
-        let own = Own { time: &time, force: &force, load: &load };
-        let moved = match motion {
-            Some(motion) => Motion::of(motion).map_err(MeasuredError::of_motion)?,
+        let load = load(sheet, setup)?;
+        let load_cell = LoadCell { time: &time, force: &force, load: &load };
+        let motion = match motion {
+            Some(sheet) => Motion::of(sheet).map_err(MeasuredError::of_motion)?,
             None => Motion::of(sheet)?,
         };
-        let record = if rig.is_axis { moved.of_axis(&own, rig)? } else { moved.record(&own, rig)? };
+        let record =
+            if setup.is_axis { motion.matched(&load_cell, setup)? } else { motion.record(&load_cell, setup)? };
         record.finite()?;
-        plausible::check(&record, rig)?;
+        plausible::check(&record, setup)?;
         Ok(record)
     }
 }
 
-fn check(rig: &Rig) -> Result<(), MeasuredError> {
-    let delay = match rig.delay {
-        Delay::Known(delay) => delay,
-        Delay::Find(longest) => longest,
-        Delay::OfController => 0.0,
-    };
-    let wrong = |name, value, wanted: &str| Err(MeasuredError::Rig { name, value, wanted: wanted.to_owned() });
-    match rig {
-        _ if !(rig.mass >= 0.0 && rig.mass.is_finite()) => wrong("mass", rig.mass, ">= 0 and finite, in kg"),
-        _ if !(rig.skip >= 0.0 && rig.skip.is_finite()) => wrong("skip", rig.skip, ">= 0 and finite, in s"),
-        _ if !delay.is_finite() => wrong("delay", delay, "a finite number, in s"),
-        Rig { delay: Delay::Find(longest), .. } if *longest <= 0.0 => wrong("longest delay", *longest, "> 0, in s"),
-        Rig { normal_force: Some(load), .. } if !(*load >= 0.0 && load.is_finite()) => {
-            wrong("normal_force", *load, ">= 0 and finite, in N")
+fn check(setup: &Setup) -> Result<(), MeasuredError> {
+    let wrong = |name, value, wanted: String| Err(MeasuredError::Setup { name, value, wanted });
+    let values = [
+        ("mass", Some(setup.mass), "kg"),
+        ("skip", Some(setup.skip), "s"),
+        ("normal_force", setup.normal_force, "N"),
+        ("window", setup.window, "s"),
+    ];
+    for (name, value, unit) in values {
+        if let Some(value) = value.filter(|value| !(*value >= 0.0 && value.is_finite())) {
+            return wrong(name, value, format!(">= 0 and finite, in {unit}"));
         }
-        Rig { window: Some(window), .. } if !(*window >= 0.0 && window.is_finite()) => {
-            wrong("window", *window, ">= 0 and finite, in s")
+    }
+    match setup.delay {
+        Delay::Known(delay) | Delay::Find(delay) if !delay.is_finite() => {
+            wrong("delay", delay, "a finite number, in s".to_owned())
         }
+        Delay::Find(longest) if longest <= 0.0 => wrong("longest delay", longest, "> 0, in s".to_owned()),
         _ => Ok(()),
     }
 }
 
-/// Refuses what is smoothed or sought over most of the record.
-fn check_lengths(rig: &Rig, time: &[f64]) -> Result<(), MeasuredError> {
+/// Rejects windows and delays longer than half the record.
+fn check_lengths(setup: &Setup, time: &[f64]) -> Result<(), MeasuredError> {
     let half = 0.5 * (time[time.len() - 1] - time[0]);
-    let longest = if let Delay::Find(longest) = rig.delay { Some(longest) } else { None };
-    for (name, value) in [("window", rig.window), ("longest delay", longest)] {
+    let longest = if let Delay::Find(longest) = setup.delay { Some(longest) } else { None };
+    for (name, value) in [("window", setup.window), ("longest delay", longest)] {
         if let Some(value) = value.filter(|value| *value > half) {
             let wanted = format!("at most half of the record, {} s", short(half));
-            return Err(MeasuredError::Rig { name, value, wanted });
+            return Err(MeasuredError::Setup { name, value, wanted });
         }
     }
     Ok(())
@@ -91,21 +93,19 @@ fn moving(name: &'static str, values: &[f64]) -> Result<(), MeasuredError> {
     if values.iter().all(|other| *other == value) { Err(MeasuredError::Constant { name, value }) } else { Ok(()) }
 }
 
-/// Standard deviations of noise in the range of a channel up to which all of it may be noise (chosen: a million samples of
-/// white noise have a range of 9.8).
+/// Range of a channel, in standard deviations of its noise, up to which all of it may be noise (chosen: a million samples
+/// of white noise have a range of 9.8).
 const STILL: f64 = 10.0;
 
 fn more_than_noise(name: &'static str, unit: &'static str, values: &[f64]) -> Result<(), MeasuredError> {
-    let [low, high] = values
-        .iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(*value), high.max(*value)]);
+    let [low, high] = extremes(values.iter().copied());
     let (range, noise) = (high - low, noise(values));
     if range < STILL * noise { Err(MeasuredError::Still { name, range, noise, unit }) } else { Ok(()) }
 }
 
-fn load(sheet: &Sheet, rig: &Rig) -> Result<Vec<f64>, MeasuredError> {
+fn load(sheet: &Sheet, setup: &Setup) -> Result<Vec<f64>, MeasuredError> {
     let Some(loads) = sheet.column(&NORMAL_FORCE)? else {
-        return rig.normal_force.map(|load| vec![load; sheet.len()]).ok_or(MeasuredError::NoLoad);
+        return setup.normal_force.map(|load| vec![load; sheet.len()]).ok_or(MeasuredError::NoLoad);
     };
     match loads.iter().position(|load| *load < 0.0) {
         Some(at) => Err(MeasuredError::Load { line: sheet.line(at), value: loads[at] }),
@@ -113,8 +113,8 @@ fn load(sheet: &Sheet, rig: &Rig) -> Result<Vec<f64>, MeasuredError> {
     }
 }
 
-/// Samples of the load cell, on its clock.
-struct Own<'a> {
+/// Samples of force and normal force on the clock of the load cell.
+struct LoadCell<'a> {
     time: &'a [f64],
     force: &'a [f64],
     load: &'a [f64],
@@ -150,32 +150,34 @@ impl Motion {
     }
 
     /// The record with the motion smoothed.
-    fn record(&self, own: &Own, rig: &Rig) -> Result<Record, MeasuredError> {
-        let windows = self.windows(own, rig, rig.window);
-        self.joined(own, rig, windows, self.clocks(own, rig, windows))
+    fn record(&self, load_cell: &LoadCell, setup: &Setup) -> Result<Record, MeasuredError> {
+        let windows = self.windows(load_cell, setup, setup.window);
+        self.joined(load_cell, setup, windows, self.clocks(load_cell, setup, windows))
     }
 
-    /// The record with force and motion smoothed alike.
-    fn of_axis(&self, own: &Own, rig: &Rig) -> Result<Record, MeasuredError> {
-        let windows = self.windows(own, rig, None);
-        let clocks = self.clocks(own, rig, windows);
-        let record = self.joined(own, rig, windows, clocks)?;
-        let doubt = match rig.delay {
+    /// The matched-filtered record of an axis.
+    fn matched(&self, load_cell: &LoadCell, setup: &Setup) -> Result<Record, MeasuredError> {
+        let windows = self.windows(load_cell, setup, None);
+        let clocks = self.clocks(load_cell, setup, windows);
+        let record = self.joined(load_cell, setup, windows, clocks)?;
+        let tolerance = match setup.delay {
             Delay::Known(_) => 0.0,
             Delay::Find(longest) => longest,
-            Delay::OfController => alike::doubt(self.interval()),
+            Delay::OfController => matched_filter::tolerance_of_controller(self.interval()),
         };
-        let is_held = rig.delay == Delay::OfController;
+        let is_held = setup.delay == Delay::OfController;
         let raw = |delay: f64| {
             let clocks = Clocks { delay, ..clocks };
             record.time.iter().map(|t| self.unfiltered(clocks.of_motion(*t))).collect()
         };
-        let shortest = rig.window.unwrap_or(alike::shortest(record.quality.interval));
-        let found = alike::alike(&record, rig.mass, &raw, rig.window, doubt, is_held);
-        found.ok_or(MeasuredError::NoStroke { window: shortest, doubt })
+        let filter = Filter::new(&record, &raw, tolerance, is_held);
+        filter.apply(setup.mass, setup.window).ok_or_else(|| {
+            let window = setup.window.unwrap_or(matched_filter::shortest(record.quality.interval));
+            MeasuredError::NoStroke { window, tolerance }
+        })
     }
 
-    /// Displacement, velocity and acceleration at a time, as the nearest samples have them.
+    /// Displacement, velocity and acceleration at a time, without a filter.
     fn unfiltered(&self, time: f64) -> [f64; 3] {
         match &self.velocity {
             None => derivatives(&self.time, &self.displacement, time),
@@ -188,62 +190,73 @@ impl Motion {
     }
 
     /// Windows for velocity and acceleration: the given one, or those with the least error.
-    fn windows(&self, own: &Own, rig: &Rig, given: Option<f64>) -> [f64; 2] {
+    fn windows(&self, load_cell: &LoadCell, setup: &Setup, given: Option<f64>) -> [f64; 2] {
         let given = given.map(|window| window.max(shortest(self.interval())));
         match (given, &self.velocity) {
             (Some(window), None) => [window; 2],
             (Some(window), Some(_)) => [0.0, window],
-            (None, None) => self.signal(&self.displacement, own, rig).windows(),
-            (None, Some(velocity)) => [0.0, self.signal(velocity, own, rig).windows()[0]],
+            (None, None) => self.signal(&self.displacement, load_cell, setup).windows(),
+            (None, Some(velocity)) => [0.0, self.signal(velocity, load_cell, setup).windows()[0]],
         }
     }
 
-    /// Samples of the motion, and those that belong to the force as far as the delay is known.
-    fn signal<'a>(&'a self, values: &'a [f64], own: &Own, rig: &Rig) -> Signal<'a> {
-        let doubt = match rig.delay {
+    /// Samples of the motion, and the part of them that the force covers at any admitted delay.
+    fn signal<'a>(&'a self, values: &'a [f64], load_cell: &LoadCell, setup: &Setup) -> Signal<'a> {
+        let [least, most] = match setup.delay {
             Delay::Known(delay) => [delay; 2],
             Delay::Find(longest) => [-longest, longest],
-            Delay::OfController => around(alike::middle(self.interval()), alike::doubt(self.interval())),
+            Delay::OfController => {
+                let interval = self.interval();
+                let tolerance = matched_filter::tolerance_of_controller(interval);
+                range_around(matched_filter::delay_of_controller(interval), tolerance)
+            }
         };
-        let [begin, end] = [own.time[0] + rig.skip + doubt[0], own.time[own.time.len() - 1] + doubt[1]];
-        let part = self.time.partition_point(|t| *t < begin)..self.time.partition_point(|t| *t <= end);
-        let part = if part.len() < LEAST { 0..self.time.len() } else { part };
+        let [begin, end] = [load_cell.time[0] + setup.skip + least, load_cell.time[load_cell.time.len() - 1] + most];
+        let covered = self.time.partition_point(|t| *t < begin)..self.time.partition_point(|t| *t <= end);
+        let part = if covered.len() < LEAST { 0..self.time.len() } else { covered };
         Signal { time: &self.time, values, interval: self.interval(), part }
     }
 
-    /// Clocks, as they are known or as they let the motion explain most of the force.
-    fn clocks(&self, own: &Own, rig: &Rig, windows: [f64; 2]) -> Clocks {
-        match rig.delay {
+    /// Clocks, known or estimated from force and motion.
+    fn clocks(&self, load_cell: &LoadCell, setup: &Setup, windows: [f64; 2]) -> Clocks {
+        match setup.delay {
             Delay::Known(delay) => Clocks::known(delay),
             Delay::Find(longest) => {
                 let ends = [self.time[0], self.time[self.time.len() - 1]];
-                Pair::new(own.time, own.force, ends, &|time| self.at(windows, time)).find(longest)
+                Pair::new(load_cell.time, load_cell.force, ends, &|time| self.at(windows, time)).find(longest)
             }
-            Delay::OfController => Clocks::known(alike::middle(self.interval())),
+            Delay::OfController => Clocks::known(matched_filter::delay_of_controller(self.interval())),
         }
     }
 
     /// Force and motion on the clock of the force, where both are known.
-    fn joined(&self, own: &Own, rig: &Rig, windows: [f64; 2], clocks: Clocks) -> Result<Record, MeasuredError> {
-        let inside = self.overlap(own, rig, clocks)?;
+    fn joined(
+        &self,
+        load_cell: &LoadCell,
+        setup: &Setup,
+        windows: [f64; 2],
+        clocks: Clocks,
+    ) -> Result<Record, MeasuredError> {
+        let inside = self.overlap(load_cell, setup, clocks)?;
         let interval = self.interval();
         let take = |values: &[f64]| -> Vec<f64> { inside.iter().map(|at| values[*at]).collect() };
-        let time = take(own.time);
-        let moved: Vec<[f64; 3]> = time.iter().map(|t| self.at(windows, clocks.of_motion(*t))).collect();
+        let time = take(load_cell.time);
+        let filtered: Vec<[f64; 3]> = time.iter().map(|t| self.at(windows, clocks.of_motion(*t))).collect();
         let [displacement, velocity, acceleration] =
-            [0, 1, 2].map(|n| moved.iter().map(|all| all[n]).collect::<Vec<f64>>());
-        let force = take(own.force);
-        let friction_force = force.iter().zip(&acceleration).map(|(force, a)| force - rig.mass * a).collect();
+            [0, 1, 2].map(|n| filtered.iter().map(|point| point[n]).collect::<Vec<f64>>());
+        let force = take(load_cell.force);
+        let friction_force = force.iter().zip(&acceleration).map(|(force, a)| force - setup.mass * a).collect();
         let mut record = Record {
-            normal_force: take(own.load),
+            normal_force: take(load_cell.load),
             is_differentiated: self.velocity.is_none(),
             window: windows[0],
             acceleration_window: windows[1],
             motion_interval: interval,
-            delay_range: (clocks.deviation > 0.0).then(|| around(clocks.delay, DOUBT * interval.max(clocks.deviation))),
-            alike: None,
-            velocity_error: self.velocity_error(own, rig, windows[0]),
-            acceleration_error: self.acceleration_error(own, rig, windows[1]),
+            delay_range: (clocks.deviation > 0.0)
+                .then(|| range_around(clocks.delay, TOLERANCE * interval.max(clocks.deviation))),
+            matched_filter: None,
+            velocity_error: self.velocity_error(load_cell, setup, windows[0]),
+            acceleration_error: self.acceleration_error(load_cell, setup, windows[1]),
             acceleration_lost: 0.0,
             motion_ends: clocks.ends([self.time[0], self.time[self.time.len() - 1]]),
             quality: Quality::default(),
@@ -255,45 +268,45 @@ impl Motion {
             friction_force,
             clocks,
         };
-        record.quality = quality(&record, rig);
+        record.quality = quality(&record, setup);
         record.acceleration_lost = self.acceleration_lost(&record);
         Ok(record)
     }
 
     /// Samples of the force at which the motion is known too.
-    fn overlap(&self, own: &Own, rig: &Rig, clocks: Clocks) -> Result<Vec<usize>, MeasuredError> {
+    fn overlap(&self, load_cell: &LoadCell, setup: &Setup, clocks: Clocks) -> Result<Vec<usize>, MeasuredError> {
         let [first, last] = [self.time[0], self.time[self.time.len() - 1]];
-        let begin = own.time[0] + rig.skip;
+        let begin = load_cell.time[0] + setup.skip;
         let is_inside = |t: f64| t >= begin && (first..=last).contains(&clocks.of_motion(t));
-        let inside: Vec<usize> = (0..own.time.len()).filter(|at| is_inside(own.time[*at])).collect();
+        let inside: Vec<usize> = (0..load_cell.time.len()).filter(|at| is_inside(load_cell.time[*at])).collect();
         if inside.len() < LEAST {
-            let force = [begin, own.time[own.time.len() - 1]];
-            if own.time.iter().filter(|t| **t >= begin).count() < LEAST {
+            let force = [begin, load_cell.time[load_cell.time.len() - 1]];
+            if load_cell.time.iter().filter(|t| **t >= begin).count() < LEAST {
                 let wanted = format!("short enough to leave at least {LEAST} samples before {} s", force[1]);
-                return Err(MeasuredError::Rig { name: "skip", value: rig.skip, wanted });
+                return Err(MeasuredError::Setup { name: "skip", value: setup.skip, wanted });
             }
             return Err(MeasuredError::Apart { force, motion: [first, last] });
         }
         Ok(inside)
     }
 
-    /// Error of the velocity around rest: its noise if it was measured, otherwise its error in a window.
-    fn velocity_error(&self, own: &Own, rig: &Rig, window: f64) -> f64 {
+    /// RMS error of the velocity near rest: its noise if it was measured, otherwise its error in a window.
+    fn velocity_error(&self, load_cell: &LoadCell, setup: &Setup, window: f64) -> f64 {
         match &self.velocity {
             Some(velocity) => noise(velocity).max(rounding(velocity)),
-            None => self.signal(&self.displacement, own, rig).error(window),
+            None => self.signal(&self.displacement, load_cell, setup).error(window),
         }
     }
 
-    fn acceleration_error(&self, own: &Own, rig: &Rig, window: f64) -> f64 {
+    fn acceleration_error(&self, load_cell: &LoadCell, setup: &Setup, window: f64) -> f64 {
         match &self.velocity {
-            Some(velocity) => self.signal(velocity, own, rig).passed(window, 1),
-            None => self.signal(&self.displacement, own, rig).passed(window, 2),
+            Some(velocity) => self.signal(velocity, load_cell, setup).noise_in(window, 1),
+            None => self.signal(&self.displacement, load_cell, setup).noise_in(window, 2),
         }
     }
 
-    /// Part of the acceleration that its filter takes away, by the square of the window, from what one of twice the length
-    /// takes away more: noise in the difference of the two has nothing in common with noise in the longer one.
+    /// Fraction of the acceleration that its filter attenuates, extrapolated with the square of the window from the further
+    /// attenuation in twice the window: the noise of the difference is not correlated with that in the longer window.
     fn acceleration_lost(&self, record: &Record) -> f64 {
         let window = record.acceleration_window;
         let (values, order) = self.velocity.as_ref().map_or((&self.displacement, 2), |velocity| (velocity, 1));
@@ -301,7 +314,7 @@ impl Motion {
         let [first, last] = [record.motion_ends[0] + window, record.motion_ends[1] - window];
         let (mut difference, mut square) = (0.0, 0.0);
         let inside = record.time.iter().filter(|t| (first..=last).contains(*t));
-        for t in inside.step_by(record.time.len().div_ceil(LOOKED_AT)) {
+        for t in inside.step_by(record.time.len().div_ceil(COMPARED)) {
             let [a, damped] = [one, twice].map(|local| local.at(record.clocks.of_motion(*t))[order]);
             difference += (a - damped) * damped;
             square += damped * damped;
@@ -309,7 +322,7 @@ impl Motion {
         if square > 0.0 { (difference / (3.0 * square)).max(0.0) } else { 0.0 }
     }
 
-    /// Displacement, velocity and acceleration at a time. A velocity that was measured is not smoothed.
+    /// Displacement, velocity and acceleration at a time. A measured velocity is not smoothed.
     fn at(&self, [of_velocity, of_acceleration]: [f64; 2], time: f64) -> [f64; 3] {
         let in_window = |values, window| Local::new(&self.time, values, window).at(time);
         match &self.velocity {
@@ -328,8 +341,8 @@ impl Motion {
     }
 }
 
-/// Samples at which a filter is compared with another one, at most (chosen).
-const LOOKED_AT: usize = 2000;
+/// Most samples at which two filters are compared (chosen).
+const COMPARED: usize = 2000;
 
 pub(super) fn integral(time: &[f64], velocity: &[f64]) -> Vec<f64> {
     let mut displacement = vec![0.0];

@@ -1,7 +1,7 @@
 //! Stencils: value and derivatives of a sampled signal by the polynomial through the nearest samples.
 //!
-//! Nothing is smoothed: up to a third of the rate of sampling the derivatives of a sine are followed within a few parts
-//! in a thousand, up to a tenth within some parts in a million. Noise has to be taken away by a filter afterwards.
+//! Nothing is smoothed: the derivatives of a sine are accurate to a few parts in a thousand up to a third of the sampling
+//! rate, to some parts in a million up to a tenth. Noise has to be filtered afterwards.
 //!
 //! # Source
 //! B. Fornberg, "Generation of finite difference formulas on arbitrarily spaced grids", Mathematics of Computation 51
@@ -26,7 +26,7 @@ pub(super) fn derivatives(time: &[f64], values: &[f64], at: f64) -> [f64; 3] {
     found
 }
 
-/// Weights of the samples at some times for value, first and second derivative at another one.
+/// Weights of the samples for value, first and second derivative at a time.
 fn weights(time: &[f64], at: f64) -> [[f64; 3]; NODES] {
     let mut found = [[0.0; 3]; NODES];
     found[0][0] = 1.0;

@@ -33,11 +33,11 @@ fn file(row: impl Fn(f64) -> String) -> String {
         .fold("time,force,displacement\n".to_owned(), |text, t| text + &row(t) + "\n")
 }
 
-fn rig() -> Rig {
-    Rig { mass: MASS, normal_force: Some(LOAD), ..Rig::default() }
+fn rig() -> Setup {
+    Setup { mass: MASS, normal_force: Some(LOAD), ..Setup::default() }
 }
 
-fn record(text: &str, rig: &Rig) -> Result<Record, MeasuredError> {
+fn record(text: &str, rig: &Setup) -> Result<Record, MeasuredError> {
     Record::of(&Sheet::parse(text)?, None, rig)
 }
 
@@ -70,7 +70,7 @@ fn the_error_of_the_velocity_around_rest_is_known() {
     assert!((0.9..1.1).contains(&(measured.velocity_error / 1e-4)), "{}", measured.velocity_error);
     // Noise of 1e-7 m: the slope of a cubic through five samples of 1 ms has sqrt(130 / 144) of it per ms.
     let text = file(|t| format!("{t},{},{}", force(t), motion(t)[0] + 1e-3 * at(t)));
-    let short = record(&text, &Rig { window: Some(0.0045), ..rig() }).unwrap();
+    let short = record(&text, &Setup { window: Some(0.0045), ..rig() }).unwrap();
     assert!((0.5..2.0).contains(&(short.velocity_error / 0.95e-4)), "{}", short.velocity_error);
 }
 
@@ -95,7 +95,7 @@ fn delay_and_drift_between_two_clocks_are_found() {
     });
     let camera = Sheet::parse(&camera).unwrap();
     let window = Some(0.06);
-    let found = Record::of(&forces, Some(&camera), &Rig { delay: Delay::Find(0.05), window, ..rig() }).unwrap();
+    let found = Record::of(&forces, Some(&camera), &Setup { delay: Delay::Find(0.05), window, ..rig() }).unwrap();
     let clocks = found.clocks;
     assert!((clocks.delay - 0.0123).abs() < 1e-4, "{clocks:?}");
     assert!((clocks.drift - 2e-4).abs() < 5e-5, "{clocks:?}");
@@ -104,7 +104,7 @@ fn delay_and_drift_between_two_clocks_are_found() {
         far.map(|(at, t)| (record.friction_force[at] - friction(*t)).abs()).fold(0.0, f64::max)
     };
     assert!(worst(&found) < 0.01, "{}", worst(&found));
-    let ignored = Record::of(&forces, Some(&camera), &Rig { window, ..rig() }).unwrap();
+    let ignored = Record::of(&forces, Some(&camera), &Setup { window, ..rig() }).unwrap();
     assert!(worst(&ignored) > 10.0 * worst(&found));
 }
 
@@ -134,7 +134,7 @@ fn strokes_of_different_lengths_have_no_mean() {
         |t: f64, size: f64, rate: f64| [size * (TAU * rate * t).sin(), size * TAU * rate * (TAU * rate * t).cos()];
     let motion = |t: f64| [0, 1].map(|order| sine(t, 1e-2, 0.8)[order] + sine(t, 5e-3, 2.3)[order]);
     let text = file(|t| format!("{t},{},{}", 4.0 * motion(t)[1].signum(), motion(t)[0]));
-    let record = record(&text, &Rig { mass: 0.0, ..rig() }).unwrap();
+    let record = record(&text, &Setup { mass: 0.0, ..rig() }).unwrap();
     assert!(record.quality.reversals > 10);
     assert_eq!(average(&record), None);
 }
@@ -286,7 +286,7 @@ fn inertia_of_an_unknown_mass_does_not_drive_an_axis() {
         "time,force,displacement\n".to_owned() + &rows.collect::<String>()
     };
     // As short as is tried: 9 samples.
-    let rig = Rig { is_axis: true, window: Some(0.09), normal_force: Some(1.0), ..Rig::default() };
+    let rig = Setup { is_axis: true, window: Some(0.09), normal_force: Some(1.0), ..Setup::default() };
     assert!(record(&text(1.0), &rig).is_ok());
     let Err(MeasuredError::Drives { energy, .. }) = record(&text(-1.0), &rig) else { panic!("accepted") };
     // Work of both in 25 cycles; the filter takes some of the motion, and the ends.
@@ -343,7 +343,7 @@ fn no_shift_is_told_of_a_friction_that_there_is_not() {
         "time,force,displacement\n".to_owned() + &rows.collect::<String>()
     };
     let findings = |viscous: f64| {
-        let rig = Rig { is_axis: true, normal_force: Some(1.0), delay: Delay::OfController, ..Rig::default() };
+        let rig = Setup { is_axis: true, normal_force: Some(1.0), delay: Delay::OfController, ..Setup::default() };
         record(&text(viscous), &rig).unwrap().quality.findings.join("; ")
     };
     let [without, with] = [0.0, 200.0].map(findings);
@@ -355,26 +355,32 @@ fn no_shift_is_told_of_a_friction_that_there_is_not() {
 fn impossible_rigs_are_refused() {
     let text = file(|t| format!("{t},{},{}", force(t), motion(t)[0]));
     let cases = [
-        (Rig { mass: -1.0, ..rig() }, "mass = -1: must be >= 0 and finite, in kg"),
-        (Rig { mass: f64::NAN, ..rig() }, "mass = NaN: must be >= 0 and finite, in kg"),
-        (Rig { normal_force: Some(-2.0), ..rig() }, "normal_force = -2: must be >= 0 and finite, in N"),
-        (Rig { window: Some(-1.0), ..rig() }, "window = -1: must be >= 0 and finite, in s"),
-        (Rig { window: Some(0.0005), ..rig() }, "window = 0.0005: must be at least 0.0045 s for the intervals of the"),
+        (Setup { mass: -1.0, ..rig() }, "mass = -1: must be >= 0 and finite, in kg"),
+        (Setup { mass: f64::NAN, ..rig() }, "mass = NaN: must be >= 0 and finite, in kg"),
+        (Setup { normal_force: Some(-2.0), ..rig() }, "normal_force = -2: must be >= 0 and finite, in N"),
+        (Setup { window: Some(-1.0), ..rig() }, "window = -1: must be >= 0 and finite, in s"),
         (
-            Rig { window: Some(0.0005), is_axis: true, ..rig() },
+            Setup { window: Some(0.0005), ..rig() },
+            "window = 0.0005: must be at least 0.0045 s for the intervals of the",
+        ),
+        (
+            Setup { window: Some(0.0005), is_axis: true, ..rig() },
             "window = 0.0005: must be at least 0.003 s for the intervals of the file",
         ),
-        (Rig { window: Some(5.0), ..rig() }, "window = 5: must be at most half of the record, 3.9995 s"),
-        (Rig { delay: Delay::Find(4.0), ..rig() }, "longest delay = 4: must be at most half of the record, 3.9995 s"),
-        (Rig { delay: Delay::Find(0.0), ..rig() }, "longest delay = 0: must be > 0, in s"),
-        (Rig { delay: Delay::Known(f64::INFINITY), ..rig() }, "delay = inf: must be a finite number, in s"),
+        (Setup { window: Some(5.0), ..rig() }, "window = 5: must be at most half of the record, 3.9995 s"),
+        (Setup { delay: Delay::Find(4.0), ..rig() }, "longest delay = 4: must be at most half of the record, 3.9995 s"),
+        (Setup { delay: Delay::Find(0.0), ..rig() }, "longest delay = 0: must be > 0, in s"),
+        (Setup { delay: Delay::Known(f64::INFINITY), ..rig() }, "delay = inf: must be a finite number, in s"),
         (
-            Rig { skip: 7.995, ..rig() },
+            Setup { skip: 7.995, ..rig() },
             "skip = 7.995: must be short enough to leave at least 20 samples before 7.999 s",
         ),
-        (Rig { skip: 100.0, ..rig() }, "skip = 100: must be short enough to leave at least 20 samples before 7.999 s"),
-        (Rig { delay: Delay::Known(9.0), ..rig() }, "they do not overlap"),
-        (Rig { normal_force: None, ..rig() }, "no column 'normal_force', and no value was given for it"),
+        (
+            Setup { skip: 100.0, ..rig() },
+            "skip = 100: must be short enough to leave at least 20 samples before 7.999 s",
+        ),
+        (Setup { delay: Delay::Known(9.0), ..rig() }, "they do not overlap"),
+        (Setup { normal_force: None, ..rig() }, "no column 'normal_force', and no value was given for it"),
     ];
     for (rig, wanted) in cases {
         let refused = record(&text, &rig).map(|_| ()).unwrap_err().to_string();
@@ -387,7 +393,7 @@ fn impossible_rigs_are_refused() {
 fn what_is_skipped_chooses_no_window() {
     let rough = |t: f64| if t < 2.0 { 1e-3 * (TAU * 50.0 * t).sin() } else { 0.0 };
     let text = file(|t| format!("{t},{},{:.6}", force(t), motion(t)[0] + rough(t)));
-    let skipped = record(&text, &Rig { skip: 2.5, ..rig() }).unwrap();
+    let skipped = record(&text, &Setup { skip: 2.5, ..rig() }).unwrap();
     let mut lines: Vec<&str> = text.lines().collect();
     lines.drain(1..2501);
     let cut = record(&lines.join("\n"), &rig()).unwrap();
@@ -404,6 +410,6 @@ fn what_is_skipped_chooses_no_window() {
 #[test]
 fn a_window_of_no_length_has_five_samples() {
     let text = file(|t| format!("{t},{},{}", force(t), motion(t)[0]));
-    let found = record(&text, &Rig { window: Some(0.0), ..rig() }).unwrap();
+    let found = record(&text, &Setup { window: Some(0.0), ..rig() }).unwrap();
     assert!([found.window, found.acceleration_window].iter().all(|window| (window - 0.0045).abs() < 1e-9));
 }

@@ -1,10 +1,10 @@
-//! Units that a file does not say, and quantities of it that contradict each other.
+//! Missing units in files, and contradictory quantities.
 
 use super::MeasuredError;
 use super::reduce::integral;
 use crate::sheet::{DISPLACEMENT, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
-/// Says which quantities have no unit in the file of a table, so that they are taken as those of SI.
+/// A note on the quantities without a unit in their file, which are assumed to be SI.
 pub(super) fn assumed(columns: &[(&Sheet, &'static Quantity)]) -> Option<String> {
     let mut found: Vec<&Quantity> = Vec::new();
     for (table, quantity) in columns {
@@ -17,19 +17,19 @@ pub(super) fn assumed(columns: &[(&Sheet, &'static Quantity)]) -> Option<String>
     (!found.is_empty()).then(|| format!("{}: no unit in the file, taken as {}", names.join(", "), units.join(", ")))
 }
 
-/// Ratios of the displacement to the integral of the velocity at which they do not contradict each other (chosen).
-const ALIKE: [f64; 2] = [0.8, 1.2];
+/// Ratios of the displacement to the integral of the velocity at which the two agree (chosen).
+const CONSISTENT: [f64; 2] = [0.8, 1.2];
 
-/// Says which one is used if a table has displacement and velocity; refuses it if they contradict each other.
+/// A note on which of displacement and velocity is used if a table has both; an error if they contradict each other.
 pub(super) fn motion(table: &Sheet) -> Result<Option<String>, MeasuredError> {
     let column = |quantity: &Quantity| -> Result<Vec<f64>, SheetError> { table.required(quantity.name, quantity) };
     if [&TIME, &DISPLACEMENT, &VELOCITY].iter().any(|quantity| !table.has(quantity.name)) {
         return Ok(None);
     }
     let (time, displacement, velocity) = (column(&TIME)?, column(&DISPLACEMENT)?, column(&VELOCITY)?);
-    let is_alike = |factor: &f64| (ALIKE[0]..=ALIKE[1]).contains(factor) || !factor.is_finite();
+    let is_consistent = |factor: &f64| (CONSISTENT[0]..=CONSISTENT[1]).contains(factor) || !factor.is_finite();
     let factors = ratios(&time, &displacement, &velocity);
-    if !factors.iter().any(is_alike) {
+    if !factors.iter().any(is_consistent) {
         return Err(MeasuredError::Contradiction {
             factor: format!("{:.2e}", factors[0]).parse().unwrap_or(factors[0]),
         });
@@ -37,8 +37,8 @@ pub(super) fn motion(table: &Sheet) -> Result<Option<String>, MeasuredError> {
     Ok(Some("displacement and velocity in the file: the velocity is taken as measured, not differentiated".to_owned()))
 }
 
-/// Slopes of the displacement over the integral of the velocity: as they are, and without what of both is proportional
-/// to time, as is the integral of a small offset. Not finite where nothing is left.
+/// Slopes of the displacement over the integral of the velocity: as they are, and detrended, since the integral of a small
+/// offset is a trend. Not finite for a motion that is 0.
 fn ratios(time: &[f64], displacement: &[f64], velocity: &[f64]) -> [f64; 2] {
     if time.windows(2).any(|pair| pair[1] <= pair[0]) {
         return [f64::NAN; 2];
@@ -54,7 +54,7 @@ fn ratios(time: &[f64], displacement: &[f64], velocity: &[f64]) -> [f64; 2] {
     [plain, if is_straight { plain } else { dot(&bent_x, &bent_s) / dot(&bent_s, &bent_s) }]
 }
 
-/// Part of its squares that a motion has besides a trend, below which it is one at a steady speed (chosen).
+/// Detrended squares of a motion, relative to all of them, below which its speed is steady (chosen).
 const STRAIGHT: f64 = 1e-4;
 
 fn centred(values: &[f64]) -> Vec<f64> {
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn units_that_the_file_does_not_say_are_told_at_once() {
+    fn units_that_the_file_lacks_are_listed_in_one_note() {
         let sheet = Sheet::parse("time,force [kN],displacement\n1,2,3\n").unwrap();
         let all = [(&sheet, &TIME), (&sheet, &DISPLACEMENT), (&sheet, &DISPLACEMENT), (&sheet, &VELOCITY)];
         assert_eq!(assumed(&all).unwrap(), "time, displacement: no unit in the file, taken as s, m");

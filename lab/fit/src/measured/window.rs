@@ -1,9 +1,9 @@
-//! Windows of the filter of the motion: a longer one lets less noise pass, and swallows more of the motion.
+//! Windows of the filter of the motion: a longer one passes less noise and has more bias.
 //!
 //! # Equation
-//! A derivative in a window of length w has the variance s2 g_w by white noise of variance s2 in the samples, and misses
-//! b_w of the motion. Least squares over more samples are not correlated with what fewer of them add, so that with the
-//! next shorter window u
+//! A derivative in a window of length w has the variance s2 g_w by white noise of variance s2 in the samples, and the bias
+//! b_w. A least-squares estimate from more samples is not correlated with its difference from one of fewer samples, so
+//! that with the next shorter window u
 //!
 //! ```text
 //! mean (d_w - d_u)2 = s2 (g_u - g_w) + mean (b_w - b_u)2
@@ -11,13 +11,13 @@
 //! ```
 //!
 //! s2 follows from the residuals in the shortest window; it is at least that of rounding to the resolution of the samples.
-//! Velocity and acceleration have a window each, with the least s2 g + [`MISSED`] b2.
+//! Velocity and acceleration have a window each, with the least s2 g + [`BIAS_WEIGHT`] b2.
 //!
-//! The means have the weights |d2x/dt2|: at rest and in steady motion nothing is missed, and where the motion turns,
-//! friction changes.
+//! The means have the weights |d2x/dt2|: at rest and in steady motion there is no bias, and friction changes where the
+//! motion turns.
 //!
 //! # Source
-//! Order of what is missed: R. W. Schafer, "What is a Savitzky-Golay filter?", IEEE Signal Processing Magazine 28 (2011),
+//! Order of the bias: R. W. Schafer, "What is a Savitzky-Golay filter?", IEEE Signal Processing Magazine 28 (2011),
 //! doi:10.1109/MSP.2011.941097.
 
 use std::ops::Range;
@@ -25,49 +25,49 @@ use std::ops::Range;
 use super::polynomial::Local;
 use super::quality::{GAP, rounding};
 
-/// Samples in the windows that are tried (chosen).
+/// Candidate windows, in samples (chosen).
 const WINDOWS: [f64; 14] = [5.0, 7.0, 9.0, 11.0, 15.0, 21.0, 31.0, 45.0, 65.0, 91.0, 131.0, 191.0, 271.0, 391.0];
 
-/// How much more the square of what is missed counts than that of noise (chosen): it is the same in all reversals, so
-/// that parameters of a law take it over, while noise averages out.
-const MISSED: f64 = 10.0;
+/// Weight of the squared bias against the variance (chosen): the bias is the same in all reversals and biases the
+/// parameters of a law, while noise averages out.
+const BIAS_WEIGHT: f64 = 10.0;
 
-/// Factor above the least cost from which a window is too long, and how many of them end the search (chosen).
+/// Cost, relative to the least one, above which a window is too long, and how many such windows end the search (chosen).
 const RISEN: f64 = 5.0;
 const TOO_LONG: usize = 3;
 
-/// Most samples at which windows are compared, and at which speeds are (chosen).
-const PLACES: usize = 4000;
+/// Most samples at which windows are compared, and most at which speeds are (chosen).
+const POINTS: usize = 4000;
 const SPEEDS: usize = 20_000;
 
-/// Longest window as a part of the record (chosen).
+/// Longest window, relative to the record (chosen).
 const LONGEST: f64 = 0.1;
 
-/// Part of the largest speed below which a motion is around rest (chosen).
+/// Fraction of the largest speed below which a motion is near rest (chosen).
 const SLOW: f64 = 0.1;
 
-/// Power of the window with which it misses value, first and second derivative; and the first one where a motion starts
-/// with a kink.
+/// Power of the window with which the bias of value, first and second derivative grows; and that of the first derivative
+/// where a motion starts with a kink.
 const ORDERS: [i32; 3] = [4, 4, 2];
 const ORDER_OF_KINK: i32 = 2;
 
-/// Length of a window of so many samples.
+/// Length of a window, s, from its number of samples.
 fn length(samples: f64, interval: f64) -> f64 {
     (samples - 0.5) * interval
 }
 
-/// Length of the shortest window.
+/// Length of the shortest window, s.
 pub(super) fn shortest(interval: f64) -> f64 {
     length(WINDOWS[0], interval)
 }
 
-/// Samples of which derivatives are wanted.
+/// A signal to differentiate.
 pub(super) struct Signal<'a> {
     pub time: &'a [f64],
     pub values: &'a [f64],
     /// Median interval.
     pub interval: f64,
-    /// Samples that the record needs.
+    /// Samples that the record uses.
     pub part: Range<usize>,
 }
 
@@ -76,43 +76,42 @@ impl Signal<'_> {
     pub fn windows(&self) -> [f64; 2] {
         let duration = self.time[self.part.end - 1] - self.time[self.part.start];
         let longest = f64::max(LONGEST * duration, length(WINDOWS[1], self.interval));
-        let lengths = WINDOWS.map(|samples| length(samples, self.interval));
-        let lengths: Vec<f64> = lengths.into_iter().filter(|one| *one <= longest).collect();
-        let places = Places::new(self, self.part.clone().collect(), lengths[lengths.len() - 1]);
-        let tried: Vec<Tried> = lengths.iter().map(|length| Tried::new(self, &places, *length)).collect();
-        let noise = tried[0].noise(self, &places);
+        let mut lengths = WINDOWS.map(|samples| length(samples, self.interval)).to_vec();
+        lengths.retain(|length| *length <= longest);
+        let points = Points::new(self, self.part.clone().collect(), lengths[lengths.len() - 1]);
+        let tried: Vec<Tried> = lengths.iter().map(|length| Tried::new(self, &points, *length)).collect();
+        let noise = tried[0].noise(self, &points);
         [1, 2].map(|derivative| {
-            let missed = |pair: &[Tried]| pair[1].missed(&pair[0], &places, derivative, noise, ORDERS[derivative]);
-            let pairs: Vec<[f64; 2]> = tried.windows(2).map(missed).collect();
-            let missed = pairs.iter().take(1).map(|[shorter, _]| shorter).chain(pairs.iter().map(|[_, longer]| longer));
-            let costs = tried.iter().zip(missed).map(|(one, missed)| noise * one.gains[derivative] + MISSED * missed);
+            let biases = |pair: &[Tried]| pair[1].biases(&pair[0], &points, derivative, noise, ORDERS[derivative]);
+            let pairs: Vec<[f64; 2]> = tried.windows(2).map(biases).collect();
+            let all = pairs.iter().take(1).map(|[shorter, _]| shorter).chain(pairs.iter().map(|[_, longer]| longer));
+            let costs = tried.iter().zip(all).map(|(one, bias)| noise * one.gains[derivative] + BIAS_WEIGHT * bias);
             least(&lengths, costs)
         })
     }
 
-    /// Error of the first derivative in a window around rest: root mean square of noise and of what is missed.
+    /// RMS error of the first derivative in a window near rest: noise and bias.
     pub fn error(&self, window: f64) -> f64 {
         // The shortest window has no shorter one beside it, but a longer one.
         let shortest = shortest(self.interval);
         let lengths = if window > 1.4 * shortest { [0.7 * window, window] } else { [window, 1.4 * shortest] };
-        let places = Places::new(self, self.slow(window), lengths[1]);
-        let [shorter, longer] = lengths.map(|length| Tried::new(self, &places, length));
-        let noise = Tried::new(self, &places, shortest).noise(self, &places);
-        let missed = longer.missed(&shorter, &places, 1, noise, ORDER_OF_KINK);
+        let points = Points::new(self, self.slow(window), lengths[1]);
+        let [shorter, longer] = lengths.map(|length| Tried::new(self, &points, length));
+        let noise = Tried::new(self, &points, shortest).noise(self, &points);
+        let biases = longer.biases(&shorter, &points, 1, noise, ORDER_OF_KINK);
         let taken = usize::from(longer.length == window);
-        (noise * [shorter, longer][taken].gains[1] + missed[taken]).sqrt()
+        (noise * [shorter, longer][taken].gains[1] + biases[taken]).sqrt()
     }
 
-    /// Noise of a derivative in a window, root mean square. Where the acceleration passes through 0, it has hardly any other
-    /// error.
-    pub fn passed(&self, window: f64, derivative: usize) -> f64 {
+    /// RMS noise of a derivative in a window: near its zeros the acceleration has hardly any other error.
+    pub fn noise_in(&self, window: f64, derivative: usize) -> f64 {
         let shortest = shortest(self.interval);
-        let places = Places::new(self, self.part.clone().collect(), window.max(shortest));
-        let [shortest, whole] = [shortest, window].map(|length| Tried::new(self, &places, length));
-        (shortest.noise(self, &places) * whole.gains[derivative]).sqrt()
+        let points = Points::new(self, self.part.clone().collect(), window.max(shortest));
+        let [shortest, whole] = [shortest, window].map(|length| Tried::new(self, &points, length));
+        (shortest.noise(self, &points) * whole.gains[derivative]).sqrt()
     }
 
-    /// Samples at which the motion is around rest; all if it never is.
+    /// Samples at which the motion is near rest; all if it never is.
     fn slow(&self, window: f64) -> Vec<usize> {
         let local = Local::new(self.time, self.values, window);
         let all = some(self.part.clone().collect(), SPEEDS);
@@ -136,24 +135,24 @@ impl Signal<'_> {
 }
 
 /// Samples at which windows are compared.
-struct Places {
+struct Points {
     at: Vec<usize>,
     /// Their weights; the sum is 1.
     weights: Vec<f64>,
 }
 
-impl Places {
-    /// Some of the samples, where the longest window is whole, if it is anywhere.
-    fn new(signal: &Signal, all: Vec<usize>, longest: f64) -> Places {
+impl Points {
+    /// Samples at which the longest window fits; any samples if it fits nowhere.
+    fn new(signal: &Signal, all: Vec<usize>, longest: f64) -> Points {
         let is_whole = signal.is_whole(0.5 * longest);
         let whole: Vec<usize> = all.iter().copied().filter(|at| is_whole(signal.time[*at])).collect();
-        let at = some(if whole.is_empty() { all } else { whole }, PLACES);
+        let at = some(if whole.is_empty() { all } else { whole }, POINTS);
         let local = Local::new(signal.time, signal.values, longest);
         let bends: Vec<f64> = at.iter().map(|at| local.at(signal.time[*at])[2].abs()).collect();
         let sum: f64 = bends.iter().sum();
         let even = 1.0 / at.len() as f64;
         let weights = bends.iter().map(|bend| if sum > 0.0 { bend / sum } else { even }).collect();
-        Places { at, weights }
+        Points { at, weights }
     }
 
     fn mean(&self, of: impl Fn(usize) -> f64) -> f64 {
@@ -161,7 +160,7 @@ impl Places {
     }
 }
 
-/// The window of least cost, among those before it has clearly risen: windows that miss nearly all miss it alike.
+/// The window of least cost before the cost has clearly risen: the bias of windows far too long hardly differs.
 fn least(lengths: &[f64], costs: impl Iterator<Item = f64>) -> f64 {
     let (mut best, mut too_long) = ((lengths[0], f64::INFINITY), 0);
     for (length, cost) in lengths.iter().zip(costs) {
@@ -176,45 +175,45 @@ fn least(lengths: &[f64], costs: impl Iterator<Item = f64>) -> f64 {
     best.0
 }
 
-/// At most so many of the samples, evenly.
+/// At most `most` of the samples, evenly.
 fn some(all: Vec<usize>, most: usize) -> Vec<usize> {
     let step = all.len().div_ceil(most).max(1);
     all.into_iter().step_by(step).collect()
 }
 
-/// A window at all places.
+/// A window at all points of comparison.
 struct Tried {
     length: f64,
     /// Value, first and second derivative.
-    found: Vec<[f64; 3]>,
-    /// Mean of their variances by noise of variance 1.
+    estimates: Vec<[f64; 3]>,
+    /// Means of the variances of the three by white noise of variance 1.
     gains: [f64; 3],
 }
 
 impl Tried {
-    fn new(signal: &Signal, places: &Places, length: f64) -> Tried {
+    fn new(signal: &Signal, points: &Points, length: f64) -> Tried {
         let local = Local::new(signal.time, signal.values, length);
-        let times = || places.at.iter().map(|at| signal.time[*at]);
+        let times = || points.at.iter().map(|at| signal.time[*at]);
         let variances: Vec<[f64; 3]> = times().map(|t| local.variances(t)).collect();
-        let gains = [0, 1, 2].map(|derivative| places.mean(|number| variances[number][derivative]));
-        Tried { length, found: times().map(|t| local.at(t)).collect(), gains }
+        let gains = [0, 1, 2].map(|derivative| points.mean(|number| variances[number][derivative]));
+        Tried { length, estimates: times().map(|t| local.at(t)).collect(), gains }
     }
 
-    /// Mean square of what is missed of a derivative in a shorter window and in this one, with noise of this variance.
-    fn missed(&self, shorter: &Tried, places: &Places, derivative: usize, noise: f64, order: i32) -> [f64; 2] {
-        let change = |number: usize| self.found[number][derivative] - shorter.found[number][derivative];
+    /// Mean squared bias of a derivative in a shorter window and in this one, with noise of a variance.
+    fn biases(&self, shorter: &Tried, points: &Points, derivative: usize, noise: f64, order: i32) -> [f64; 2] {
+        let change = |number: usize| self.estimates[number][derivative] - shorter.estimates[number][derivative];
         let by_noise = noise * (shorter.gains[derivative] - self.gains[derivative]);
-        let beyond_noise = places.mean(|number| change(number).powi(2)) - by_noise;
+        let beyond_noise = points.mean(|number| change(number).powi(2)) - by_noise;
         let ratio = (shorter.length / self.length).powi(order);
-        let missed = beyond_noise.max(0.0) / (1.0 - ratio).powi(2);
-        [missed * ratio * ratio, missed]
+        let squared_bias = beyond_noise.max(0.0) / (1.0 - ratio).powi(2);
+        [squared_bias * ratio * ratio, squared_bias]
     }
 
     /// Variance of the noise of the samples.
-    fn noise(&self, signal: &Signal, places: &Places) -> f64 {
-        let residual = |number: usize| signal.values[places.at[number]] - self.found[number][0];
+    fn noise(&self, signal: &Signal, points: &Points) -> f64 {
+        let residual = |number: usize| signal.values[points.at[number]] - self.estimates[number][0];
         let values = &signal.values[signal.part.clone()];
-        rounding(values).powi(2).max(places.mean(|number| residual(number).powi(2)) / (1.0 - self.gains[0]))
+        rounding(values).powi(2).max(points.mean(|number| residual(number).powi(2)) / (1.0 - self.gains[0]))
     }
 }
 
@@ -244,7 +243,7 @@ mod tests {
                     (100..5900).step_by(7).map(|at| time[at]).fold(0.0, |sum, t| {
                         let [noisy, smooth] = [&noisy, &smooth].map(|local| local.at(t)[derivative]);
                         let size = 1e-3 * rate.powi(derivative as i32);
-                        let square = (noisy - smooth).powi(2) + MISSED * (smooth - truth(t)).powi(2);
+                        let square = (noisy - smooth).powi(2) + BIAS_WEIGHT * (smooth - truth(t)).powi(2);
                         sum + (square + (3e-5 * size).powi(2)) * clean(t).abs()
                     })
                 };
@@ -320,8 +319,8 @@ mod tests {
             let near = time[400..7600].iter().filter(|t| (rate * **t).sin().abs() < SLOW);
             let squares: Vec<f64> = near.map(|t| (local.at(*t)[2] - exact(*t)).powi(2)).collect();
             let found = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
-            let told = signal.passed(window, 2);
-            assert!((0.8..1.25).contains(&(told / found)), "{noise} {told} {found}");
+            let estimate = signal.noise_in(window, 2);
+            assert!((0.8..1.25).contains(&(estimate / found)), "{noise} {estimate} {found}");
         }
     }
 

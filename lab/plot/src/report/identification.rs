@@ -242,7 +242,7 @@ fn points(kind: Kind, record: &Record) -> Vec<[f64; 2]> {
         _ => &record.time,
     };
     // An average that mixes both directions is not friction: the curve has a gap there.
-    let is_mixed = |at: usize| record.alike.as_ref().is_some_and(|alike| alike.least_speed[at] == 0.0);
+    let is_mixed = |at: usize| record.matched_filter.as_ref().is_some_and(|filter| filter.least_speed[at] == 0.0);
     let force = |at: usize| if is_mixed(at) { f64::NAN } else { record.friction_force[at] };
     across.iter().enumerate().map(|(at, x)| [*x, force(at)]).collect()
 }
