@@ -1,4 +1,4 @@
-/** What the library is asked to run. */
+/** Requests of runs to the library. */
 
 import { parsed } from "./format";
 import { type State, value } from "./link";

@@ -16,7 +16,7 @@ import { TakeAway } from "./take";
 import { dashes, onTheme } from "./theme";
 import type { Catalogue, Job, Moving, Parts, Solved, SystemEntry, Written } from "./types";
 
-/** A plot: quantities over time or over another one. */
+/** A plot of quantities over time or over each other. */
 export interface Picture {
   id: string;
   title: string;
@@ -35,7 +35,7 @@ export interface Layout {
   names: Record<string, string>;
   /** How a system is drawn. */
   scene(system: string): Paint | undefined;
-  /** What stands below the plots. */
+  /** Tables below the plots. */
   below?: (page: Page) => HTMLElement;
 }
 
@@ -196,13 +196,13 @@ export class Bench {
     return { part, settings, models: laws.flatMap((law) => modelOf(this.page.catalogue, law) ?? []) };
   }
 
-  /** Results to record; none where the system says it. */
+  /** Results to record; none if the system chooses them. */
   private record(): string[] {
     const more = Object.values(this.layout.record);
     return more.length > 0 ? [...new Set([...Object.values(this.system?.show ?? {}), ...more])] : [];
   }
 
-  /** Runs every law; what is under way is replaced. */
+  /** Runs every law; replaces runs in progress. */
   solve(): void {
     this.page.fault("");
     try {
@@ -336,13 +336,13 @@ export class Bench {
     const table = h(
       "table",
       {},
-      h("caption", {}, "What each run has cost"),
+      h("caption", {}, "Cost of each run"),
       h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text)))),
       h("tbody", {}, ...outcomes.map(row)),
     );
     const open = new Set([...this.costs.querySelectorAll("details[open]")].map((one) => one.getAttribute("data-law")));
     const events = outcomes.map((outcome) => this.events(outcome, open.has(outcome.law)));
-    const label = "What each run has cost";
+    const label = "Cost of each run";
     this.costs.replaceChildren(h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": label }, table), ...events);
   }
 

@@ -7,7 +7,7 @@ import type { Variable } from "./types";
 
 const STEPS = 1000;
 
-/** How the places of a slider become values. */
+/** Conversion between positions of a slider and values. */
 interface Scale {
   value(place: number): number;
   place(value: number): number;
@@ -21,7 +21,7 @@ function between(low: number, high: number, whole: boolean): Scale {
   };
 }
 
-/** Powers of ten around a positive value; the lowest place may be zero. */
+/** A logarithmic scale around a positive value. */
 function powers(middle: number, decades: number): Scale {
   const low = Math.log10(middle) - decades;
   return {

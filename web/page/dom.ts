@@ -44,7 +44,7 @@ export function save(name: string, content: Blob | string, type = "text/plain"):
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-/** Says something to a screen reader, once. */
+/** Announces a text to screen readers, once. */
 export function say(text: string): void {
   const live = document.getElementById("live");
   if (live) live.textContent = text;

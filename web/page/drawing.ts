@@ -43,7 +43,7 @@ export function range(arrays: ArrayLike<number>[], room = ROOM): Range {
   }
   if (!(low <= high)) return [-1, 1];
   const size = Math.max(Math.abs(low), Math.abs(high));
-  // What differs by rounding only is a constant.
+  // Values that differ only by rounding are constant.
   if (high - low <= 1e-9 * size) return size > 0 ? [low - 0.5 * size, high + 0.5 * size] : [-1, 1];
   return [low - room * (high - low), high + room * (high - low)];
 }
@@ -78,7 +78,7 @@ export function labelText({ name, unit }: Label): string {
   return unitText(unit) ? `${name} in ${unitText(unit)}` : name;
 }
 
-/** Area of the curves and how values become places in it. */
+/** Area of the curves, and conversion of values to positions in it. */
 export class Frame {
   readonly left = 62;
   readonly top: number;
@@ -105,17 +105,17 @@ export class Frame {
     return this.bottom - ((value - this.y[0]) / (this.y[1] - this.y[0])) * (this.bottom - this.top);
   }
 
-  /** The values at a place. */
+  /** The values at a position. */
   at(right: number, down: number): [number, number] {
     const [x, y] = [(right - this.left) / (this.right - this.left), (this.bottom - down) / (this.bottom - this.top)];
     return [this.x[0] + x * (this.x[1] - this.x[0]), this.y[0] + y * (this.y[1] - this.y[0])];
   }
 }
 
-/** Distance of two points that cannot be told apart, in pixels (chosen). */
+/** Distance below which two points look like one, in pixels (chosen). */
 const CLOSE = 0.4;
 
-/** Places of a curve; points that lie on the one before are left out. */
+/** Positions of a curve; points that coincide with the one before are left out. */
 function placed(frame: Frame, x: ArrayLike<number>, y: ArrayLike<number>): Points {
   const places = { x: new Float64Array(x.length), y: new Float64Array(x.length) };
   let count = 0;

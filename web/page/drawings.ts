@@ -38,7 +38,7 @@ function arrow(pen: Pen, from: Point, to: Point, colour: string): void {
   }
 }
 
-/** Place of a value between two places. */
+/** Position of a value between two positions. */
 function placed(value: number, [low, high]: [number, number], [from, to]: [number, number]): number {
   return high > low ? from + ((value - low) / (high - low)) * (to - from) : 0.5 * (from + to);
 }
@@ -56,7 +56,7 @@ export function block(isHeld: boolean): Paint {
     const range = isHeld ? span("position") : ([0, 0] as [number, number]);
     const middle = placed(position, range, [0.34 * width, Math.min(0.8 * width, width - 70)]);
     const perMetre = range[1] > range[0] ? (Math.min(0.8 * width, width - 70) - 0.34 * width) / (range[1] - range[0]) : reach(instant);
-    // What the belt has travelled: the block's way less the way along the belt.
+    // Travel of the belt: displacement of the block less its sliding distance on the belt.
     const travel = ((isHeld ? position - range[0] : 0) - way("velocity")) * perMetre;
     belt(pen, instant, ground, travel);
     const top = ground - gap - high;

@@ -212,7 +212,7 @@ export class FitView {
 
   /** Reads one file, or two: the one without a force is the motion. */
   private async read(files: File[]): Promise<void> {
-    // What was wrong with the files before does not stand beside these while they are read.
+    // Errors of earlier files disappear before these are read.
     this.page.fault("");
     try {
       if (files.length < 1 || files.length > 2) throw new RangeError(`${files.length} files: must be 1, or 2 with the motion`);
@@ -347,7 +347,7 @@ export class FitView {
     this.mark(false);
   }
 
-  /** Measured and fitted friction; over velocity and displacement that of the mean cycle, if there are cycles. */
+  /** Measured and fitted friction; over velocity and displacement the mean cycle, if the record is periodic. */
   private diagram(across: string): Diagram | undefined {
     if (!this.measured) return undefined;
     const { arrays, quality } = this.measured;
@@ -411,7 +411,7 @@ export class FitView {
   }
 
   private estimates({ estimates }: FittedLaw, truth: Record<string, number> | undefined): HTMLElement {
-    const head = ["Parameter", "Value", "95 % interval", "From repetitions", ...(truth ? ["Truth"] : []), "Verdict"];
+    const head = ["Parameter", "Value", "95 % interval", "Bootstrap interval", ...(truth ? ["Truth"] : []), "Verdict"];
     const ends = (pair: [number, number] | null) => (pair ? `${short(pair[0])} to ${short(pair[1])}` : "");
     const row = ({ name, unit, value, interval, repeated, verdict, difference_of }: FittedLaw["estimates"][number]) => {
       const of = unitText(unit);
@@ -428,7 +428,7 @@ export class FitView {
     const table = h(
       "table",
       {},
-      h("caption", {}, "Parameters that the record determines; where it does not, there is no number"),
+      h("caption", {}, "Parameters; without a number where the record does not determine it"),
       h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text)))),
       h("tbody", {}, ...estimates.map(row)),
     );
@@ -482,7 +482,7 @@ function files({ table, motion }: Data): Record<string, string> {
 /** The laws, the best first. */
 function places({ laws, refused }: Fitted["ranking"]): HTMLElement {
   const note = ({ repeatable, tied }: FittedLaw, at: number) =>
-    !repeatable ? "the searches did not agree" : tied && at > 0 ? "cannot be told apart from the first" : "";
+    !repeatable ? "the searches did not agree" : tied && at > 0 ? "cannot be distinguished from the first" : "";
   const rows = laws.map((law, at) => [law.law, `${short(law.rms)} N`, law.delta_bic.toFixed(1), note(law, at)]);
   const head = ["Law", "RMS residual", "ΔBIC", "Note"];
   const all = [...rows, ...refused.map(({ law, reason }) => [law, "", "", reason])];

@@ -16,7 +16,7 @@ import { type Text, textOf } from "./texts";
 import { onTheme } from "./theme";
 import type { Loop, Model, Strokes, Variable, Written } from "./types";
 
-/** Speed of the strokes of laws that depend on displacement, as a part of the highest velocity of the curve (chosen). */
+/** Speed of the strokes of laws that depend on displacement, relative to the highest velocity of the curve (chosen). */
 const SLOW = 0.02;
 /** Length of the strokes of the others, in s at that velocity (chosen). */
 const LONG = 0.25;
@@ -124,7 +124,7 @@ export class LawView {
     ];
   }
 
-  /** The law with what is set. */
+  /** The law with the settings. */
   private strokes(model: Model, text: Text): Strokes {
     const { state } = this;
     const known = new Set(model.variables.map(({ name }) => name));

@@ -1,4 +1,4 @@
-/** What the views of systems show. */
+/** Contents of the views of systems. */
 
 import type { Layout } from "./bench";
 import { block, strut } from "./drawings";

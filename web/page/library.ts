@@ -2,7 +2,7 @@
 
 import type { Question } from "./types";
 
-/** Hears of what a search does not explain so far, in N; an answer other than 0 ends it with the best so far. */
+/** Gets the RMS residual of a search so far, in N; an answer other than 0 ends it with the best so far. */
 type Progress = (rms: number) => number | Promise<number>;
 
 /** Parts of WebAssembly with which a library waits for a promise (JSPI); not every browser has them. */

@@ -37,7 +37,7 @@ export function defaults(view: View): State {
   return structuredClone(DEFAULTS[view]);
 }
 
-/** What differs from the defaults, as the hash of a link. */
+/** Settings that differ from the defaults, as the hash of a link. */
 export function toHash({ view, state }: Place): string {
   const usual = DEFAULTS[view];
   const entries: [string, string][] = [];

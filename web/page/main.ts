@@ -49,7 +49,7 @@ interface Shown {
 
 const NAMES: Record<View, string> = { bench: "Bench", law: "Law", strut: "Strut", fit: "Fit" };
 
-/** Copies the link of what is shown, which the address has too. */
+/** Copies the address of the page. */
 async function copyLink(event: Event): Promise<void> {
   const button = event.currentTarget as HTMLButtonElement;
   try {
@@ -62,7 +62,7 @@ async function copyLink(event: Event): Promise<void> {
   setTimeout(() => (button.textContent = "Copy link"), 2500);
 }
 
-/** The views, of which one is shown; each keeps its state while another one is. */
+/** The views, of which one is shown; each keeps its state. */
 class Views {
   now: View = "bench";
   readonly states = Object.fromEntries(VIEWS.map((view) => [view, defaults(view)])) as Record<View, State>;

@@ -51,7 +51,7 @@ export class Cursor {
 const EXPORT: [number, number] = [800, 480];
 const ROWS = 40;
 
-/** What time plots and others have in common. */
+/** Base of all plots. */
 export abstract class Plot implements Touched {
   readonly root: HTMLElement;
   protected readonly area: HTMLDivElement;
@@ -98,11 +98,11 @@ export abstract class Plot implements Touched {
     heedTouch(this.area, this);
     new ResizeObserver(() => this.resize()).observe(this.area);
     new IntersectionObserver(([entry]) => this.seen(entry!.isIntersecting), { rootMargin: "100px" }).observe(this.area);
-    // A print has what is out of sight too.
+    // A print also has plots that are scrolled out of view.
     addEventListener("beforeprint", () => this.seen(true));
   }
 
-  /** What is out of sight is drawn when it comes into view. */
+  /** Draws when the plot comes into view. */
   private seen(isVisible: boolean): void {
     this.isVisible = isVisible;
     if (!isVisible || !this.isStale) return;
@@ -147,7 +147,7 @@ export abstract class Plot implements Touched {
   protected abstract ranges(): { x: Range; y: Range };
   /** Ends of the axes in the area, in pixels. */
   protected abstract ends(): { x: Range; y: Range };
-  /** Shows these ranges, as far as they lie in the whole. */
+  /** Shows these ranges, clipped to the whole. */
   protected abstract look(x: Range, y: Range): void;
   abstract theme(): void;
   /** Moves the cursor here. */
@@ -346,7 +346,7 @@ export class TimePlot extends Plot {
   protected ranges(): { x: Range; y: Range } {
     const { curves } = this.diagram;
     const x = this.zoomed ?? range(curves.map((curve) => curve.x), 0);
-    // Times ascend: what is inside lies between two samples.
+    // Times ascend: the range lies between two samples.
     const inside = curves.map((curve) => part(curve.y, below(curve.x, x[0]), below(curve.x, x[1], true)));
     return { x, y: range(inside) };
   }

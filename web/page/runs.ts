@@ -29,7 +29,7 @@ export class Runs {
     return this.running.size;
   }
 
-  /** Runs every law; what is under way is replaced. */
+  /** Runs every law; replaces runs in progress. */
   start(laws: string[], asked: Partial<Run>): void {
     for (const name of this.outcomes.keys()) if (!laws.includes(name)) this.outcomes.delete(name);
     this.lanes.slice(laws.length).forEach((lane) => lane.stop());

@@ -1,4 +1,4 @@
-/** What a user takes along: link, files, and the same run elsewhere. */
+/** Export: link, files, and the same run elsewhere. */
 
 import { faultText } from "./controls";
 import { h, say } from "./dom";
@@ -13,7 +13,7 @@ export interface Item {
   does: () => unknown;
 }
 
-/** A row of buttons, with a place for text that cannot be copied. */
+/** A row of buttons, with a field for text that cannot be copied. */
 export class TakeAway {
   readonly root: HTMLElement;
   private readonly output: HTMLOutputElement;
@@ -29,21 +29,21 @@ export class TakeAway {
       h("button", { type: "button", id: `${view}-${id}`, onclick: () => this.run(does) }, text);
     this.root = h(
       "section",
-      { class: "take", "aria-label": "Take it with you" },
-      h("h2", {}, "Take it with you"),
+      { class: "take", "aria-label": "Export" },
+      h("h2", {}, "Export"),
       h("div", { class: "buttons" }, ...items(this).map(button)),
       this.output,
     );
   }
 
   private run(does: () => unknown): void {
-    // What was copied before is not taken for what comes.
+    // An earlier copy must not be taken for this one.
     delete this.output.dataset.text;
     this.output.textContent = "";
     Promise.resolve().then(does).catch((fault) => this.fault(faultText(fault)));
   }
 
-  /** Copies what does the same elsewhere. */
+  /** Copies a text that does the same elsewhere. */
   async copyOf(ask: "command" | "python", job: Job): Promise<void> {
     const { answer } = await this.questions.ask<Written>({ ask, job });
     await this.copy(WORDS[ask], answer.text);

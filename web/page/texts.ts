@@ -10,7 +10,7 @@ export interface Text {
   stroke: number | null;
 }
 
-/** What was packed with zstd into an element. */
+/** Content of an element that is packed with zstd. */
 export function unpacked(id: string): Uint8Array<ArrayBuffer> {
   const packed = document.getElementById(id)?.textContent?.trim() ?? "";
   return decompress(Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0))) as Uint8Array<ArrayBuffer>;

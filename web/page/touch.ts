@@ -3,7 +3,7 @@
 /** A position in the area of a plot, in pixels from its upper left corner. */
 export type Place = [number, number];
 
-/** What fingers can do to a plot. */
+/** Actions of fingers on a plot. */
 export interface Touched {
   /** Whether only a part is shown. */
   isPart(): boolean;

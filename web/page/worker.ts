@@ -12,7 +12,7 @@ let asked: number | undefined;
 let ended: number | undefined;
 let reported = 0;
 
-/** Reports what a search does not explain so far, and listens whether it is to end. */
+/** Reports the RMS residual of a search so far, and checks whether it is cancelled. */
 function progress(rms: number): number | Promise<number> {
   const now = performance.now();
   if (now - reported < REPORT) return 0;
