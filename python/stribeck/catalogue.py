@@ -184,12 +184,12 @@ def _names() -> dict[str, tuple[str, str]]:
 
 @cache
 def _described(name: str) -> Description:
-    told = _stribeck.describe(name)  # refuses a name that does not exist
+    answer = _stribeck.describe(name)  # refuses a name that does not exist
     family, summary = _names()[name]
-    variables = {one["name"]: Variable(**{**one, "choices": tuple(one["choices"])}) for one in told["variables"]}
-    presets = {name: Preset(name, source, dict(values)) for name, source, values in told["presets"]}
+    variables = {one["name"]: Variable(**{**one, "choices": tuple(one["choices"])}) for one in answer["variables"]}
+    presets = {name: Preset(name, source, dict(values)) for name, source, values in answer["presets"]}
     # Comments of the source files begin with a space.
-    page = "\n".join(line.removeprefix(" ") for line in told["page"].splitlines())
+    page = "\n".join(line.removeprefix(" ") for line in answer["page"].splitlines())
     return Description(name, summary, family, page, variables, presets)
 
 

@@ -1,4 +1,4 @@
-"""Parameters of laws from measured friction, and how far to trust them."""
+"""Parameters of laws from measured friction, with their uncertainty."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from stribeck.catalogue import Description
 
 
 class Columns(Protocol):
-    """What has arrays by name: a mapping, a data frame of pandas, an open file of arrays."""
+    """Arrays by name: a mapping, a data frame of pandas, an open file of arrays."""
 
     def keys(self) -> Iterable[Any]:
         """The names."""
@@ -42,9 +42,9 @@ class Estimate:
     value: float | None
     """None unless the data determine it."""
     interval: tuple[float, float] | None
-    """Interval of 95 %, by the sensitivities and the profile likelihood."""
+    """Interval of 95 %, the wider one of linearisation and profile likelihood."""
     repeated: tuple[float, float] | None
-    """Interval of 95 %, from repetitions with blocks of residuals."""
+    """Interval of 95 %, from a block bootstrap of the residuals."""
     text: str
     """Value and intervals as `stribeck identify` prints them, or why there are none."""
 
@@ -63,7 +63,7 @@ class Fit:
     delta_bic: float
     """Criterion (BIC) above that of the best law."""
     tied: bool
-    """Whether it cannot be told apart from the best law."""
+    """Whether it cannot be distinguished from the best law."""
     repeatable: bool
     """Whether two searches agreed."""
     estimates: dict[str, Estimate]
@@ -82,8 +82,8 @@ class Identification:
         self.refused: dict[str, str] = {one["law"]: one["reason"] for one in found["refused"]}
         """Laws that cannot be fitted, with the reason."""
         self.findings: dict[str, list[str]] = found["findings"]
-        """For each record what is to be known of it: first how it is taken to begin (`taken to begin at rest, with the
-        contact unloaded`, or `in steady sliding`), then which columns were taken, what is missing or doubtful."""
+        """Remarks on each record: first its assumed initial state (`taken to begin at rest, with the contact unloaded`,
+        or `in steady sliding`), then which columns were used, what is missing or doubtful."""
         self.records = records
         """For each record the arrays `time`, `velocity`, `normal_force`, `force`, `predicted` by the best law, and
         whether each sample was `fitted`: those at rest and at the ends are not. With `axis=True` they are averages, one
@@ -122,16 +122,16 @@ def identify(
     hold_out: Record | Sequence[Record] = (),
     **options: Any,
 ) -> Identification:
-    """Finds the parameters of a law, or of several (`"all"`). Same names, same numbers as `stribeck identify`.
+    """Fits the parameters of a law, or of several (`"all"`). Same names, same numbers as `stribeck identify`.
 
     `motion` is the table of a camera with its own clock. `hold_out` has validation records, which are not fitted;
-    `Fit.validation` says what is left there. The other options, of which those with several NAME=... are dictionaries
-    here, and LOW:HIGH is a pair:
+    `Fit.validation` has their RMS residuals. Of the other options, those with NAME=... are dictionaries here, and
+    LOW:HIGH is a pair:
 
     {options}
 
-    A record begins at rest with the contact unloaded, or in steady sliding if it is fast there: the first of its
-    `findings` says which. Columns that are not used may hold anything.
+    A record is assumed to begin at rest with the contact unloaded, or in steady sliding if it is fast there: see the
+    first of its `findings`. Unused columns may hold anything.
 
     >>> time = np.linspace(0.0, 2.0, 1001)
     >>> velocity = 0.02 * np.sin(2 * np.pi * time)
@@ -196,18 +196,18 @@ def _no_record(name: str, record: Any) -> TypeError:
 
 
 def _refuse_twins(kinds: Mapping[str, Sequence[Any]]) -> None:
-    """Refuses arrays that are given twice: they would count double, or be held against themselves."""
-    seen: dict[int, str] = {}
+    """Rejects arrays that are given twice: they would count double, or validate themselves."""
+    first_uses: dict[int, str] = {}
     for kind, records in kinds.items():
         for number, record in enumerate(records, 1):
             own = f"{kind} {number}"
-            first = own if isinstance(record, str | os.PathLike) else seen.setdefault(id(record), own)
+            first = own if isinstance(record, str | os.PathLike) else first_uses.setdefault(id(record), own)
             if first != own:
                 raise Refused(f"{own} is the same as {first}: give it once")
 
 
 def _placed(name: str, record: Any, arrays: dict[str, dict[str, Any]]) -> str:
-    """The path of a file; or the name under which columns are laid into `arrays`."""
+    """The path of a file, or the name under which the columns are stored in `arrays`."""
     if isinstance(record, str | os.PathLike):
         path = os.fspath(record)
         if isinstance(path, str):
@@ -219,7 +219,7 @@ def _placed(name: str, record: Any, arrays: dict[str, dict[str, Any]]) -> str:
 
 
 def _column(values: Any) -> NDArray[np.float64] | float | str:
-    """A column as numbers, or what is wrong with it, which is said if it is used: a table may have texts besides."""
+    """A column as numbers, or a description of the problem, raised only if the column is used (tables have texts)."""
     if np.ma.is_masked(values):
         return "has numbers that are masked: leave them out"
     try:

@@ -82,8 +82,8 @@ def simulate(
     An input is a number, an array over time or an array of the shape (runs, samples); a parameter is a number, the name
     of a choice, or an array with one value per run. The samples are `dt` seconds apart, or at the times `time`. Between
     two samples inputs move along straight lines; with `held` they keep the earlier value, as in an FMU without input
-    derivatives. Every result at a sample is that with the inputs of the sample. `record` chooses the results; all
-    outputs otherwise.
+    derivatives. Results at a sample belong to the inputs of the sample. `record` chooses the results (default: all
+    outputs).
 
     >>> import numpy
     >>> t = numpy.arange(0.0, 1.0, 1e-3)
@@ -98,7 +98,7 @@ def simulate(
     if not isinstance(held, (bool, np.bool_)):
         raise TypeError(f"held = {held!r}: must be True or False")
     described = model(name)
-    # Refuses a misspelled name before an input is found to be missing.
+    # A misspelled name is reported before a missing input.
     arrays = {key: _numbers(described.find(key), value) for key, value in values.items()}
     assumed = _assumed(described, arrays)
     arrays |= {key: np.asarray(value) for key, value in assumed.items()}
@@ -162,7 +162,7 @@ def _broadcast(arrays: Mapping[str, NDArray[np.float64]]) -> tuple[int, ...]:
 
 
 def _assumed(described: Description, given: Mapping[str, object]) -> dict[str, float]:
-    """The values of inputs that are not given; refuses those that must be."""
+    """Default values of inputs that are not given; an error for those without a default."""
     missing = [name for name in described.inputs if name not in given]
     needed = [name for name in missing if name not in UNLOADED]
     if needed:
@@ -204,7 +204,7 @@ def _samples(inputs: Mapping[str, NDArray[np.float64]], times: NDArray[np.float6
 
 
 def _runs(described: Description, arrays: Mapping[str, NDArray[np.float64]]) -> tuple[int, bool]:
-    """Number of runs, and whether it is a single one without an axis of its own."""
+    """Number of runs, and whether it is a single run without an axis of runs."""
     counts = {}
     for name, array in arrays.items():
         runs_axis = array.ndim - (1 if name in described.inputs else 0)
@@ -217,12 +217,12 @@ def _runs(described: Description, arrays: Mapping[str, NDArray[np.float64]]) -> 
 
 def _agreed(what: str, numbers: Mapping[str, int]) -> int:
     """The number of samples or runs on which all arrays agree; 1 if there is none."""
-    told = ", ".join(f"{name} {number}" for name, number in numbers.items())
+    listed = ", ".join(f"{name} {number}" for name, number in numbers.items())
     if len(set(numbers.values())) > 1:
-        raise Refused(f"the numbers of {what} differ: {told}")
+        raise Refused(f"the numbers of {what} differ: {listed}")
     agreed = next(iter(numbers.values()), 1)
     if agreed == 0:
-        raise Refused(f"number of {what}: {told}: must be >= 1")
+        raise Refused(f"number of {what}: {listed}: must be >= 1")
     return agreed
 
 

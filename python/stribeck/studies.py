@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 class Table(Mapping[str, NDArray[Any]]):
     """The table of a study: a mapping from names to arrays with a value per row; `law` and `end` are texts. A run that
-    did not come to its end has its reason in `end`, and NaN in what was to be kept of it."""
+    did not come to its end has its reason in `end`, and NaN as results."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -81,17 +81,17 @@ def study(
     max_failures: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Table | None:
-    """Makes a study, as `stribeck study` does, and returns its table.
+    """Runs a study, as `stribeck study` does, and returns its table.
 
     `study` is the path of a file, or a dictionary with the same entries: `samples`, `seed`, `keep`, `vary`, `table`,
-    `run`. Finished chunks are kept in `folder`: the same call goes on where it was interrupted. With `shard`, such as
-    "2/8", only that part is made and nothing is returned; a call without it then makes what is missing, and joins all.
+    `run`. Finished chunks are kept in `folder`: the same call resumes an interrupted study. With `shard`, such as
+    "2/8", only that part is run and nothing is returned; a call without it then runs what is missing, and joins all.
     The shard "array" is that of a job array of SLURM, PBS, Grid Engine or AWS Batch.
 
-    With `client`, a client of Dask (`pip install stribeck[dask]`), the workers of its cluster make the chunks and send
-    them here: they need this package, and the files that the study names under the same paths, but not `folder`. The
-    bytes of the table are the same. Once more than `max_failures` runs have not come to their end, the study is
-    refused. `progress`, such as `print`, is called now and then with the number of rows that are done, and of all.
+    With `client`, a client of Dask (`pip install stribeck[dask]`), the workers of its cluster run the chunks and return
+    them: they need this package, and the files that the study names under the same paths, but not `folder`. The bytes
+    of the table are the same. More than `max_failures` failed runs end the study with an error. `progress`, such as
+    `print`, is called now and then with the number of finished rows and that of all.
 
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -112,7 +112,7 @@ def study(
         if shard is not None or threads is not None:
             raise TypeError("client: a cluster divides the study itself, without shard and threads")
         _send_out(spec, Path(folder), client, max_failures, progress)
-    # What is there is not made again.
+    # Existing chunks are not run again.
     _stribeck.make_study(
         spec,
         os.fspath(folder),
@@ -131,17 +131,17 @@ def _send_out(
     max_failures: int | None,
     progress: Callable[[int, int], object] | None,
 ) -> None:
-    """Has the missing chunks made by the workers of a cluster, and writes them to the folder as they come."""
+    """Runs the missing chunks on the workers of a cluster, and writes them to the folder as they arrive."""
     import distributed
 
     rows, count, missing = _stribeck.missing_chunks(spec, os.fspath(folder))
     folder.mkdir(parents=True, exist_ok=True)
-    # A function of results is not looked up among earlier ones: the files of a study may have changed.
+    # Not pure: the files of a study may have changed since an earlier call.
     chunks = [client.submit(_chunk, spec, f"{number + 1}/{count}", pure=False) for number, _ in missing]
     done, failures = rows - sum(made for _, made in missing), 0
     try:
         for _, (name, content, made, failed) in distributed.as_completed(chunks, with_results=True):
-            # Under another name first, so that it is never there by half.
+            # Under another name first: the file appears only when it is complete.
             temporary = folder / f".{name}-{os.getpid()}"
             temporary.write_bytes(content)
             temporary.replace(folder / name)
@@ -155,8 +155,7 @@ def _send_out(
 
 
 def _chunk(spec: str | dict[str, Any], shard: str) -> tuple[str, bytes, int, int]:
-    """Makes one chunk of a study: its file's name, the contents, the number of rows, and of those that did not come to
-    their end."""
+    """Runs one chunk of a study; returns the name and contents of its file, and the numbers of rows and failed rows."""
     with tempfile.TemporaryDirectory() as folder:
         made, _, failed = _stribeck.make_study(
             spec, folder, shard=shard, threads_asked=1, max_failures=None, progress=None

@@ -18,24 +18,24 @@ if TYPE_CHECKING:
 class Solution(Result):
     """Motion of a system: its results over time, its events, and what it has cost."""
 
-    def __init__(self, system: str, told: Mapping[str, Any]) -> None:
-        columns = {name: column for name, _, column in told["columns"]}
-        units = {name: unit for name, unit, _ in told["columns"]}
-        title = f"{told['law']} in {system}" if told["law"] else system
-        super().__init__(title, told["time"], columns, units)
+    def __init__(self, system: str, answer: Mapping[str, Any]) -> None:
+        columns = {name: column for name, _, column in answer["columns"]}
+        units = {name: unit for name, unit, _ in answer["columns"]}
+        title = f"{answer['law']} in {system}" if answer["law"] else system
+        super().__init__(title, answer["time"], columns, units)
         self.system = system
         """The system."""
-        self.law: str | None = told["law"]
+        self.law: str | None = answer["law"]
         """The friction law, if a part of the system can be any."""
-        self.solver: str = told["solver"]
+        self.solver: str = answer["solver"]
         """The solver that was used."""
-        self.events: list[tuple[float, str]] = told["events"]
+        self.events: list[tuple[float, str]] = answer["events"]
         """Time of each event in s, and the part that had it."""
-        self.statistics: dict[str, int] = told["statistics"]
+        self.statistics: dict[str, int] = answer["statistics"]
         """Steps, rejected steps, evaluations of the rates, Jacobians."""
-        self.end: str = told["end"]
+        self.end: str = answer["end"]
         """How the run ended."""
-        self.seconds: float = told["seconds"]
+        self.seconds: float = answer["seconds"]
         """Time on the clock."""
 
 
@@ -155,5 +155,5 @@ def _solutions(system: str, names: list[str], options: dict[str, Any]) -> list[S
         entries["no-events"] = True
     if isinstance(entries.get("record"), str):
         entries["record"] = [entries["record"]]
-    told = _stribeck.solve({**entries, "system": str(system), "law": names})
-    return [Solution(str(system), one) for one in told]
+    answer = _stribeck.solve({**entries, "system": str(system), "law": names})
+    return [Solution(str(system), one) for one in answer]
