@@ -29,13 +29,12 @@ impl Record {
         let force = sheet.required(FORCE.name, &FORCE)?;
         moving("force", &force)?;
         let load = load(sheet, setup)?;
-        let load_cell = LoadCell { time: &time, force: &force, load: &load };
         let motion = match motion {
             Some(sheet) => Motion::of(sheet).map_err(MeasuredError::of_motion)?,
             None => Motion::of(sheet)?,
         };
-        let record =
-            if setup.is_axis { motion.matched(&load_cell, setup)? } else { motion.record(&load_cell, setup)? };
+        let reduction = Reduction { setup, time, force, load, motion };
+        let record = if setup.is_axis { reduction.matched()? } else { reduction.smoothed()? };
         record.finite()?;
         plausible::check(&record, setup)?;
         Ok(record)
@@ -113,17 +112,11 @@ fn load(sheet: &Sheet, setup: &Setup) -> Result<Vec<f64>, MeasuredError> {
     }
 }
 
-/// Samples of force and normal force on the clock of the load cell.
-struct LoadCell<'a> {
-    time: &'a [f64],
-    force: &'a [f64],
-    load: &'a [f64],
-}
-
 /// The motion on its own clock.
 struct Motion {
     time: Vec<f64>,
     displacement: Vec<f64>,
+    /// Velocity, if it was measured.
     velocity: Option<Vec<f64>>,
 }
 
@@ -149,177 +142,23 @@ impl Motion {
         median(&mut steps)
     }
 
-    /// The record with the motion smoothed.
-    fn record(&self, load_cell: &LoadCell, setup: &Setup) -> Result<Record, MeasuredError> {
-        let windows = self.windows(load_cell, setup, setup.window);
-        self.joined(load_cell, setup, windows, self.clocks(load_cell, setup, windows))
+    /// First and last time.
+    fn ends(&self) -> [f64; 2] {
+        [self.time[0], self.time[self.time.len() - 1]]
     }
 
-    /// The matched-filtered record of an axis.
-    fn matched(&self, load_cell: &LoadCell, setup: &Setup) -> Result<Record, MeasuredError> {
-        let windows = self.windows(load_cell, setup, None);
-        let clocks = self.clocks(load_cell, setup, windows);
-        let record = self.joined(load_cell, setup, windows, clocks)?;
-        let tolerance = match setup.delay {
-            Delay::Known(_) => 0.0,
-            Delay::Find(longest) => longest,
-            Delay::OfController => matched_filter::tolerance_of_controller(self.interval()),
-        };
-        let is_held = setup.delay == Delay::OfController;
-        let raw = |delay: f64| {
-            let clocks = Clocks { delay, ..clocks };
-            record.time.iter().map(|t| self.unfiltered(clocks.of_motion(*t))).collect()
-        };
-        let filter = Filter::new(&record, &raw, tolerance, is_held);
-        filter.apply(setup.mass, setup.window).ok_or_else(|| {
-            let window = setup.window.unwrap_or(matched_filter::shortest(record.quality.interval));
-            MeasuredError::NoStroke { window, tolerance }
-        })
+    /// Samples of the measured quantity, and the order of its derivative that is the acceleration.
+    fn measured(&self) -> (&[f64], usize) {
+        self.velocity.as_ref().map_or((&self.displacement, 2), |velocity| (velocity, 1))
     }
 
     /// Displacement, velocity and acceleration at a time, without a filter.
     fn unfiltered(&self, time: f64) -> [f64; 3] {
-        match &self.velocity {
-            None => derivatives(&self.time, &self.displacement, time),
-            Some(velocity) => {
-                let [x, ..] = derivatives(&self.time, &self.displacement, time);
-                let [v, a, _] = derivatives(&self.time, velocity, time);
-                [x, v, a]
-            }
-        }
-    }
-
-    /// Windows for velocity and acceleration: the given one, or those with the least error.
-    fn windows(&self, load_cell: &LoadCell, setup: &Setup, given: Option<f64>) -> [f64; 2] {
-        let given = given.map(|window| window.max(shortest(self.interval())));
-        match (given, &self.velocity) {
-            (Some(window), None) => [window; 2],
-            (Some(window), Some(_)) => [0.0, window],
-            (None, None) => self.signal(&self.displacement, load_cell, setup).windows(),
-            (None, Some(velocity)) => [0.0, self.signal(velocity, load_cell, setup).windows()[0]],
-        }
-    }
-
-    /// Samples of the motion, and the part of them that the force covers at any admitted delay.
-    fn signal<'a>(&'a self, values: &'a [f64], load_cell: &LoadCell, setup: &Setup) -> Signal<'a> {
-        let [least, most] = match setup.delay {
-            Delay::Known(delay) => [delay; 2],
-            Delay::Find(longest) => [-longest, longest],
-            Delay::OfController => {
-                let interval = self.interval();
-                let tolerance = matched_filter::tolerance_of_controller(interval);
-                range_around(matched_filter::delay_of_controller(interval), tolerance)
-            }
-        };
-        let [begin, end] = [load_cell.time[0] + setup.skip + least, load_cell.time[load_cell.time.len() - 1] + most];
-        let covered = self.time.partition_point(|t| *t < begin)..self.time.partition_point(|t| *t <= end);
-        let part = if covered.len() < LEAST { 0..self.time.len() } else { covered };
-        Signal { time: &self.time, values, interval: self.interval(), part }
-    }
-
-    /// Clocks, known or estimated from force and motion.
-    fn clocks(&self, load_cell: &LoadCell, setup: &Setup, windows: [f64; 2]) -> Clocks {
-        match setup.delay {
-            Delay::Known(delay) => Clocks::known(delay),
-            Delay::Find(longest) => {
-                let ends = [self.time[0], self.time[self.time.len() - 1]];
-                Pair::new(load_cell.time, load_cell.force, ends, &|time| self.at(windows, time)).find(longest)
-            }
-            Delay::OfController => Clocks::known(matched_filter::delay_of_controller(self.interval())),
-        }
-    }
-
-    /// Force and motion on the clock of the force, where both are known.
-    fn joined(
-        &self,
-        load_cell: &LoadCell,
-        setup: &Setup,
-        windows: [f64; 2],
-        clocks: Clocks,
-    ) -> Result<Record, MeasuredError> {
-        let inside = self.overlap(load_cell, setup, clocks)?;
-        let interval = self.interval();
-        let take = |values: &[f64]| -> Vec<f64> { inside.iter().map(|at| values[*at]).collect() };
-        let time = take(load_cell.time);
-        let filtered: Vec<[f64; 3]> = time.iter().map(|t| self.at(windows, clocks.of_motion(*t))).collect();
-        let [displacement, velocity, acceleration] =
-            [0, 1, 2].map(|n| filtered.iter().map(|point| point[n]).collect::<Vec<f64>>());
-        let force = take(load_cell.force);
-        let friction_force = force.iter().zip(&acceleration).map(|(force, a)| force - setup.mass * a).collect();
-        let mut record = Record {
-            normal_force: take(load_cell.load),
-            is_differentiated: self.velocity.is_none(),
-            window: windows[0],
-            acceleration_window: windows[1],
-            motion_interval: interval,
-            delay_range: (clocks.deviation > 0.0)
-                .then(|| range_around(clocks.delay, TOLERANCE * interval.max(clocks.deviation))),
-            matched_filter: None,
-            velocity_error: self.velocity_error(load_cell, setup, windows[0]),
-            acceleration_error: self.acceleration_error(load_cell, setup, windows[1]),
-            acceleration_lost: 0.0,
-            motion_ends: clocks.ends([self.time[0], self.time[self.time.len() - 1]]),
-            quality: Quality::default(),
-            time,
-            force,
-            displacement,
-            velocity,
-            acceleration,
-            friction_force,
-            clocks,
-        };
-        record.quality = quality(&record, setup);
-        record.acceleration_lost = self.acceleration_lost(&record);
-        Ok(record)
-    }
-
-    /// Samples of the force at which the motion is known too.
-    fn overlap(&self, load_cell: &LoadCell, setup: &Setup, clocks: Clocks) -> Result<Vec<usize>, MeasuredError> {
-        let [first, last] = [self.time[0], self.time[self.time.len() - 1]];
-        let begin = load_cell.time[0] + setup.skip;
-        let is_inside = |t: f64| t >= begin && (first..=last).contains(&clocks.of_motion(t));
-        let inside: Vec<usize> = (0..load_cell.time.len()).filter(|at| is_inside(load_cell.time[*at])).collect();
-        if inside.len() < LEAST {
-            let force = [begin, load_cell.time[load_cell.time.len() - 1]];
-            if load_cell.time.iter().filter(|t| **t >= begin).count() < LEAST {
-                let wanted = format!("short enough to leave at least {LEAST} samples before {} s", force[1]);
-                return Err(MeasuredError::Setup { name: "skip", value: setup.skip, wanted });
-            }
-            return Err(MeasuredError::Apart { force, motion: [first, last] });
-        }
-        Ok(inside)
-    }
-
-    /// RMS error of the velocity near rest: its noise if it was measured, otherwise its error in a window.
-    fn velocity_error(&self, load_cell: &LoadCell, setup: &Setup, window: f64) -> f64 {
-        match &self.velocity {
-            Some(velocity) => noise(velocity).max(rounding(velocity)),
-            None => self.signal(&self.displacement, load_cell, setup).error(window),
-        }
-    }
-
-    fn acceleration_error(&self, load_cell: &LoadCell, setup: &Setup, window: f64) -> f64 {
-        match &self.velocity {
-            Some(velocity) => self.signal(velocity, load_cell, setup).noise_in(window, 1),
-            None => self.signal(&self.displacement, load_cell, setup).noise_in(window, 2),
-        }
-    }
-
-    /// Fraction of the acceleration that its filter attenuates, extrapolated with the square of the window from the further
-    /// attenuation in twice the window: the noise of the difference is not correlated with that in the longer window.
-    fn acceleration_lost(&self, record: &Record) -> f64 {
-        let window = record.acceleration_window;
-        let (values, order) = self.velocity.as_ref().map_or((&self.displacement, 2), |velocity| (velocity, 1));
-        let [one, twice] = [window, 2.0 * window].map(|window| Local::new(&self.time, values, window));
-        let [first, last] = [record.motion_ends[0] + window, record.motion_ends[1] - window];
-        let (mut difference, mut square) = (0.0, 0.0);
-        let inside = record.time.iter().filter(|t| (first..=last).contains(*t));
-        for t in inside.step_by(record.time.len().div_ceil(COMPARED)) {
-            let [a, damped] = [one, twice].map(|local| local.at(record.clocks.of_motion(*t))[order]);
-            difference += (a - damped) * damped;
-            square += damped * damped;
-        }
-        if square > 0.0 { (difference / (3.0 * square)).max(0.0) } else { 0.0 }
+        let of_displacement = derivatives(&self.time, &self.displacement, time);
+        self.velocity.as_ref().map_or(of_displacement, |velocity| {
+            let [v, a, _] = derivatives(&self.time, velocity, time);
+            [of_displacement[0], v, a]
+        })
     }
 
     /// Displacement, velocity and acceleration at a time. A measured velocity is not smoothed.
@@ -338,6 +177,162 @@ impl Motion {
                 [x, v, acceleration]
             }
         }
+    }
+}
+
+/// Samples of the load cell on their clock, and the motion on its own.
+struct Reduction<'a> {
+    setup: &'a Setup,
+    time: Vec<f64>,
+    force: Vec<f64>,
+    load: Vec<f64>,
+    motion: Motion,
+}
+
+impl Reduction<'_> {
+    /// The record with the motion smoothed.
+    fn smoothed(&self) -> Result<Record, MeasuredError> {
+        let windows = self.windows(self.setup.window);
+        self.joined(windows, self.clocks(windows))
+    }
+
+    /// The matched-filtered record of an axis.
+    fn matched(&self) -> Result<Record, MeasuredError> {
+        let Setup { mass, window, delay, .. } = *self.setup;
+        let windows = self.windows(None);
+        let clocks = self.clocks(windows);
+        let record = self.joined(windows, clocks)?;
+        let tolerance = match delay {
+            Delay::Known(_) => 0.0,
+            Delay::Find(longest) => longest,
+            Delay::OfController => matched_filter::tolerance_of_controller(self.motion.interval()),
+        };
+        let raw = |delay: f64| {
+            let clocks = Clocks { delay, ..clocks };
+            record.time.iter().map(|t| self.motion.unfiltered(clocks.of_motion(*t))).collect()
+        };
+        let filter = Filter::new(&record, &raw, tolerance, delay == Delay::OfController);
+        filter.apply(mass, window).ok_or_else(|| {
+            let window = window.unwrap_or(matched_filter::shortest(record.quality.interval));
+            MeasuredError::NoStroke { window, tolerance }
+        })
+    }
+
+    /// Windows for velocity and acceleration: the given one, or those with the least error.
+    fn windows(&self, given: Option<f64>) -> [f64; 2] {
+        let given = given.map(|window| [window.max(shortest(self.motion.interval())); 2]);
+        let [first, second] = given.unwrap_or_else(|| self.signal().windows());
+        if self.motion.velocity.is_some() { [0.0, first] } else { [first, second] }
+    }
+
+    /// Samples of the motion, and the part of them that the force covers at any admitted delay.
+    fn signal(&self) -> Signal<'_> {
+        let interval = self.motion.interval();
+        let [least, most] = match self.setup.delay {
+            Delay::Known(delay) => [delay; 2],
+            Delay::Find(longest) => [-longest, longest],
+            Delay::OfController => {
+                let tolerance = matched_filter::tolerance_of_controller(interval);
+                range_around(matched_filter::delay_of_controller(interval), tolerance)
+            }
+        };
+        let [begin, end] = [self.time[0] + self.setup.skip + least, self.time[self.time.len() - 1] + most];
+        let time = &self.motion.time;
+        let covered = time.partition_point(|t| *t < begin)..time.partition_point(|t| *t <= end);
+        let part = if covered.len() < LEAST { 0..time.len() } else { covered };
+        Signal { time, values: self.motion.measured().0, interval, part }
+    }
+
+    /// Clocks, known or estimated from force and motion.
+    fn clocks(&self, windows: [f64; 2]) -> Clocks {
+        match self.setup.delay {
+            Delay::Known(delay) => Clocks::known(delay),
+            Delay::Find(longest) => {
+                let motion = |time| self.motion.at(windows, time);
+                Pair::new(&self.time, &self.force, self.motion.ends(), &motion).find(longest)
+            }
+            Delay::OfController => Clocks::known(matched_filter::delay_of_controller(self.motion.interval())),
+        }
+    }
+
+    /// Force and motion on the clock of the force, where both are known.
+    fn joined(&self, windows: [f64; 2], clocks: Clocks) -> Result<Record, MeasuredError> {
+        let inside = self.overlap(clocks)?;
+        let take = |values: &[f64]| -> Vec<f64> { inside.iter().map(|at| values[*at]).collect() };
+        let (time, force) = (take(&self.time), take(&self.force));
+        let filtered: Vec<[f64; 3]> = time.iter().map(|t| self.motion.at(windows, clocks.of_motion(*t))).collect();
+        let [displacement, velocity, acceleration] =
+            [0, 1, 2].map(|n| filtered.iter().map(|point| point[n]).collect::<Vec<f64>>());
+        let mut record = Record {
+            friction_force: force.iter().zip(&acceleration).map(|(force, a)| force - self.setup.mass * a).collect(),
+            normal_force: take(&self.load),
+            is_differentiated: self.motion.velocity.is_none(),
+            window: windows[0],
+            acceleration_window: windows[1],
+            motion_interval: self.motion.interval(),
+            delay_range: self.delay_range(clocks),
+            matched_filter: None,
+            velocity_error: self.velocity_error(windows[0]),
+            acceleration_error: self.signal().noise_in(windows[1], self.motion.measured().1),
+            acceleration_lost: 0.0,
+            motion_ends: clocks.ends(self.motion.ends()),
+            quality: Quality::default(),
+            time,
+            force,
+            displacement,
+            velocity,
+            acceleration,
+            clocks,
+        };
+        record.quality = quality(&record, self.setup);
+        record.acceleration_lost = self.acceleration_lost(&record);
+        Ok(record)
+    }
+
+    /// Samples of the force at which the motion is known too.
+    fn overlap(&self, clocks: Clocks) -> Result<Vec<usize>, MeasuredError> {
+        let motion @ [first, last] = self.motion.ends();
+        let [begin, end] = [self.time[0] + self.setup.skip, self.time[self.time.len() - 1]];
+        let is_inside = |t: f64| t >= begin && (first..=last).contains(&clocks.of_motion(t));
+        let inside: Vec<usize> = (0..self.time.len()).filter(|at| is_inside(self.time[*at])).collect();
+        if inside.len() >= LEAST {
+            Ok(inside)
+        } else if self.time.iter().filter(|t| **t >= begin).count() < LEAST {
+            let wanted = format!("short enough to leave at least {LEAST} samples before {end} s");
+            Err(MeasuredError::Setup { name: "skip", value: self.setup.skip, wanted })
+        } else {
+            Err(MeasuredError::Apart { force: [begin, end], motion })
+        }
+    }
+
+    fn delay_range(&self, clocks: Clocks) -> Option<[f64; 2]> {
+        let tolerance = TOLERANCE * self.motion.interval().max(clocks.deviation);
+        (clocks.deviation > 0.0).then(|| range_around(clocks.delay, tolerance))
+    }
+
+    /// RMS error of the velocity near rest: its noise if it was measured, otherwise its error in a window.
+    fn velocity_error(&self, window: f64) -> f64 {
+        match &self.motion.velocity {
+            Some(velocity) => noise(velocity).max(rounding(velocity)),
+            None => self.signal().error(window),
+        }
+    }
+
+    /// Fraction of the acceleration that its filter attenuates, extrapolated with the square of the window from the further
+    /// attenuation in twice the window: the noise of the difference is not correlated with that in the longer window.
+    fn acceleration_lost(&self, record: &Record) -> f64 {
+        let window = record.acceleration_window;
+        let (values, order) = self.motion.measured();
+        let [one, twice] = [window, 2.0 * window].map(|window| Local::new(&self.motion.time, values, window));
+        let [first, last] = [record.motion_ends[0] + window, record.motion_ends[1] - window];
+        let (mut difference, mut square) = (0.0, 0.0);
+        let inside = record.time.iter().filter(|t| (first..=last).contains(*t));
+        for t in inside.step_by(record.time.len().div_ceil(COMPARED)) {
+            let [a, damped] = [one, twice].map(|local| local.at(record.clocks.of_motion(*t))[order]);
+            difference += (a - damped) * damped;
+            square += damped * damped;
+        }
+        if square > 0.0 { (difference / (3.0 * square)).max(0.0) } else { 0.0 }
     }
 }
 
