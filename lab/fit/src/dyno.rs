@@ -54,6 +54,7 @@ use stribeck::model::ModelType;
 use stribeck::numerics::interpolation::Curve;
 use thiserror::Error;
 
+use crate::measured::{extremes, median};
 use crate::sheet::SheetError;
 
 pub use file::Test;
@@ -236,7 +237,7 @@ pub enum DynoError {
     OnlySlow {
         /// The highest speed, m/s.
         fastest: f64,
-        /// The speed up to which friction is looked for, m/s.
+        /// The speed up to which friction is separated from damping, m/s.
         low_speed: f64,
     },
     /// Squares of velocities or forces overflow, or table points coincide.
@@ -282,19 +283,17 @@ pub fn find_damper(test: &Test, options: &Options) -> Result<Damper, DynoError> 
     if fastest <= low_speed {
         return Err(DynoError::OnlySlow { fastest, low_speed });
     }
-    let mut warnings = warnings_of(test);
+    let mut warnings: Vec<String> = warm_up(test).into_iter().collect();
     let gradient = if test.displacement.is_some() { remove_gradient(&mut samples) } else { None };
     if test.displacement.is_some() && gradient.is_none() {
         warnings.push("the displacement does not separate the two branches of a stroke: not used".into());
     }
-    let rest = sides_at_rest(&samples, options, gradient.is_some());
-    let (friction, gas_force) = match rest {
+    let (friction, gas_force) = match sides_at_rest(&samples, options, gradient.is_some()) {
         Ok(sides) => friction_and_gas(sides, options.gas_force, &mut warnings),
         Err(direction) => {
             warnings.push(format!(
-                "too few samples below {} m/s in {direction}: friction and gas force cannot be separated from \
-                 damping; the table includes them, and the set keeps the default friction",
-                options.low_speed
+                "too few samples below {low_speed} m/s in {direction}: friction and gas force cannot be separated from \
+                 damping; the table includes them, and the set keeps the default friction"
             ));
             (None, None)
         }
@@ -325,46 +324,49 @@ fn check(options: &Options) -> Result<(), DynoError> {
     }
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
-}
-
-/// Sign of the force, in agreement with the option. Velocity and force are used as in the file: reversing both changes
-/// nothing.
+/// Sign convention of the force in the file, checked against the option. Velocity and force are used as in the file:
+/// reversing both changes nothing.
 fn force_sign(test: &Test, options: &Options) -> Result<ForceSign, DynoError> {
-    let half = |direction: f64| test.velocity.iter().fold(0.0, |most: f64, v| most.max(direction * v)) / 2.0;
-    let at_speed = |direction: f64| -> Vec<f64> {
-        let half = half(direction);
-        let pairs = test.velocity.iter().zip(&test.force);
-        pairs.filter(|(velocity, _)| direction * **velocity > half).map(|(_, force)| *force).collect()
-    };
-    let count = |direction: f64| test.velocity.iter().filter(|velocity| direction * **velocity > 0.0).count();
-    let names = if options.compression_positive { ["compression", "extension"] } else { ["extension", "compression"] };
-    for (direction, name) in [1.0, -1.0].into_iter().zip(names) {
-        if count(direction) < 2 {
-            return Err(DynoError::OneDirection { direction: name, count: count(direction) });
-        }
-    }
-    let [up, down] = [at_speed(1.0), at_speed(-1.0)];
-    let centre = (median(up.clone()) + median(down.clone())) / 2.0;
-    let agree =
-        up.iter().filter(|force| **force > centre).count() + down.iter().filter(|force| **force < centre).count();
-    let percent = 100.0 * agree as f64 / (up.len() + down.len()) as f64;
+    check_directions(test, options)?;
+    let percent = 100.0 * agreement(test);
     let found = match percent {
         90.0.. => ForceSign::Resistance,
         ..=10.0 => ForceSign::Reaction,
         _ => return Err(DynoError::Incoherent { percent }),
     };
-    if let Some(displacement) = &test.displacement
-        && climb(&test.velocity, displacement) < 0.0
-    {
+    if test.displacement.as_ref().is_some_and(|displacement| climb(&test.velocity, displacement) < 0.0) {
         return Err(DynoError::Displacement);
     }
     match options.force_sign {
         Some(wanted) if wanted != found => Err(DynoError::ForceSign { found, wanted }),
         _ => Ok(found),
     }
+}
+
+fn check_directions(test: &Test, options: &Options) -> Result<(), DynoError> {
+    let names = if options.compression_positive { ["compression", "extension"] } else { ["extension", "compression"] };
+    for (sign, direction) in [1.0, -1.0].into_iter().zip(names) {
+        let count = test.velocity.iter().filter(|velocity| sign * **velocity > 0.0).count();
+        if count < 2 {
+            return Err(DynoError::OneDirection { direction, count });
+        }
+    }
+    Ok(())
+}
+
+/// Fraction of the samples above half of the highest speed of their direction in which the force, relative to the middle
+/// of the medians of both directions, has the sign of the velocity.
+fn agreement(test: &Test) -> f64 {
+    let at_speed = |direction: f64| -> Vec<f64> {
+        let half = test.velocity.iter().fold(0.0, |most: f64, v| most.max(direction * v)) / 2.0;
+        let pairs = test.velocity.iter().zip(&test.force);
+        pairs.filter(|(velocity, _)| direction * **velocity > half).map(|(_, force)| *force).collect()
+    };
+    let [mut up, mut down] = [at_speed(1.0), at_speed(-1.0)];
+    let centre = (median(&mut up) + median(&mut down)) / 2.0;
+    let above = up.iter().filter(|force| **force > centre).count();
+    let below = down.iter().filter(|force| **force < centre).count();
+    (above + below) as f64 / (up.len() + down.len()) as f64
 }
 
 /// Positive if the displacement mostly increases while the velocity is positive.
@@ -386,23 +388,19 @@ fn samples(test: &Test, options: &Options, force_sign: ForceSign) -> Vec<Sample>
     all.filter(|sample| sample.velocity != 0.0).collect()
 }
 
-fn warnings_of(test: &Test) -> Vec<String> {
-    let Some(temperature) = &test.temperature else { return Vec::new() };
-    let low = temperature.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = temperature.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    if high - low <= WARM_UP {
-        return Vec::new();
-    }
+fn warm_up(test: &Test) -> Option<String> {
+    let [low, high] = extremes(test.temperature.as_ref()?.iter().copied());
     let [low_c, high_c] = [low, high].map(|kelvin| kelvin - 273.15);
-    vec![format!(
-        "the temperature runs from {low_c:.1} to {high_c:.1} degC: damping and friction of a warm damper are smaller; \
-         the table is a mean over the test"
-    )]
+    (high - low > WARM_UP).then(|| {
+        format!(
+            "the temperature runs from {low_c:.1} to {high_c:.1} degC: damping and friction of a warm damper are \
+             smaller; the table is a mean over the test"
+        )
+    })
 }
 
 fn centre_and_stroke(samples: &[Sample]) -> (f64, f64) {
-    let low = samples.iter().map(|sample| sample.displacement).fold(f64::INFINITY, f64::min);
-    let high = samples.iter().map(|sample| sample.displacement).fold(f64::NEG_INFINITY, f64::max);
+    let [low, high] = extremes(samples.iter().map(|sample| sample.displacement));
     ((low + high) / 2.0, high - low)
 }
 
@@ -410,34 +408,36 @@ fn top_speed(samples: &[Sample]) -> f64 {
     samples.iter().fold(0.0, |most, sample| sample.velocity.abs().max(most))
 }
 
-/// Removes the force in proportion to displacement from the samples and returns its slope, found at the speeds at which
-/// both branches of a stroke are far apart in displacement. None if displacement and velocity do not vary
-/// independently.
+/// Removes the force in proportion to displacement from the samples and returns its slope. None if displacement and
+/// velocity do not vary independently.
 fn remove_gradient(samples: &mut [Sample]) -> Option<Estimate> {
-    const FEWEST: usize = 20; // chosen: a loop has more samples, a peak-velocity plot less
     let (centre, stroke) = centre_and_stroke(samples);
     if stroke == 0.0 {
         return None;
     }
-    let slope = |is_extension: bool| {
-        let side: Vec<Sample> =
-            samples.iter().copied().filter(|sample| sample.is_extension() == is_extension).collect();
-        let top = top_speed(&side);
-        let side = side.iter().filter(|sample| (0.3..0.9).contains(&(sample.velocity.abs() / top)));
-        let (rows, values): (Vec<[f64; 5]>, Vec<f64>) = side
-            .map(|sample| {
-                let u = sample.velocity.abs() / top - 0.6;
-                ([1.0, u, u * u, u * u * u, (sample.displacement - centre) / stroke], sample.resistance)
-            })
-            .unzip();
-        if rows.len() < FEWEST { None } else { regress(&rows, &values).map(|estimates| estimates[4]) }
+    let side = |is_extension: bool| -> Vec<Sample> {
+        samples.iter().copied().filter(|sample| sample.is_extension() == is_extension).collect()
     };
-    let [first, second] = [slope(true)?, slope(false)?];
-    let gradient = mean(first, second).map(|value| value / stroke);
+    let slope = |side: &[Sample]| slope(side, |sample| (sample.displacement - centre) / stroke);
+    let gradient = mean(slope(&side(true))?, slope(&side(false))?).map(|value| value / stroke);
     for sample in samples {
         sample.resistance -= gradient.value * (sample.displacement - centre);
     }
     Some(gradient)
+}
+
+/// Slope of the resistance of one direction over a quantity, beside a cubic of the speed, at the speeds at which both
+/// branches of a stroke are far apart in displacement.
+fn slope(side: &[Sample], over: impl Fn(&Sample) -> f64) -> Option<Estimate> {
+    const FEWEST: usize = 20; // chosen: a loop has more samples, a peak-velocity plot less
+    let top = top_speed(side);
+    let middle = side.iter().filter(|sample| (0.3..0.9).contains(&(sample.velocity.abs() / top)));
+    let row = |sample: &Sample| {
+        let u = sample.velocity.abs() / top - 0.6;
+        ([1.0, u, u * u, u * u * u, over(sample)], sample.resistance)
+    };
+    let (rows, values): (Vec<[f64; 5]>, Vec<f64>) = middle.map(row).unzip();
+    if rows.len() < FEWEST { None } else { regress(&rows, &values).map(|estimates| estimates[4]) }
 }
 
 impl Estimate {
@@ -467,10 +467,12 @@ fn sides_at_rest(
         !with_displacement || travel > BREAKAWAY.min(0.1 * stroke)
     };
     let side = |is_extension: bool| {
-        let near = samples.iter().filter(|sample| sample.is_extension() == is_extension && developed(sample));
-        let near = near.filter(|sample| (slowest..=window).contains(&sample.velocity.abs()));
-        let near: Vec<(f64, f64)> = near.map(|sample| (sample.velocity, sample.resistance)).collect();
-        local(&near, 0.0).ok_or(if is_extension { "extension" } else { "compression" })
+        let is_near = |sample: &&Sample| {
+            let is_slow = (slowest..=window).contains(&sample.velocity.abs());
+            sample.is_extension() == is_extension && is_slow && developed(sample)
+        };
+        let near = samples.iter().filter(is_near).map(|sample| (sample.velocity, sample.resistance));
+        local(&near.collect::<Vec<_>>(), 0.0).ok_or(if is_extension { "extension" } else { "compression" })
     };
     Ok([side(true)?, side(false)?])
 }
@@ -525,20 +527,21 @@ impl Offset {
 fn table(samples: &[Sample], offset: &Offset, points: usize, warnings: &mut Vec<String>) -> Vec<(f64, f64)> {
     let mut correction: f64 = 0.0;
     let mut side = |is_extension| {
-        let curve = curve(hydraulic(samples, offset, is_extension));
-        let (speeds, forces): (Vec<f64>, Vec<f64>) = curve.into_iter().unzip();
+        let (speeds, forces): (Vec<f64>, Vec<f64>) =
+            curve(hydraulic(samples, offset, is_extension)).into_iter().unzip();
         let monotone = isotonic(&forces);
-        let moved = forces.iter().zip(&monotone).map(|(force, monotone)| (force - monotone).abs());
-        correction = moved.fold(correction, f64::max);
-        let curve: Vec<(f64, f64)> = [(0.0, 0.0)].into_iter().chain(speeds.into_iter().zip(monotone)).collect();
-        polyline(&curve, (points - 1) / 2)
+        let shifts = forces.iter().zip(&monotone).map(|(force, monotone)| (force - monotone).abs());
+        correction = shifts.fold(correction, f64::max);
+        let points_from_rest: Vec<(f64, f64)> =
+            [(0.0, 0.0)].into_iter().chain(speeds.into_iter().zip(monotone)).collect();
+        polyline(&points_from_rest, (points - 1) / 2)
     };
     let [compression, extension] = [side(false), side(true)];
     if correction > 0.0 {
         warnings.push(format!("the measured curve is not monotone: points were moved by up to {correction:.1} N"));
     }
-    let compression = compression.into_iter().rev().map(|(speed, force)| (-speed, -force));
-    compression.chain([(0.0, 0.0)]).chain(extension).collect()
+    let negative = compression.into_iter().rev().map(|(speed, force)| (-speed, -force));
+    negative.chain([(0.0, 0.0)]).chain(extension).collect()
 }
 
 /// Speed and hydraulic resistance of one direction, both positive, sorted by speed.
@@ -548,9 +551,9 @@ fn hydraulic(samples: &[Sample], offset: &Offset, is_extension: bool) -> Vec<(f6
         let force = sample.resistance - offset.at(sample.velocity);
         (sample.velocity.abs(), sample.velocity.signum() * force)
     };
-    let mut side: Vec<(f64, f64)> = side.map(speed_and_force).collect();
-    side.sort_by(|a, b| a.0.total_cmp(&b.0));
-    side
+    let mut curve: Vec<(f64, f64)> = side.map(speed_and_force).collect();
+    curve.sort_by(|a, b| a.0.total_cmp(&b.0));
+    curve
 }
 
 /// The curve through samples sorted by speed: the samples themselves if they are few, else local fits at speeds that
@@ -613,9 +616,8 @@ fn groups(sorted: &[(f64, f64)], width: f64) -> Vec<(f64, f64)> {
     while let [first, ..] = rest {
         let count = rest.partition_point(|sample| sample.0 <= first.0 + width);
         let (group, others) = rest.split_at(count);
-        let [speeds, forces]: [Vec<f64>; 2] =
-            [group.iter().map(|sample| sample.0).collect(), group.iter().map(|sample| sample.1).collect()];
-        groups.push((median(speeds), median(forces)));
+        let (mut speeds, mut forces): (Vec<f64>, Vec<f64>) = group.iter().copied().unzip();
+        groups.push((median(&mut speeds), median(&mut forces)));
         rest = others;
     }
     groups
@@ -636,8 +638,8 @@ impl Damper {
         let level = self.friction.map(|friction| friction.level);
         let asymmetry = self.friction.and_then(|friction| friction.asymmetry);
         let estimates = [level, self.gas_force, self.gradient].into_iter().flatten();
-        let numbers = estimates.flat_map(|estimate| [estimate.value, estimate.deviation]);
-        let mut numbers = numbers.chain([self.rms_error, self.max_error]).chain(asymmetry);
+        let estimated = estimates.flat_map(|estimate| [estimate.value, estimate.deviation]);
+        let mut numbers = estimated.chain([self.rms_error, self.max_error]).chain(asymmetry);
         numbers.all(f64::is_finite)
             && self.table.iter().all(|(velocity, force)| velocity.is_finite() && force.is_finite())
             && self.table.windows(2).all(|pair| pair[0].0 < pair[1].0 && pair[0].1 <= pair[1].1)

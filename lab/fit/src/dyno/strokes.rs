@@ -1,4 +1,4 @@
-//! Slow strokes of a damper test: what of the force is friction there, over time.
+//! Slow strokes of a damper test: friction over time.
 
 use super::{Damper, DynoError, ForceSign, Options, Test, centre_and_stroke, samples};
 use stribeck::numerics::interpolation::Curve;
@@ -18,7 +18,7 @@ pub struct Stroke {
 const TURNS: usize = 2;
 const SAMPLES: usize = 20;
 
-/// Part of its largest speed that a part must exceed between two turns: slower motion is noise (chosen).
+/// Fraction of its largest speed that a part must exceed between two reversals: slower motion is noise (chosen).
 const TURN: f64 = 0.1;
 
 /// The slow strokes of the test in which a damper was found.
@@ -39,18 +39,18 @@ pub fn slow_strokes(test: &Test, options: &Options, damper: &Damper) -> Result<V
         let gas = damper.gas_force.map_or(0.0, |gas| gas.value);
         signs[1] * test.force[at] - Curve::from(&damper.table[..]).linear(velocity) - gradient + gas
     };
-    let mut found = Vec::new();
+    let mut strokes = Vec::new();
     for (from, to) in slow(&test.velocity, options.low_speed) {
         let velocity: Vec<f64> = test.velocity[from..to].iter().map(|velocity| signs[0] * velocity).collect();
         if to - from >= SAMPLES && turns(&velocity) >= TURNS {
             let friction_force = (from..to).map(friction).collect();
-            found.push(Stroke { time: time[from..to].to_vec(), velocity, friction_force });
+            strokes.push(Stroke { time: time[from..to].to_vec(), velocity, friction_force });
         }
     }
-    if found.is_empty() { Err(DynoError::NoSlowStrokes { low_speed: options.low_speed }) } else { Ok(found) }
+    if strokes.is_empty() { Err(DynoError::NoSlowStrokes { low_speed: options.low_speed }) } else { Ok(strokes) }
 }
 
-/// Factors that give velocity and displacement, and force, this project's signs.
+/// Factors of motion and force from the signs of the file to those of this project.
 pub(super) fn signs(options: &Options, force_sign: ForceSign) -> [f64; 2] {
     let motion = if options.compression_positive { -1.0 } else { 1.0 };
     [motion, if force_sign == ForceSign::Reaction { -motion } else { motion }]

@@ -49,7 +49,7 @@ fn gaps(time: &[f64], interval: f64) -> Vec<Gap> {
 }
 
 /// Least and largest value.
-pub(super) fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
+pub(crate) fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
 }
 
@@ -90,13 +90,13 @@ fn one_load([low, high]: [f64; 2]) -> Option<String> {
 
 /// Changes of direction between motions faster than [`TURN`] times the fastest.
 fn reversals(velocity: &[f64], fastest: f64) -> usize {
-    let signs = velocity.iter().filter(|v| v.abs() > TURN * fastest).map(|v| *v > 0.0);
-    let signs: Vec<bool> = signs.collect();
+    let fast = velocity.iter().filter(|v| v.abs() > TURN * fastest);
+    let signs: Vec<bool> = fast.map(|v| *v > 0.0).collect();
     signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
 
-/// Middle value; sorts the values.
-pub(super) fn median(values: &mut [f64]) -> f64 {
+/// Median, the upper one of an even number of values; sorts them.
+pub(crate) fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }

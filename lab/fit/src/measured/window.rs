@@ -125,8 +125,8 @@ impl Signal<'_> {
     /// Whether a window around each time has samples at both sides and no gap.
     fn is_whole(&self, half: f64) -> impl Fn(f64) -> bool {
         let [first, last] = [self.time[0] + half, self.time[self.time.len() - 1] - half];
-        let gaps = self.time.windows(2).filter(|pair| pair[1] - pair[0] > GAP * self.interval);
-        let gaps: Vec<[f64; 2]> = gaps.map(|pair| [pair[0], pair[1]]).collect();
+        let pairs = self.time.windows(2).filter(|pair| pair[1] - pair[0] > GAP * self.interval);
+        let gaps: Vec<[f64; 2]> = pairs.map(|pair| [pair[0], pair[1]]).collect();
         move |t| {
             let next = gaps.partition_point(|[_, end]| *end <= t - half);
             (first..=last).contains(&t) && gaps.get(next).is_none_or(|[begin, _]| *begin >= t + half)
