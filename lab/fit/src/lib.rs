@@ -1,9 +1,9 @@
-//! Files that people have, and what is found in them.
+//! Measurement files, and the parameters that are identified from them.
 //!
-//! [`sheet`] reads tables, [`tir`] tyre property files. [`dyno`] makes a
-//! [`ParameterSet`](ssp::parameter_set::ParameterSet) from the measurements of a damper dynamometer, [`measured`] makes
-//! friction of what a rig has recorded, and [`identify`] finds the parameters of a law in it. [`rig`] records what a law
-//! would do, to try all this on. [`thesis`] has figures to compare with.
+//! [`sheet`] reads tables, [`tir`] tyre property files. [`dyno`] computes a
+//! [`ParameterSet`](ssp::parameter_set::ParameterSet) from a damper test, [`measured`] the friction in the records of a
+//! rig, and [`identify`] fits a law to it. [`rig`] simulates such records, [`thesis`] has published figures to compare
+//! with.
 
 pub mod dyno;
 pub mod identify;

@@ -1,4 +1,4 @@
-//! A virtual rig: records of a slider with the faults of a real one, whose law is known.
+//! A virtual rig: simulated records of a slider with a known law, with the faults of a real rig.
 //!
 //! A slider is dragged to and fro along
 //!
@@ -11,13 +11,13 @@
 //! | fault      | size                | meaning                                                                    |
 //! |------------|---------------------|----------------------------------------------------------------------------|
 //! | noise      | 1 % of the force    | white noise of the load cell                                               |
-//! | hysteresis | 0.2 % of the force  | the load cell follows with a play                                          |
+//! | hysteresis | 0.2 % of the force  | play of the load cell                                                      |
 //! | ripple     | 2 %                 | the normal force changes at 7 Hz; the file has its mean                    |
 //! | drift      | 0.1 % of the force  | of the load cell, over the record                                          |
 //! | camera     | 100 Hz, 20 um       | displacement on a clock that is 12 ms late and gains 0.1 ms per second     |
 //!
 //! all chosen, and each can be left out; without a camera the displacement is that of an encoder, 1 kHz and 0.1 um. The
-//! seed also chooses where between two of their steps encoder or camera begin to count.
+//! seed also chooses the zero of encoder or camera within their resolution.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -53,20 +53,20 @@ pub struct VirtualRig {
 /// Faults of a rig; 0 for none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Faults {
-    /// Standard deviation of the noise, as a part of the largest force.
+    /// Standard deviation of the noise, relative to the largest force.
     pub noise: f64,
-    /// Play of the load cell, as a part of the largest force.
+    /// Play of the load cell, relative to the largest force.
     pub hysteresis: f64,
-    /// Amplitude of the normal force, as a part of its mean.
+    /// Amplitude of the normal force, relative to its mean.
     pub ripple: f64,
-    /// Change of the force over the record, as a part of the largest force.
+    /// Drift of the force over the record, relative to the largest force.
     pub drift: f64,
-    /// Whether the motion is seen by a camera.
+    /// Whether a camera measures the motion.
     pub camera: bool,
 }
 
 impl Faults {
-    /// A rig with noise alone.
+    /// Noise only.
     pub const NOISE: Faults = Faults { noise: 0.01, hysteresis: 0.0, ripple: 0.0, drift: 0.0, camera: false };
     /// All faults.
     pub const ALL: Faults = Faults { noise: 0.01, hysteresis: 0.002, ripple: 0.02, drift: 0.001, camera: true };
@@ -141,25 +141,14 @@ impl VirtualRig {
             let position = rounded(motion(t)[0] + zero * ENCODER, ENCODER);
             let _ = if camera { writeln!(force) } else { writeln!(force, ",{position:.7}") };
         }
-        Ok(Files { force, camera: camera.then(|| self.seen()) })
+        Ok(Files { force, camera: camera.then(|| self.camera()) })
     }
 
     /// The friction force at the samples of the load cell.
     fn friction(&self, count: usize) -> Result<Vec<f64>, Fault> {
-        let law = self.law;
-        let find = |name: &str| {
-            let all = law.variables().map(|(_, variable)| variable.path.to_string()).collect::<Vec<String>>();
-            law.find(name)
-                .ok_or_else(|| Fault::unknown(format!("{}: variable", law.name), name, all.iter().map(String::as_str)))
-        };
-        let refused = |reason: &dyn std::fmt::Display| Fault::value(format_args!("{}: {reason}", law.name));
-        let one_way = || refused(&"only laws of one sliding direction have a rig");
-        let Ports { velocity, load, force, .. } = Ports::of(law).ok_or_else(one_way)?;
-        let mut instance = Instance::new(law);
-        let values: Result<Vec<(usize, f64)>, Fault> =
-            self.values.iter().map(|(name, value)| Ok((find(name)?, *value))).collect();
-        instance.set_all(Phase::Setup, values?.into_iter()).map_err(|reason| refused(&reason))?;
-        instance.check().map_err(|reason| refused(&reason))?;
+        let Ports { velocity, load, force, .. } =
+            Ports::of(self.law).ok_or_else(|| self.refused("only laws of one sliding direction have a rig"))?;
+        let mut instance = self.instance()?;
         let samples = (count - 1) * FINER + 1;
         let time = |at: usize| at as f64 * INTERVAL / FINER as f64;
         let velocities: Vec<f64> = (0..samples).map(|at| motion(time(at))[1]).collect();
@@ -170,17 +159,38 @@ impl VirtualRig {
         let course = Course { inputs: &inputs, times, samples, between: Between::Linear };
         let mut forces = vec![0.0; samples];
         let never = std::sync::atomic::AtomicBool::new(false);
-        follow(&mut instance, &course, &[force], &mut [&mut forces], &never).map_err(|reason| refused(&reason))?;
+        let followed = follow(&mut instance, &course, &[force], &mut [&mut forces], &never);
+        followed.map_err(|reason| self.refused(reason))?;
         Ok(forces.into_iter().step_by(FINER).collect())
     }
 
-    /// Where encoder and camera begin to count, as a part of their resolution.
+    /// The law with its values.
+    fn instance(&self) -> Result<Instance, Fault> {
+        let law = self.law;
+        let column = |name: &str| {
+            let all: Vec<String> = law.variables().map(|(_, variable)| variable.path.to_string()).collect();
+            let unknown = || Fault::unknown(format!("{}: variable", law.name), name, all.iter().map(String::as_str));
+            law.find(name).ok_or_else(unknown)
+        };
+        let all = self.values.iter().map(|(name, value)| Ok((column(name)?, *value)));
+        let values = all.collect::<Result<Vec<(usize, f64)>, Fault>>()?;
+        let mut instance = Instance::new(law);
+        instance.set_all(Phase::Setup, values.into_iter()).map_err(|reason| self.refused(reason))?;
+        instance.check().map_err(|reason| self.refused(reason))?;
+        Ok(instance)
+    }
+
+    fn refused(&self, reason: impl std::fmt::Display) -> Fault {
+        Fault::value(format_args!("{}: {reason}", self.law.name))
+    }
+
+    /// Zero of encoder and camera, relative to their resolution.
     fn zero(&self) -> f64 {
         fastrand::Rng::with_seed(!self.seed).f64()
     }
 
     /// Table of the camera, from a little before the record to a little after it.
-    fn seen(&self) -> String {
+    fn camera(&self) -> String {
         let mut text = "time [s],displacement [m]\n".to_owned();
         let frames = ((self.duration + 0.2) / FRAME).round() as usize;
         for frame in 0..=frames {
@@ -200,19 +210,15 @@ impl VirtualRig {
             ("hysteresis", hysteresis),
             ("drift", drift),
         ];
-        for (name, value) in numbers {
-            if !(value >= 0.0 && value.is_finite()) {
-                return Err(Fault::value(format_args!("{name} = {value}: must be >= 0 and finite")));
+        let wrong = |text: std::fmt::Arguments| Err(Fault::value(text));
+        match numbers.into_iter().find(|(_, value)| !(*value >= 0.0 && value.is_finite())) {
+            Some((name, value)) => wrong(format_args!("{name} = {value}: must be >= 0 and finite")),
+            None if !(0.0..=1.0).contains(&ripple) => wrong(format_args!("ripple = {ripple}: must be from 0 to 1")),
+            None if !(0.1..=LONGEST).contains(&self.duration) => {
+                wrong(format_args!("duration = {} s: must be from 0.1 s to {LONGEST} s", self.duration))
             }
+            None => Ok(()),
         }
-        if !(0.0..=1.0).contains(&ripple) {
-            return Err(Fault::value(format_args!("ripple = {ripple}: must be from 0 to 1")));
-        }
-        if !(0.1..=LONGEST).contains(&self.duration) {
-            let text = format_args!("duration = {} s: must be from 0.1 s to {LONGEST} s", self.duration);
-            return Err(Fault::value(text));
-        }
-        Ok(())
     }
 }
 
@@ -253,8 +259,13 @@ mod tests {
     fn the_clock_of_the_camera_is_found() {
         let files = rig(Faults::ALL).record().unwrap();
         let sheets = [Some(files.force), files.camera].map(|text| Sheet::parse(&text.unwrap()).unwrap());
-        let known =
-            Setup { mass: 2.0, normal_force: Some(20.0), window: Some(0.07), delay: Delay::Find(0.05), ..Setup::default() };
+        let known = Setup {
+            mass: 2.0,
+            normal_force: Some(20.0),
+            window: Some(0.07),
+            delay: Delay::Find(0.05),
+            ..Setup::default()
+        };
         let record = Record::of(&sheets[0], Some(&sheets[1]), &known).unwrap();
         assert!((record.clocks.delay - DELAY).abs() < 0.2 * FRAME, "{:?}", record.clocks);
         assert!((record.quality.resolution - PIXEL).abs() < PIXEL, "{:?}", record.quality);

@@ -2,7 +2,7 @@
 //!
 //! A heading names the columns, each with its unit in brackets if it is not the SI unit; a row of units may follow it
 //! instead. The separator (tab, semicolon, comma, or blanks if there is none of these) is that of the heading; unless it
-//! is a comma, numbers may have a decimal comma. `#` begins a comment; columns that nobody asks for are ignored.
+//! is a comma, numbers may have a decimal comma. `#` begins a comment; unused columns are ignored.
 
 mod binary;
 
@@ -59,12 +59,12 @@ pub const MOMENT: Quantity =
 /// Quantities that differ in their units.
 const QUANTITIES: [&Quantity; 8] = [&TIME, &VELOCITY, &FORCE, &DISPLACEMENT, &TEMPERATURE, &ANGLE, &SLIP, &MOMENT];
 
-/// Quantities that a factor turns into another one: the moment of a drive, its angle, its current in percent.
+/// Quantities of signals, which a factor converts: the moment of a drive, its angle, its current in percent.
 const OF_SIGNALS: [&Quantity; 3] = [&ANGLE, &SLIP, &MOMENT];
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// Reason why a file is not such a table.
+/// Error in a table.
 #[derive(Debug, Error)]
 pub enum SheetError {
     /// The file cannot be read.
@@ -94,7 +94,7 @@ pub enum SheetError {
     /// The text is not a table.
     #[error("no table: {0}")]
     Table(#[from] csv::Error),
-    /// A row of the table does not fit its heading.
+    /// A row has not as many cells as the heading.
     #[error("no table: line {line}, columns: {cells}, must be {headings} as in the heading{hint}")]
     Row {
         /// Line of the file.
@@ -141,7 +141,7 @@ pub enum SheetError {
         /// The quantities of a record.
         wanted: String,
     },
-    /// A factor is not admitted.
+    /// A factor is 0 or not finite.
     #[error("scale {name} = {factor}: must be finite and not 0")]
     Factor {
         /// The quantity.
@@ -180,7 +180,7 @@ pub enum SheetError {
 /// Heading of a column.
 #[derive(Debug)]
 struct Heading {
-    /// Name; empty for a column that nobody shall find.
+    /// Name; empty if hidden.
     name: String,
     /// Name in the file.
     own: String,
@@ -211,7 +211,7 @@ pub struct Sheet {
     headings: Vec<Heading>,
     /// Factors of columns, by their names.
     factors: Vec<(String, f64)>,
-    /// Whether its columns are in SI units where no unit is said.
+    /// Whether columns without a unit are known to be in SI units.
     is_si: bool,
     rows: Vec<csv::StringRecord>,
 }
@@ -240,8 +240,8 @@ impl Sheet {
             .trim(csv::Trim::All)
             .from_reader(text.as_bytes());
         let mut headings: Vec<Heading> = reader.headers()?.iter().map(split).collect();
-        let rows = reader.records().collect::<Result<Vec<csv::StringRecord>, csv::Error>>();
-        let mut rows = rows.map_err(|error| of_rows(error, separator))?;
+        let records = reader.records().collect::<Result<Vec<csv::StringRecord>, csv::Error>>();
+        let mut rows = records.map_err(|error| of_rows(error, separator))?;
         if rows.first().is_some_and(is_of_units) {
             for (heading, text) in headings.iter_mut().zip(rows.remove(0).iter()) {
                 if heading.unit.is_empty() {
@@ -252,7 +252,7 @@ impl Sheet {
         Ok(Sheet { separator, headings, factors: Vec::new(), is_si: false, rows })
     }
 
-    /// A table of columns that a program has, in SI units.
+    /// A table of arrays in SI units.
     pub fn of_columns(columns: &[(String, Vec<f64>)]) -> Result<Sheet, SheetError> {
         let columns: Vec<(&str, &[f64])> = columns.iter().map(|(name, values)| (name.as_str(), &values[..])).collect();
         Ok(Sheet { is_si: true, ..Sheet::parse(&text(&columns)?)? })
@@ -263,8 +263,8 @@ impl Sheet {
     fn of_channels(channels: Vec<(String, String, Vec<f64>)>) -> Sheet {
         let count = channels.iter().map(|(_, _, values)| values.len()).max().unwrap_or(0);
         let cell = |values: &Vec<f64>, row: usize| values.get(row).map_or(String::new(), f64::to_string);
-        let rows = (0..count).map(|row| channels.iter().map(|(_, _, values)| cell(values, row)).collect());
-        let rows = rows.collect();
+        let row = |row: usize| channels.iter().map(|(_, _, values)| cell(values, row)).collect();
+        let rows = (0..count).map(row).collect();
         let headings = channels.into_iter().map(|(name, unit, _)| Heading::new(&name, &unit)).collect();
         Sheet { separator: ',', headings, factors: Vec::new(), is_si: false, rows }
     }
@@ -274,7 +274,7 @@ impl Sheet {
         self.headings.iter().any(|heading| heading.is(name))
     }
 
-    /// Gives a column another name, if it is there; a column that had it loses it.
+    /// Renames a column, if it exists; a column that had the new name is hidden.
     pub fn rename(&mut self, from: &str, to: &str) {
         let is_here = self.has(from);
         for heading in &mut self.headings {
@@ -286,12 +286,12 @@ impl Sheet {
         }
     }
 
-    /// Unit of a column as the file gives it, empty if it gives none; None if the column does not exist.
+    /// Unit of a column in the file, empty if it has none; None if the column does not exist.
     pub fn unit(&self, name: &str) -> Option<&str> {
         self.headings.iter().find(|heading| heading.is(name)).map(|heading| heading.unit.as_str())
     }
 
-    /// Whether it has a column whose unit is not known, so that it is taken as that of SI.
+    /// Whether a column has no unit and is assumed to be SI.
     pub fn assumes_unit(&self, name: &str) -> bool {
         !self.is_si && self.unit(name).is_some_and(str::is_empty)
     }
@@ -324,7 +324,7 @@ impl Sheet {
         self.rows.is_empty()
     }
 
-    /// Line of the file on which a row is; of a binary file the number of the sample, from 1.
+    /// Line of a row in the file, from 1; in a binary file the number of the sample.
     pub fn line(&self, row: usize) -> u64 {
         let position = self.rows.get(row).and_then(csv::StringRecord::position);
         position.map_or(row as u64 + 1, csv::Position::line)
@@ -337,9 +337,9 @@ impl Sheet {
 
     /// As [`Sheet::column`], for a column with another name.
     pub fn column_named(&self, name: &str, quantity: &Quantity) -> Result<Option<Vec<f64>>, SheetError> {
-        let mut found = (0..self.headings.len()).filter(|at| self.headings[*at].is(name));
-        let Some(at) = found.next() else { return Ok(None) };
-        if found.next().is_some() {
+        let mut columns = (0..self.headings.len()).filter(|at| self.headings[*at].is(name));
+        let Some(at) = columns.next() else { return Ok(None) };
+        if columns.next().is_some() {
             return Err(SheetError::Twice(name.to_owned()));
         }
         let unit = &self.headings[at].unit;
@@ -362,9 +362,9 @@ impl Sheet {
 
     /// The error for a column that is not there.
     pub fn missing(&self, name: &str) -> SheetError {
-        let found = self.headings.iter().map(Heading::shown).filter(|shown| !shown.is_empty());
-        let found: Vec<String> = found.collect();
-        let found = if found.is_empty() { "no columns".to_owned() } else { found.join(", ") };
+        let mut names: Vec<String> = self.headings.iter().map(Heading::shown).collect();
+        names.retain(|name| !name.is_empty());
+        let found = if names.is_empty() { "no columns".to_owned() } else { names.join(", ") };
         let hint = self.headings.iter().find_map(|heading| unit_in_name(&heading.own, name)).unwrap_or_default();
         SheetError::Column { wanted: name.to_owned(), found, hint }
     }
@@ -420,7 +420,7 @@ fn split(heading: &str) -> Heading {
     Heading::new(name, unit.trim_end_matches([']', ')']))
 }
 
-/// A hint for a heading such as `time_ms`, if it looks like the column that is looked for.
+/// A hint for a heading such as `time_ms` that looks like the wanted column.
 fn unit_in_name(heading: &str, wanted: &str) -> Option<String> {
     let (name, unit) = heading.rsplit_once(['_', ' ', '-', '.'])?;
     let is_unit = QUANTITIES.iter().any(|quantity| quantity.units.iter().any(|known| known.0 == unit));
@@ -459,11 +459,11 @@ fn with_tabs(text: &str, heading: &str) -> Option<String> {
 }
 
 /// A unit in ASCII: the micro sign and the Greek letter become u, a raised dot becomes a dot, a degree sign alone is deg
-/// and before a letter left out; anything else stays, and is refused. A first sign that was not UTF-8 is a micro or a
+/// and before a letter is left out; anything else stays and is an error. A first sign that was not UTF-8 is a micro or
 /// degree sign.
 fn plain(unit: &str) -> String {
-    let letters: String = unit.chars().filter(|letter| !letter.is_whitespace()).collect();
-    let letters = letters.replace(['\u{b5}', '\u{3bc}'], "u").replace(['\u{b7}', '\u{22c5}'], ".");
+    let packed: String = unit.chars().filter(|letter| !letter.is_whitespace()).collect();
+    let letters = packed.replace(['\u{b5}', '\u{3bc}'], "u").replace(['\u{b7}', '\u{22c5}'], ".");
     let is_lost = letters.starts_with(char::REPLACEMENT_CHARACTER);
     match letters.strip_prefix(['\u{b0}', '\u{ba}', char::REPLACEMENT_CHARACTER]) {
         Some("") => "deg".to_owned(),

@@ -1,9 +1,9 @@
-//! Figures that the thesis prints, to show beside ours.
+//! Figures of the thesis, for comparison.
 //!
 //! # Source
 //! F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024).
 
-/// Its solvers.
+/// Solvers of the thesis.
 pub const CLASSES: [&str; 4] = ["ode45", "ode15s", "ode23s", "ode78"];
 
 /// Average times of the thesis, Table 6.5, in s, with each of [`CLASSES`]. None where it did not converge.

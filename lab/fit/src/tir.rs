@@ -192,27 +192,31 @@ fn entries(text: &str) -> Result<Vec<Entry<'_>>, Refusal> {
             continue;
         }
         if let Some(rest) = text.strip_prefix('[') {
-            let (name, rest) = rest.split_once(']').ok_or_else(|| refused("the section has no ]".into()))?;
-            only_comment(rest).map_err(refused)?;
-            section = name.trim().to_uppercase();
-            continue;
+            section = section_name(rest).map_err(refused)?;
+        } else if text.contains('=') || !TABLE_SECTIONS.contains(&section.as_str()) {
+            let (key, value) = key_and_value(text, &section, &entries).map_err(refused)?;
+            entries.push(Entry { line, text, section: section.clone(), key, value });
         }
-        let Some((key, rest)) = text.split_once('=') else {
-            if TABLE_SECTIONS.contains(&section.as_str()) {
-                continue;
-            }
-            return Err(refused("must be KEY = value".into()));
-        };
-        if section.is_empty() {
-            return Err(refused("is before the first section".into()));
-        }
-        let key = key.trim().to_uppercase();
-        if let Some(other) = entries.iter().find(|other| other.key == key && other.section == section) {
-            return Err(refused(format!("{key} is given twice, first in line {}", other.line)));
-        }
-        entries.push(Entry { line, text, section: section.clone(), key, value: value(rest).map_err(refused)? });
     }
     Ok(entries)
+}
+
+fn section_name(text: &str) -> Result<String, String> {
+    let (name, rest) = text.split_once(']').ok_or("the section has no ]")?;
+    only_comment(rest)?;
+    Ok(name.trim().to_uppercase())
+}
+
+fn key_and_value<'a>(text: &'a str, section: &str, entries: &[Entry]) -> Result<(String, &'a str), String> {
+    let (name, rest) = text.split_once('=').ok_or("must be KEY = value")?;
+    if section.is_empty() {
+        return Err("is before the first section".into());
+    }
+    let key = name.trim().to_uppercase();
+    match entries.iter().find(|other| other.key == key && other.section == section) {
+        Some(other) => Err(format!("{key} is given twice, first in line {}", other.line)),
+        None => Ok((key, value(rest)?)),
+    }
 }
 
 /// A value without quotes and without the comment after it.
@@ -232,6 +236,30 @@ fn only_comment(text: &str) -> Result<(), String> {
     if text.is_empty() || text.starts_with(['$', '!']) { Ok(()) } else { Err(format!("unexpected '{text}'")) }
 }
 
+/// Units of the format and their SI values.
+const LENGTHS: &[(&str, f64)] = &[
+    ("meter", 1.0),
+    ("metre", 1.0),
+    ("m", 1.0),
+    ("mm", 1e-3),
+    ("millimeter", 1e-3),
+    ("cm", 1e-2),
+    ("centimeter", 1e-2),
+    ("inch", 0.0254),
+    ("foot", 0.3048),
+];
+const FORCES: &[(&str, f64)] = &[
+    ("newton", 1.0),
+    ("n", 1.0),
+    ("kilo_newton", 1e3),
+    ("knewton", 1e3),
+    ("kn", 1e3),
+    ("pound_force", 4.448_221_615_260_5),
+];
+// The coefficients of the formula are for angles in radians, whatever unit the file gives for its ranges.
+const ANGLES: &[(&str, f64)] = &[("radians", 1.0), ("radian", 1.0), ("rad", 1.0)];
+const TIMES: &[(&str, f64)] = &[("second", 1.0), ("seconds", 1.0), ("sec", 1.0), ("s", 1.0)];
+
 /// SI units per unit of the file.
 #[derive(Default)]
 struct Units {
@@ -242,28 +270,6 @@ struct Units {
 
 impl Units {
     fn of(entries: &[Entry]) -> Result<Units, Refusal> {
-        const LENGTHS: &[(&str, f64)] = &[
-            ("meter", 1.0),
-            ("metre", 1.0),
-            ("m", 1.0),
-            ("mm", 1e-3),
-            ("millimeter", 1e-3),
-            ("cm", 1e-2),
-            ("centimeter", 1e-2),
-            ("inch", 0.0254),
-            ("foot", 0.3048),
-        ];
-        const FORCES: &[(&str, f64)] = &[
-            ("newton", 1.0),
-            ("n", 1.0),
-            ("kilo_newton", 1e3),
-            ("knewton", 1e3),
-            ("kn", 1e3),
-            ("pound_force", 4.448_221_615_260_5),
-        ];
-        // The coefficients of the formula are for angles in radians, whatever unit the file gives for its ranges.
-        const ANGLES: &[(&str, f64)] = &[("radians", 1.0), ("radian", 1.0), ("rad", 1.0)];
-        const TIMES: &[(&str, f64)] = &[("second", 1.0), ("seconds", 1.0), ("sec", 1.0), ("s", 1.0)];
         let mut notes = Vec::new();
         let mut unit = |key: &str, known: &[(&str, f64)]| {
             let Some(entry) = entries.iter().find(|entry| entry.section == "UNITS" && entry.key == key) else {
@@ -343,11 +349,8 @@ impl Reader {
         }
         if let Some((_, neutral)) = LATER_KEYS.iter().find(|(name, _)| *name == key) {
             let is_neutral = entry.number()? == *neutral;
-            return if is_neutral {
-                Ok(())
-            } else {
-                Err(format!("is of a later version; in version 5.2 it is {neutral}"))
-            };
+            let why = || format!("is of a later version; in version 5.2 it is {neutral}");
+            return is_neutral.then_some(()).ok_or_else(why);
         }
         let value = entry.number()? * self.units.factor(key);
         match key {

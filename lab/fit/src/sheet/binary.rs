@@ -29,8 +29,8 @@ fn mat(path: &Path) -> Result<Vec<Sheet>, SheetError> {
     Err(refused(path, "this program was built without MAT: build it with --features mat"))
 }
 
-/// The channel groups of an MDF file. Their master channels are called `time`; samples that the file declares invalid
-/// are not numbers, so that they are refused if they are asked for; channels of text are left out.
+/// The channel groups of an MDF file. Their master channels are called `time`; samples that the file declares invalid are
+/// NaN, an error only if the column is used; channels of text are left out.
 #[cfg(feature = "mdf")]
 fn mdf(path: &Path) -> Result<Vec<Sheet>, SheetError> {
     use std::collections::BTreeMap;
@@ -69,38 +69,42 @@ fn mdf(path: &Path) -> Result<Vec<Sheet>, SheetError> {
 /// numbers, texts and structures are left out.
 #[cfg(feature = "mat")]
 fn mat(path: &Path) -> Result<Vec<Sheet>, SheetError> {
-    use matrw::{MatVariable, MatlabType};
-
     super::not_too_large(path)?;
     let bytes = std::fs::read(path).map_err(|error| refused(path, error))?;
     // The reader counts on some lengths being what they should be.
-    let file = silently(|| variables(&bytes)).ok_or_else(|| refused(path, "the file is damaged"))?;
-    let file = file.map_err(|why| refused(path, why))?;
-    let vector = |(name, variable): (String, MatVariable)| {
-        let MatVariable::NumericArray(array) = variable else { return None };
-        let longest = array.dim.iter().copied().max().unwrap_or(0);
-        if array.value_cmp.is_some() || longest < 2 || array.dim.iter().product::<usize>() != longest {
-            return None;
-        }
-        macro_rules! numbers {
-            ($($kind:ident),+) => {
-                match array.value {
-                    MatlabType::F64(values) => values,
-                    $(MatlabType::$kind(values) => values.into_iter().map(f64::from).collect(),)+
-                    MatlabType::U64(values) => values.into_iter().map(|value| value as f64).collect(),
-                    MatlabType::I64(values) => values.into_iter().map(|value| value as f64).collect(),
-                    MatlabType::BOOL(values) => values.into_iter().map(|value| f64::from(u8::from(value))).collect(),
-                    MatlabType::UTF8(_) | MatlabType::UTF16(_) => return None,
-                }
-            };
-        }
-        Some((name, String::new(), numbers!(U8, I8, U16, I16, U32, I32, F32)))
-    };
-    let channels: Vec<(String, String, Vec<f64>)> = file.into_iter().filter_map(vector).collect();
+    let parsed = silently(|| variables(&bytes)).ok_or_else(|| refused(path, "the file is damaged"))?;
+    let file = parsed.map_err(|why| refused(path, why))?;
+    let channel = |(name, variable)| vector(variable).map(|values| (name, String::new(), values));
+    let channels: Vec<(String, String, Vec<f64>)> = file.into_iter().filter_map(channel).collect();
     if channels.is_empty() {
         return Err(refused(path, "the file has no vectors"));
     }
     Ok(vec![Sheet::of_channels(channels)])
+}
+
+/// The numbers of a variable, if it is a real vector.
+#[cfg(feature = "mat")]
+fn vector(variable: matrw::MatVariable) -> Option<Vec<f64>> {
+    use matrw::{MatVariable, MatlabType};
+
+    let MatVariable::NumericArray(array) = variable else { return None };
+    let longest = array.dim.iter().copied().max().unwrap_or(0);
+    if array.value_cmp.is_some() || longest < 2 || array.dim.iter().product::<usize>() != longest {
+        return None;
+    }
+    macro_rules! numbers {
+        ($($kind:ident),+) => {
+            match array.value {
+                MatlabType::F64(values) => Some(values),
+                $(MatlabType::$kind(values) => Some(values.into_iter().map(f64::from).collect()),)+
+                MatlabType::U64(values) => Some(values.into_iter().map(|value| value as f64).collect()),
+                MatlabType::I64(values) => Some(values.into_iter().map(|value| value as f64).collect()),
+                MatlabType::BOOL(values) => Some(values.into_iter().map(|value| f64::from(u8::from(value))).collect()),
+                MatlabType::UTF8(_) | MatlabType::UTF16(_) => None,
+            }
+        };
+    }
+    numbers!(U8, I8, U16, I16, U32, I32, F32)
 }
 
 /// The outcome of a function that may panic, without the report that Rust prints for a panic; None if it did.
@@ -140,7 +144,7 @@ fn variables(bytes: &[u8]) -> Result<matrw::MatFile, String> {
     let (endian, number): (Endian, fn([u8; 8]) -> u64) = match &bytes[HEADER_SIZE - 2..HEADER_SIZE] {
         b"IM" => (Endian::Little, u64::from_le_bytes),
         b"MI" => (Endian::Big, u64::from_be_bytes),
-        _ => return Err("the header of the file does not tell the order of its bytes".to_owned()),
+        _ => return Err("the header of the file does not give its byte order".to_owned()),
     };
     // What belongs to objects comes last; files without it have spaces or zeros here.
     let objects = bytes[HEADER_SIZE - 12..HEADER_SIZE - 4].try_into().map_or(0, number);
