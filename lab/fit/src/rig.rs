@@ -29,7 +29,7 @@ use stribeck::series::{Between, Course, Input, Times, follow};
 
 use stribeck_solve::system::Fault;
 
-use crate::identify::Ports;
+use crate::identify::{Ports, laws};
 
 /// A rig and what it drags.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,6 +116,12 @@ fn rounded(value: f64, step: f64) -> f64 {
 }
 
 impl VirtualRig {
+    /// The law of this name, if it can be that of a rig.
+    pub fn law(name: &str) -> Result<&'static ModelType, Fault> {
+        let unknown = || Fault::unknown("friction law", name, laws().map(|law| law.name));
+        laws().find(|law| law.name == name).ok_or_else(unknown)
+    }
+
     /// The files of a record.
     pub fn record(&self) -> Result<Files, Fault> {
         self.check()?;

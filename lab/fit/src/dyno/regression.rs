@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Estimate;
+use crate::measured::median;
 
 /// Coefficients of the columns with their standard deviations, by least squares with Tukey's bisquare weights. None if
 /// there are no more rows than columns, or if the columns are not independent.
@@ -20,8 +21,7 @@ pub fn regress<const COLUMNS: usize>(rows: &[[f64; COLUMNS]], values: &[f64]) ->
     for _ in 0..ROUNDS {
         let residuals = &values - &design * &coefficients;
         let mut sizes: Vec<f64> = residuals.iter().map(|residual| residual.abs()).collect();
-        sizes.sort_by(f64::total_cmp);
-        let scale = sizes[sizes.len() / 2] / 0.6745;
+        let scale = median(&mut sizes) / 0.6745;
         if scale <= 1e-12 * values.amax() {
             break; // the majority is fitted exactly
         }

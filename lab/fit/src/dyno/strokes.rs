@@ -1,6 +1,7 @@
 //! Slow strokes of a damper test: friction over time.
 
 use super::{Damper, DynoError, ForceSign, Options, Test, centre_and_stroke, samples};
+use crate::measured::reversals;
 use stribeck::numerics::interpolation::Curve;
 
 /// A part of a test that never leaves low speed and turns at least twice.
@@ -76,11 +77,7 @@ fn slow(velocity: &[f64], low_speed: f64) -> Vec<(usize, usize)> {
 
 /// Number of changes of direction.
 fn turns(velocity: &[f64]) -> usize {
-    let threshold = TURN * velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-    let moving = velocity.iter().filter(|v| v.abs() > threshold).map(|v| v.signum());
-    let (count, _) =
-        moving.fold((0, 0.0), |(count, before), sign| (if sign * before < 0.0 { count + 1 } else { count }, sign));
-    count
+    reversals(velocity, TURN * velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs())))
 }
 
 #[cfg(test)]

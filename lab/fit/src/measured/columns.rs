@@ -58,6 +58,8 @@ impl Columns {
         setup: &Setup,
     ) -> Result<Vec<String>, MeasuredError> {
         self.rename(record, motion)?;
+        let is_apart = !motion.is_empty();
+        let of_motion = |error: MeasuredError| if is_apart { MeasuredError::of_motion(error) } else { error };
         let mut notes = Vec::new();
         for table in &mut *record {
             notes.extend(self.find(std::slice::from_mut(table), &TIME)?);
@@ -66,21 +68,15 @@ impl Columns {
             notes.extend(self.find(std::slice::from_mut(table), &TIME).map_err(MeasuredError::of_motion)?);
         }
         notes.extend(self.find(record, &FORCE)?);
-        if motion.is_empty() {
-            notes.extend(self.find_motion(record)?);
-        } else {
-            notes.extend(self.find_motion(motion).map_err(MeasuredError::of_motion)?);
-        }
+        let moving = if is_apart { &mut *motion } else { &mut *record };
+        notes.extend(self.find_motion(moving).map_err(|error| of_motion(error.into()))?);
         if setup.normal_force.is_none() && !setup.is_axis {
             notes.extend(self.find(record, &NORMAL_FORCE)?);
         }
         notes.extend(self.assumed_units(record, motion));
         self.scale(record, motion);
-        for table in if motion.is_empty() { &*record } else { &[] } {
-            notes.extend(units::motion(table)?);
-        }
-        for table in &*motion {
-            notes.extend(units::motion(table).map_err(MeasuredError::of_motion)?);
+        for table in if is_apart { motion } else { record } {
+            notes.extend(units::motion(table).map_err(of_motion)?);
         }
         Ok(notes)
     }

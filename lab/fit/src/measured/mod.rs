@@ -45,5 +45,5 @@ pub use error::MeasuredError;
 pub use matched_filter::SLOW;
 pub(crate) use polynomial::correlation_of_slopes;
 pub use quality::noise;
-pub(crate) use quality::{extremes, median};
+pub(crate) use quality::{extremes, median, reversals};
 pub use record::{Delay, Gap, MatchedFilter, Quality, Record, Setup};

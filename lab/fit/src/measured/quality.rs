@@ -21,7 +21,7 @@ pub(super) fn quality(record: &Record, setup: &Setup) -> Quality {
     let interval = median(&mut steps);
     let fastest = record.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     let slow = record.velocity.iter().filter(|v| v.abs() < 0.1 * fastest).count() as f64;
-    let reversals = reversals(&record.velocity, fastest);
+    let reversals = reversals(&record.velocity, TURN * fastest);
     let mut quality = Quality {
         samples: record.time.len(),
         duration: record.time[record.time.len() - 1] - record.time[0],
@@ -88,9 +88,9 @@ fn one_load([low, high]: [f64; 2]) -> Option<String> {
         .then(|| format!("one normal force ({high} N): this record alone does not show how friction depends on it"))
 }
 
-/// Changes of direction between motions faster than [`TURN`] times the fastest.
-fn reversals(velocity: &[f64], fastest: f64) -> usize {
-    let fast = velocity.iter().filter(|v| v.abs() > TURN * fastest);
+/// Number of changes of direction between motions faster than a speed.
+pub(crate) fn reversals(velocity: &[f64], speed: f64) -> usize {
+    let fast = velocity.iter().filter(|v| v.abs() > speed);
     let signs: Vec<bool> = fast.map(|v| *v > 0.0).collect();
     signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
