@@ -5,8 +5,6 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::{Deserialize, Serialize};
-use stribeck::catalogue;
-use stribeck::model::ModelType;
 use stribeck_fit::identify::{self, EARLY, Inquiry, Source, Watch};
 use stribeck_fit::measured::average;
 use stribeck_fit::rig::{Faults, VirtualRig};
@@ -101,16 +99,10 @@ impl Source for Texts {
     }
 }
 
-fn law(name: &str) -> Result<&'static ModelType, Fault> {
-    let known = || identify::laws().map(|law| law.name);
-    let found = catalogue::by_name(name).filter(|law| known().any(|name| name == law.name));
-    found.ok_or_else(|| Fault::unknown("friction law", name, known()))
-}
-
 /// The files of a virtual rig, and the values of its law.
 pub fn record(rig: &BTreeMap<String, String>) -> Result<Answer, Fault> {
     let given: Virtual = job::of_texts(rig)?;
-    let law = law(&given.law)?;
+    let law = VirtualRig::law(&given.law)?;
     let values: Vec<(String, f64)> = given.set.iter().map(|Entry(name, value)| (name.clone(), *value)).collect();
     let faults = if given.faults { Faults::ALL } else { Faults::NOISE };
     let Virtual { mass, normal_force, duration, seed, .. } = given;
@@ -129,7 +121,7 @@ pub fn quality(asked: &Asked, files: &Texts) -> Result<Answer, Fault> {
     let (_, record) = records.swap_remove(0);
     let cycle = average(&record);
     let quality = &record.quality;
-    let told = Quality {
+    let answer = Quality {
         samples: quality.samples,
         duration: quality.duration,
         interval: quality.interval,
@@ -152,23 +144,23 @@ pub fn quality(asked: &Asked, files: &Texts) -> Result<Answer, Fault> {
     if let Some(cycle) = cycle {
         arrays.extend([cycle.phase, cycle.displacement, cycle.velocity, cycle.friction_force, cycle.deviation]);
     }
-    Ok(Answer::with(told, arrays))
+    Ok(Answer::with(answer, arrays))
 }
 
-/// Fits laws; `progress` hears of what is not predicted so far, in N, and returns whether the search is to end with it.
+/// Fits laws; `progress` gets the RMS residual so far, in N, and returns whether to end the search.
 pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)) -> Result<Answer, Fault> {
     let inquiry = asked.inquiry()?;
     let data = inquiry.data(files)?;
     let cancel = AtomicBool::new(false);
-    let heard = |level, _| {
-        cancel.fetch_or(progress(level), Ordering::Relaxed);
+    let report = |rms, _| {
+        cancel.fetch_or(progress(rms), Ordering::Relaxed);
     };
-    let ranking = inquiry.fits(&data, &mut |_| {}, Watch { cancel: &cancel, progress: &heard })?;
+    let ranking = inquiry.fits(&data, &mut |_| {}, Watch { cancel: &cancel, progress: &report })?;
     let best = ranking.best();
     let fitted = best.predicted_in(&best.seen(&data.records[0].1), 0);
     let cycle = average(&fitted).map(|cycle| cycle.friction_force);
     let arrays = std::iter::once(fitted.friction_force).chain(cycle).collect();
-    let told = Fitted {
+    let answer = Fitted {
         ranking: identify::Answer::of(&ranking, &data),
         best: best.law.name,
         level: best.level,
@@ -177,5 +169,5 @@ pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)
         toml: best.configuration().text(),
         ssv: best.parameter_set(best.law.name)?.to_ssv(),
     };
-    Ok(Answer::with(told, arrays))
+    Ok(Answer::with(answer, arrays))
 }

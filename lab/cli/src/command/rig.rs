@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use stribeck::catalogue;
+use stribeck::model::{Kind, ModelType, Variable};
 use stribeck_fit::rig::{Faults, VirtualRig};
 use stribeck_solve::run::Configuration;
 use stribeck_solve::system::{Fault, Setting};
 
 use super::{Failure, Verdict, write};
 
-/// The rig, the law it has, and the folder for its files.
+/// The virtual rig, its law, and the folder for its files.
 #[derive(Args, Clone, Debug)]
 pub struct Arguments {
     /// Friction law of the contact
@@ -28,10 +28,10 @@ pub struct Arguments {
     /// Length of the record in s
     #[arg(long, default_value_t = 4.0)]
     duration: f64,
-    /// Hysteresis, ripple of the load, drift, and a camera instead of an encoder, besides the noise
+    /// Add hysteresis, ripple of the normal force and drift, and replace the encoder by a camera
     #[arg(long)]
     faults: bool,
-    /// Noise of the load cell, as a part of the largest force
+    /// Standard deviation of the noise of the load cell, relative to the largest force
     #[arg(long, default_value_t = Faults::NOISE.noise)]
     noise: f64,
     /// Seed of the noise
@@ -42,11 +42,9 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// Writes the records of a virtual rig, and its truth.
+/// Writes the records of a virtual rig and the true parameters.
 pub fn rig(arguments: &Arguments) -> Result<Verdict, Failure> {
-    let known = || stribeck_fit::identify::laws().map(|law| law.name);
-    let law = catalogue::by_name(&arguments.law).filter(|law| known().any(|name| name == law.name));
-    let law = law.ok_or_else(|| Fault::unknown("friction law", &arguments.law, known()))?;
+    let law = VirtualRig::law(&arguments.law)?;
     let values = arguments.set.iter().map(Setting::number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
     let faults = if arguments.faults { Faults::ALL } else { Faults::NOISE };
     let rig = VirtualRig {
@@ -59,17 +57,21 @@ pub fn rig(arguments: &Arguments) -> Result<Verdict, Failure> {
         seed: arguments.seed,
     };
     let files = rig.record()?;
-    let folder = &arguments.out;
-    std::fs::create_dir_all(folder).map_err(|source| Failure::File { path: folder.clone(), source })?;
+    let folder = arguments.out.as_path();
+    std::fs::create_dir_all(folder).map_err(|source| Failure::File { path: folder.into(), source })?;
     write(&folder.join("force.csv"), files.force)?;
     if let Some(camera) = files.camera {
         write(&folder.join("camera.csv"), camera)?;
     }
-    let starts = law.variables().filter(|(_, variable)| variable.role.is_parameter());
-    let starts = starts.filter(|(_, variable)| matches!(variable.kind, stribeck::model::Kind::Real(_)));
-    let starts = starts.map(|(_, variable)| (variable.path.to_string(), variable.start));
-    let set = starts.chain(values).map(|(name, value)| (name, toml::Value::Float(value))).collect();
-    let truth = Configuration { law: vec![law.name.to_owned()], set, ..Configuration::default() };
-    write(&folder.join("truth.toml"), truth.text())?;
+    write(&folder.join("truth.toml"), truth(law, values).text())?;
     Ok(Verdict::Done)
+}
+
+/// The real parameters of a law, with the given values.
+fn truth(law: &ModelType, values: Vec<(String, f64)>) -> Configuration {
+    let is_real = |variable: &Variable| variable.role.is_parameter() && matches!(variable.kind, Kind::Real(_));
+    let starts = law.variables().filter(|(_, variable)| is_real(variable));
+    let all = starts.map(|(_, variable)| (variable.path.to_string(), variable.start)).chain(values);
+    let set = all.map(|(name, value)| (name, toml::Value::Float(value))).collect();
+    Configuration { law: vec![law.name.to_owned()], set, ..Configuration::default() }
 }
