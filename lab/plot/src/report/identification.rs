@@ -17,7 +17,7 @@ pub struct Identification<'a> {
     pub records: &'a [(String, Record)],
     /// How they were fitted.
     pub task: &'a Settings,
-    /// The command line that repeats it; left out if empty.
+    /// The command line that repeats it; omitted if empty.
     pub command: &'a str,
     /// The fits.
     pub ranking: &'a Ranking,
@@ -58,34 +58,16 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
         "Unit",
         "#Value",
         "95 % interval",
-        "From repetitions",
+        "Bootstrap interval",
         "#Reference",
-        "#Difference, % of it",
-        "#% of the mean",
+        "#Difference, % of reference",
+        "#% of the mean of both",
         "Verdict",
     ];
     page.begin_table(&head);
     for one in &best.estimates {
-        let precise = |value: f64| digits_within(value, one.width());
-        let ends = |[low, high]: [f64; 2]| format!("{} to {}", precise(low), precise(high));
-        let Estimate { name, unit, value, verdict, repeated, .. } = one;
-        let is_told = *verdict == Verdict::Determined;
-        let known = reference.and_then(|reference| known(reference, one));
-        let apart = known.filter(|known| is_told && *known != 0.0).map(|known| difference(*value, known));
-        let percent = |of: fn(Difference) -> f64| apart.map_or(String::new(), |apart| format!("{:.1}", of(apart)));
-        let told = |text: String| if is_told { text } else { String::new() };
-        let cells = [
-            name.clone(),
-            (*unit).to_owned(),
-            told(precise(*value)),
-            if best.searches == Searches::Ended { String::new() } else { told(ends(one.interval())) },
-            told(repeated.map_or(String::new(), ends)),
-            known.map_or(String::new(), digits),
-            percent(|apart| apart.to_reference),
-            percent(|apart| apart.to_mean),
-            verdict.to_string(),
-        ];
-        page.row(if is_told { "" } else { "failed" }, &head, &cells);
+        let class = if one.verdict == Verdict::Determined { "" } else { "failed" };
+        page.row(class, &head, &cells(one, best, reference));
     }
     page.end_table();
     if let Some(note) = best.note() {
@@ -93,22 +75,45 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
     }
 }
 
-/// Sizes of the residuals, also in records that were not fitted.
+/// A row of the table of parameters; without numbers if the parameter is not determined.
+fn cells(one: &Estimate, best: &Fit, reference: Option<&Reference>) -> [String; 9] {
+    let Estimate { name, unit, value, verdict, repeated, .. } = one;
+    let is_determined = *verdict == Verdict::Determined;
+    let if_determined = |text: String| if is_determined { text } else { String::new() };
+    let precise = |value: f64| digits_within(value, one.width());
+    let ends = |[low, high]: [f64; 2]| format!("{} to {}", precise(low), precise(high));
+    let known = reference.and_then(|reference| known(reference, one));
+    let apart = known.filter(|known| is_determined && *known != 0.0).map(|known| difference(*value, known));
+    let percent = |of: fn(Difference) -> f64| apart.map_or(String::new(), |apart| format!("{:.1}", of(apart)));
+    [
+        name.clone(),
+        (*unit).to_owned(),
+        if_determined(precise(*value)),
+        if best.searches == Searches::Ended { String::new() } else { if_determined(ends(one.interval())) },
+        if_determined(repeated.map_or(String::new(), ends)),
+        known.map_or(String::new(), digits),
+        percent(|apart| apart.to_reference),
+        percent(|apart| apart.to_mean),
+        verdict.to_string(),
+    ]
+}
+
+/// RMS residuals of the validation records, and statistics of the fit.
 fn residuals(page: &mut Page, best: &Fit) {
     for one in &best.validation {
         let text = format!("Validation record {}: RMS residual {} N.", one.name, digits(one.rms));
         page.paragraph("note", &text);
     }
-    let seen = &best.residuals;
+    let statistics = &best.residuals;
     page.paragraph(
         "note",
         &format!(
             "RMS residual: {} N of {} N. Correlation of neighbouring residuals {:.2}, correlation time \
              {:.1} of {} samples. Condition {:.1e}. {} evaluations; sensitivities {}.",
-            digits(seen.rms),
+            digits(statistics.rms),
             digits(best.level),
-            seen.neighbours,
-            seen.correlation,
+            statistics.neighbours,
+            statistics.correlation,
             best.samples,
             best.condition,
             best.evaluations,
@@ -127,7 +132,7 @@ fn ranking(page: &mut Page, facts: &Identification) {
     for (place, rank) in facts.ranking.ranks.iter().enumerate() {
         let fit = &facts.ranking.fits[rank.fit];
         let is_tied = rank.is_tied && place > 0;
-        let verdict = fit.searches.note().or(is_tied.then_some("cannot be told apart from the first")).unwrap_or("");
+        let verdict = fit.searches.note().or(is_tied.then_some("cannot be distinguished from the first")).unwrap_or("");
         let count = fit.parameters().to_string();
         let cells =
             [fit.law.name.into(), digits(fit.residuals.rms), count, format!("{:.1}", rank.delta_bic), verdict.into()];
@@ -167,14 +172,14 @@ fn correlations(page: &mut Page, best: &Fit) {
     let head: Vec<&str> = std::iter::once("").chain(titles.iter().map(String::as_str)).collect();
     page.begin_table(&head);
     for (name, row) in names.iter().zip(&best.correlation) {
-        let cells = row.iter().map(|value| format!("{value:.2}"));
-        let cells: Vec<String> = std::iter::once((*name).to_owned()).chain(cells).collect();
+        let values = row.iter().map(|value| format!("{value:.2}"));
+        let cells: Vec<String> = std::iter::once((*name).to_owned()).chain(values).collect();
         page.row("", &head, &cells);
     }
     page.end_table();
 }
 
-/// Settings of the fit, with the defaults where nothing was asked for.
+/// Settings of the fit, including defaults.
 fn settings(page: &mut Page, facts: &Identification) {
     let Settings { selection, method, seed, budget, repetitions, mass, is_robust, folds, .. } = facts.task;
     page.heading("How it was fitted");
@@ -184,7 +189,7 @@ fn settings(page: &mut Page, facts: &Identification) {
         ("Seed", seed.to_string()),
         ("Evaluations in a search", budget.to_string()),
         ("Loss", if *is_robust { "robust" } else { "squares" }.to_owned()),
-        ("Repetitions", repetitions.to_string()),
+        ("Bootstrap repetitions", repetitions.to_string()),
         ("Parts for cross-validation", folds.to_string()),
         ("Mass between load cell and contact", format!("{mass} kg, unless it was fitted or held")),
     ];
@@ -198,7 +203,7 @@ fn settings(page: &mut Page, facts: &Identification) {
 }
 
 /// Friction of a record over time, velocity and displacement: measured, of the reference, and fitted (the thesis'
-/// Figures 8.7 to 8.11). Over velocity and displacement it is the mean cycle, if the cycles of the record are alike.
+/// Figures 8.7 to 8.11). Over velocity and displacement it is the mean cycle, if the record is periodic.
 pub fn pictures(facts: &Identification, number: usize) -> Result<Vec<Picture>, Fault> {
     drawn(facts, number, Theme::Light)
 }
@@ -206,14 +211,14 @@ pub fn pictures(facts: &Identification, number: usize) -> Result<Vec<Picture>, F
 fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Picture>, Fault> {
     let Some((name, record)) = facts.records.get(number) else { return Ok(Vec::new()) };
     let best = facts.ranking.best();
-    let seen = best.seen(record);
-    let mut all = vec![("measured".to_owned(), seen.clone())];
+    let corrected = best.seen(record);
+    let mut all = vec![("measured".to_owned(), corrected.clone())];
     if let Some(reference) = facts.reference {
-        let friction_force = respond(best.law, reference, &seen, best.parts)?;
-        all.push(("reference".to_owned(), Record { friction_force, ..seen.clone() }));
+        let friction_force = respond(best.law, reference, &corrected, best.parts)?;
+        all.push(("reference".to_owned(), Record { friction_force, ..corrected.clone() }));
     }
-    all.push((format!("{} fitted", best.law.name), best.predicted_in(&seen, number)));
-    let cycles = average(&seen).map_or(0, |cycle| cycle.count);
+    all.push((format!("{} fitted", best.law.name), best.predicted_in(&corrected, number)));
+    let cycles = average(&corrected).map_or(0, |cycle| cycle.count);
     let cycled: Vec<(String, Record)> = all.iter().map(|(name, record)| (name.clone(), mean(record))).collect();
     let kinds = [Kind::Force, Kind::ForceOverVelocity, Kind::ForceOverDisplacement];
     let picture = |kind: Kind| {

@@ -16,16 +16,16 @@ use stribeck_solve::system::{Part, Place, Signal, System, WireSource};
 
 const STYLE: &str = include_str!("style.css");
 
-/// What a report says beside the outcomes.
+/// Contents of a report besides the outcomes.
 #[derive(Clone, Copy, Debug)]
 pub struct Facts<'a> {
     /// The system of each outcome, with its law; empty if the system is that of all of them.
     pub systems: &'a [System],
     /// Relative and absolute tolerance of the runs.
     pub tolerance: f64,
-    /// The command line that repeats the runs; left out if empty.
+    /// The command line that repeats the runs; omitted if empty.
     pub command: &'a str,
-    /// The description of the system; left out if empty.
+    /// The description of the system; omitted if empty.
     pub toml: &'a str,
     /// Time range of the zoom, in s; found automatically if none is given.
     pub zoom: Option<[f64; 2]>,
@@ -122,10 +122,10 @@ fn parts(page: &mut Page, system: &System, facts: &Facts) {
     page.heading("Parts");
     let head = ["Part", "Model", "Meaning"];
     page.begin_table(&head);
-    let mut seen = Vec::new();
+    let mut listed = Vec::new();
     for part in systems(system, facts).iter().flat_map(|system| &system.parts) {
-        if !seen.contains(&(&part.name, part.model.name)) {
-            seen.push((&part.name, part.model.name));
+        if !listed.contains(&(&part.name, part.model.name)) {
+            listed.push((&part.name, part.model.name));
             let summary = part.model.summary.to_owned();
             page.row("", &head, &[part.name.clone(), part.model.name.to_owned(), summary]);
         }
@@ -217,10 +217,10 @@ fn versions_of(page: &mut Page, models: impl IntoIterator<Item = &'static ModelT
     page.paragraph("", &format!("Stribeck {}", env!("CARGO_PKG_VERSION")));
     let head = ["Model", "Guid"];
     page.begin_table(&head);
-    let mut seen = Vec::new();
+    let mut listed = Vec::new();
     for model in models {
-        if !seen.contains(&model.name) {
-            seen.push(model.name);
+        if !listed.contains(&model.name) {
+            listed.push(model.name);
             page.row("", &head, &[model.name.to_owned(), model.guid().to_string()]);
         }
     }
