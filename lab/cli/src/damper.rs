@@ -1,9 +1,9 @@
-//! `stribeck damper`: turns a damper test into a parameter set.
+//! `stribeck damper`: converts a damper test into a parameter set.
 
 use std::path::PathBuf;
 
 use clap::Args;
-use stribeck_fit::dyno::{Damper, DynoError, Test};
+use stribeck_fit::dyno::{Damper, DynoError, Friction, Test};
 use stribeck_fit::identify::damper::{Answer, DamperError, Inquiry};
 
 use crate::command::{Description, Failure};
@@ -21,7 +21,7 @@ pub struct Arguments {
     out: Option<PathBuf>,
 }
 
-/// Finds the damper, prints it and writes the set.
+/// Identifies the damper, prints it and writes the set.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     arguments.out.as_ref().map_or(Ok(()), |out| outputs::file(out, &["csv", "ssv"]))?;
     let inquiry = arguments.description.complete(&arguments.inquiry)?;
@@ -32,7 +32,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(friction) = &friction {
         print!("\nslow strokes, at a mean normal force of {:.1} N:\n{}", friction.load, friction.fit.table(None));
         if !friction.left.is_empty() {
-            println!("not determined, so that the strut keeps its defaults: {}", friction.left.join(", "));
+            println!("not determined, the strut keeps its defaults: {}", friction.left.join(", "));
         }
     }
     if let Some(out) = &arguments.out {
@@ -53,17 +53,7 @@ fn report(test: &Test, damper: &Damper) -> String {
         text += &format!("{velocity:>16.4} m/s {force:>12.1} N\n");
     }
     text += "\n";
-    if let Some(friction) = damper.friction {
-        let level = friction.level;
-        text += &format!("friction    {:.1} N, standard deviation {:.1} N", level.value, level.deviation);
-        text += &friction.asymmetry.map_or_else(
-            || "; the same in both directions, because the gas force is not given\n".into(),
-            |asymmetry| {
-                let [compression, extension] = [1.0 + asymmetry, 1.0 - asymmetry].map(|share| share * level.value);
-                format!("; {compression:.1} N in compression, {extension:.1} N in extension\n")
-            },
-        );
-    }
+    text += &damper.friction.as_ref().map_or(String::new(), friction_line);
     if let Some(gas) = damper.gas_force {
         text += &format!("gas force   {:.1} N, standard deviation {:.1} N\n", gas.value, gas.deviation);
     }
@@ -72,16 +62,25 @@ fn report(test: &Test, damper: &Damper) -> String {
         text += &format!("gradient    {value:.0} N/m, standard deviation {deviation:.0} N/m (gas, lag of the oil)\n");
     }
     text += &format!("difference  {:.1} N (root mean square), {:.1} N (largest)\n", damper.rms_error, damper.max_error);
-    for warning in &damper.warnings {
-        text += &format!("warning: {warning}\n");
-    }
+    damper.warnings.iter().for_each(|warning| text += &format!("warning: {warning}\n"));
     text
+}
+
+fn friction_line(Friction { level, asymmetry }: &Friction) -> String {
+    let directions = match asymmetry {
+        None => "the same in both directions, because the gas force is not given".to_owned(),
+        Some(asymmetry) => {
+            let [compression, extension] = [1.0 + asymmetry, 1.0 - asymmetry].map(|share| share * level.value);
+            format!("{compression:.1} N in compression, {extension:.1} N in extension")
+        }
+    };
+    format!("friction    {:.1} N, standard deviation {:.1} N; {directions}\n", level.value, level.deviation)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stribeck_fit::dyno::{Estimate, ForceSign, Friction};
+    use stribeck_fit::dyno::{Estimate, ForceSign};
 
     #[test]
     fn reports_name_what_was_found_and_what_was_not() {

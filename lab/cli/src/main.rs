@@ -47,21 +47,21 @@ enum Task {
     Compare(command::Arguments),
     /// Runs a system many times, with values from ranges, distributions or a table, and writes one table.
     Study(command::StudyArguments),
-    /// Finds the parameters of a friction law in measured friction, and how far to trust them; ranks several laws.
+    /// Fits the parameters of a friction law to measured friction, with confidence intervals; ranks several laws.
     Identify(command::IdentifyArguments),
     /// Writes the records of a virtual rig whose friction law is known.
     Rig(command::RigArguments),
-    /// Measures all laws with all solvers, as the thesis does, and writes a page and a table.
+    /// Benchmarks all laws with all solvers, as the thesis does, and writes a page and a table.
     Bench(command::BenchArguments),
-    /// Writes the page for a browser, one file, with the same laws, systems and solvers.
+    /// Writes the page for a browser: one HTML file with the same laws, systems and solvers.
     Page(command::PageArguments),
-    /// Makes a parameter set of the ShockAbsorber from a damper test: damper table, friction.
+    /// Converts a damper test into a parameter set of the ShockAbsorber: damper table and friction.
     Damper(damper::Arguments),
-    /// Makes a parameter set of the tyres of DoubleTrackCar from a tyre property file (.tir).
+    /// Converts a tyre property file (.tir) into a parameter set of DoubleTrackCar, or fits one to a tyre test.
     Tyre(tyre::Arguments),
 }
 
-/// The command line. A negative number after an option is its value, so that it is judged by what the number is for.
+/// The command line. A negative number after an option is its value, not an option: errors then name the bound.
 fn command_line() -> Command {
     let takes_negative = |argument: Arg| {
         let has_value = argument.get_action().takes_values() && !argument.is_positional();
@@ -73,40 +73,25 @@ fn command_line() -> Command {
 fn main() -> ExitCode {
     let arguments = Arguments::from_arg_matches(&command_line().get_matches()).unwrap_or_else(|error| error.exit());
     match arguments.task {
-        Task::Models => {
-            for model in catalogue::models() {
-                println!("{:<16} {}", model.name, model.summary);
-            }
-        }
-        Task::Show { model } => match catalogue::by_name(&model) {
-            Some(model) => show(model),
-            None => {
-                let names: Vec<&str> = catalogue::models().map(|model| model.name).collect();
-                eprintln!("stribeck: no model '{model}'; there are {}", names.join(", "));
-                return ExitCode::FAILURE;
-            }
-        },
-        Task::Systems { name } => return systems(name.as_deref()),
-        Task::Run(arguments) => return ended(command::run(&arguments)),
-        Task::Compare(arguments) => return ended(command::compare(&arguments)),
-        Task::Study(arguments) => return ended(command::study(&arguments)),
-        Task::Identify(arguments) => return ended(command::identify(&arguments)),
-        Task::Rig(arguments) => return ended(command::rig(&arguments)),
-        Task::Bench(arguments) => return ended(command::bench(&arguments)),
-        Task::Page(arguments) => return ended(command::page(&arguments)),
-        Task::Damper(arguments) => return ended(damper::run(&arguments).map(|()| command::Verdict::Done)),
-        Task::Tyre(arguments) => return ended(tyre::run(&arguments).map(|()| command::Verdict::Done)),
+        Task::Models => models(),
+        Task::Show { model } => show(&model),
+        Task::Systems { name } => systems(name.as_deref()),
+        Task::Run(arguments) => ended(command::run(&arguments)),
+        Task::Compare(arguments) => ended(command::compare(&arguments)),
+        Task::Study(arguments) => ended(command::study(&arguments)),
+        Task::Identify(arguments) => ended(command::identify(&arguments)),
+        Task::Rig(arguments) => ended(command::rig(&arguments)),
+        Task::Bench(arguments) => ended(command::bench(&arguments)),
+        Task::Page(arguments) => ended(command::page(&arguments)),
+        Task::Damper(arguments) => ended(damper::run(&arguments).map(|()| command::Verdict::Done)),
+        Task::Tyre(arguments) => ended(tyre::run(&arguments).map(|()| command::Verdict::Done)),
     }
-    ExitCode::SUCCESS
 }
 
 fn ended(result: Result<command::Verdict, command::Failure>) -> ExitCode {
     match result {
         Ok(verdict) => verdict.into(),
-        Err(error) => {
-            eprintln!("stribeck: {error}");
-            ExitCode::FAILURE
-        }
+        Err(error) => refused(&error),
     }
 }
 
@@ -119,32 +104,43 @@ fn systems(name: Option<&str>) -> ExitCode {
         }
         return ExitCode::SUCCESS;
     };
-    match BUILT_IN.iter().find(|(known, _)| *known == name) {
-        Some((_, text)) => {
-            print!("{text}");
-            ExitCode::SUCCESS
-        }
-        None => {
-            let known = BUILT_IN.iter().map(|(known, _)| *known);
-            eprintln!("stribeck: {}", Fault::unknown("system", name, known));
-            ExitCode::FAILURE
-        }
-    }
+    let Some((_, text)) = BUILT_IN.iter().find(|(known, _)| *known == name) else {
+        return refused(&Fault::unknown("system", name, BUILT_IN.iter().map(|(known, _)| *known)));
+    };
+    print!("{text}");
+    ExitCode::SUCCESS
 }
 
-fn show(model: &ModelType) {
+fn refused(reason: &dyn std::fmt::Display) -> ExitCode {
+    eprintln!("stribeck: {reason}");
+    ExitCode::FAILURE
+}
+
+fn models() -> ExitCode {
+    for model in catalogue::models() {
+        println!("{:<16} {}", model.name, model.summary);
+    }
+    ExitCode::SUCCESS
+}
+
+fn show(name: &str) -> ExitCode {
+    let Some(model) = catalogue::by_name(name) else {
+        let names: Vec<&str> = catalogue::models().map(|model| model.name).collect();
+        return refused(&format_args!("no model '{name}'; there are {}", names.join(", ")));
+    };
     println!("{}: {}", model.name, model.summary);
     println!("guid {}\n", model.guid());
-    let rows = model.table.iter().map(|variable| {
+    let row = |variable: Variable| {
         [variable.path.to_string(), format!("{:?}", variable.role), value(&variable), variable.help.to_string()]
-    });
-    let rows: Vec<[String; 4]> = rows.collect();
+    };
+    let rows: Vec<[String; 4]> = model.table.iter().map(row).collect();
     let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
     let [names, roles, values] = [width(0), width(1), width(2)];
     for (column, [name, role, value, help]) in rows.iter().enumerate() {
         println!("{column:>3} {name:<names$} {role:<roles$} {value:<values$} {help}");
     }
     print!("{}", presets(model));
+    ExitCode::SUCCESS
 }
 
 /// The presets, one value per line.

@@ -1,15 +1,15 @@
-//! Checks of files that a command will write, before it works for them.
+//! Checks of output files before the work for them.
 
 use std::path::Path;
 
 use stribeck_solve::system::Fault;
 
-/// Whether a name ends so, in upper or lower case.
+/// Whether a file has an extension, in upper or lower case.
 pub fn has_ending(path: &Path, wanted: &str) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(wanted))
 }
 
-/// Refuses a file with another ending than these, without a folder to be in, or that is a folder.
+/// Rejects a file with another extension, in a folder that does not exist, or that is a folder.
 pub fn file(path: &Path, endings: &[&str]) -> Result<(), Fault> {
     let refused = |why: String| Err(Fault::File(format!("{}: {why}", path.display())));
     if !endings.iter().any(|ending| has_ending(path, ending)) {
@@ -30,7 +30,7 @@ fn one_of(endings: &[&str]) -> String {
     }
 }
 
-/// Refuses a folder that cannot be made, because it or what it would be in is a file.
+/// Rejects a folder that cannot be created because it or one of its parents is a file.
 pub fn folder(path: &Path) -> Result<(), Fault> {
     match path.ancestors().find(|part| part.exists()) {
         Some(part) if !part.is_dir() => {

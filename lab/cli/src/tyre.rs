@@ -1,4 +1,4 @@
-//! `stribeck tyre`: turns a tyre property file into a parameter set, and a tyre test into a tyre property file.
+//! `stribeck tyre`: converts a tyre property file into a parameter set, and a tyre test into a tyre property file.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ pub struct Arguments {
     inquiry: Inquiry,
     #[command(flatten)]
     description: Description,
-    /// Parameter set to write, .csv or .ssv; from a test, a tyre property file, .tir. Without it, it is printed
+    /// File to write: a parameter set (.csv, .ssv), from a test a tyre property file (.tir); standard output if not given
     #[arg(long)]
     out: Option<PathBuf>,
 }
@@ -48,17 +48,17 @@ fn convert(inquiry: &Inquiry, out: Option<&Path>) -> Result<(), Failure> {
 }
 
 fn fit(inquiry: &Inquiry, out: Option<&Path>) -> Result<(), Failure> {
-    let found = inquiry.answer().map_err(|error| match error {
+    let answer = inquiry.answer().map_err(|error| match error {
         TyreInquiryError::Fault(fault) => fault,
         error => Fault::File(error.to_string()),
     })?;
-    let text = property_file(&found);
-    // The reader is the judge of what is written.
+    let text = property_file(&answer);
+    // What is written must be readable.
     tir::parse("fitted.tir", &text).map_err(refused)?;
     match out {
         Some(out) => {
             write(out, text)?;
-            print!("{}", table(&found));
+            print!("{}", table(&answer));
             println!("\n{}", out.display());
         }
         None => print!("{text}"),

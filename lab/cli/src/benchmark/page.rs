@@ -110,7 +110,7 @@ Some of these motions amplify every error, so that no solver is as good as its t
   and a tolerance ten times finer makes it two to four times smaller.
 ";
 
-fn solvers(measurements: &[Measurement]) -> Vec<Solver> {
+pub(super) fn solvers(measurements: &[Measurement]) -> Vec<Solver> {
     let mut found: Vec<Solver> = Vec::new();
     for one in measurements {
         if !found.contains(&one.trial.solver) {

@@ -1,6 +1,7 @@
 //! Work-precision diagrams: what accuracy costs with each solver.
 
 use super::Measurement;
+use super::page::solvers;
 use stribeck_plot::palette::{MOST_LAWS, Theme};
 use stribeck_plot::picture::drawing::{Axis, Drawing, Line};
 use stribeck_plot::picture::quantity::Quantity;
@@ -29,16 +30,10 @@ pub fn work_precision(
 ) -> Option<String> {
     let of_law: Vec<&Measurement> =
         measurements.iter().filter(|one| one.law == law && one.trial.events == events).collect();
-    // A solver looks alike in all diagrams, whichever of them a law can be run with.
-    let mut solvers: Vec<Solver> = Vec::new();
-    for Measurement { trial, .. } in measurements.iter().filter(|one| one.trial.solver != Solver::Steps) {
-        if !solvers.contains(&trial.solver) {
-            solvers.push(trial.solver);
-        }
-    }
-    let lines =
-        solvers.iter().take(MOST_LAWS).enumerate().map(|(look, solver)| line(&of_law, *solver, precision, look));
-    let lines: Vec<Line> = lines.filter(|line| line.points.len() > 1).collect();
+    // A solver has the same colour in all diagrams, whichever solvers can run the law.
+    let compared = solvers(measurements).into_iter().filter(|solver| *solver != Solver::Steps);
+    let all = compared.take(MOST_LAWS).enumerate().map(|(look, solver)| line(&of_law, solver, precision, look));
+    let lines: Vec<Line> = all.filter(|line| line.points.len() > 1).collect();
     let points = || lines.iter().flat_map(|line| &line.points);
     let range = |axis: usize| {
         let ends = (f64::INFINITY, f64::NEG_INFINITY);

@@ -1,6 +1,7 @@
 //! `stribeck bench`: the benchmark of the thesis.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
 
 use crate::benchmark::{
     EVERY, Measurement, Precision, Reference, Trial, belt, csv, karnopp_as_printed, measure, page, work_precision,
@@ -26,10 +27,10 @@ pub struct Arguments {
     /// Tolerance of the thesis' table
     #[arg(long, default_value_t = 1e-8)]
     tol: f64,
-    /// Runs of each law and solver, of which the median time counts
+    /// Runs of each law and solver; the median time is reported
     #[arg(long, default_value_t = 3)]
     repeats: usize,
-    /// Also nine tolerances from 1e-3 to 1e-11, with events located and not, and their diagrams
+    /// Also run nine tolerances from 1e-3 to 1e-11, with and without event location, and draw diagrams
     #[arg(long)]
     work_precision: bool,
     /// Folder for benchmark.md and benchmark.csv
@@ -55,29 +56,13 @@ pub fn bench(arguments: &Arguments) -> Result<Verdict, Failure> {
         arguments.law.clone()
     };
     let systems = laws.iter().map(|law| belt(law)).collect::<Result<Vec<System>, Fault>>()?;
-    heed_interrupts();
-    let bar = Bar::new(laws.len(), systems.first().map_or(1.0, |system| system.description.until));
-    let (mut measurements, mut references) = (Vec::new(), Vec::new());
-    let mut verdict = Verdict::Done;
-    for (number, (law, system)) in laws.iter().zip(&systems).enumerate() {
-        bar.begin(number, law);
-        let settings = Settings { every: EVERY, cancel: Some(&CANCELLED), progress: None, ..Settings::of(system) };
-        let reference = Reference::of(system, &settings);
-        if let Ok(reference) = &reference {
-            measurements.extend(one_law(arguments, system, reference, &settings));
-        }
-        references.push((law.clone(), reference));
-        if CANCELLED.load(std::sync::atomic::Ordering::Relaxed) {
-            verdict = Verdict::Cancelled;
-            break;
-        }
-    }
-    bar.finish();
+    let (measurements, references) = measured(arguments, &laws, &systems);
+    let is_cancelled = CANCELLED.load(Ordering::Relaxed);
     std::fs::create_dir_all(&arguments.out).map_err(|source| Failure::File { path: arguments.out.clone(), source })?;
     write(&arguments.out.join("benchmark.csv"), csv(&measurements))?;
     let pictures = if arguments.work_precision { draw(&measurements, &laws, &arguments.out)? } else { Vec::new() };
     let printed = match systems.first() {
-        Some(system) if verdict == Verdict::Done => {
+        Some(system) if !is_cancelled => {
             let settings = Settings { cancel: Some(&CANCELLED), ..Settings::of(system) };
             karnopp_as_printed(arguments.tol, &references, &settings)?
         }
@@ -86,7 +71,31 @@ pub fn bench(arguments: &Arguments) -> Result<Verdict, Failure> {
     write(&arguments.out.join("benchmark.md"), page(&measurements, &references, arguments.tol, &printed, &pictures))?;
     println!("{}", arguments.out.join("benchmark.md").display());
     println!("{}", arguments.out.join("benchmark.csv").display());
-    Ok(verdict)
+    Ok(if is_cancelled { Verdict::Cancelled } else { Verdict::Done })
+}
+
+/// References of the laws, or why a law has none.
+type References = Vec<(String, Result<Reference, String>)>;
+
+/// Measures the laws one by one, until the user ends it.
+fn measured(arguments: &Arguments, laws: &[String], systems: &[System]) -> (Vec<Measurement>, References) {
+    heed_interrupts();
+    let bar = Bar::new(laws.len(), systems.first().map_or(1.0, |system| system.description.until));
+    let (mut measurements, mut references) = (Vec::new(), Vec::new());
+    for (number, (law, system)) in laws.iter().zip(systems).enumerate() {
+        bar.begin(number, law);
+        let settings = Settings { every: EVERY, cancel: Some(&CANCELLED), progress: None, ..Settings::of(system) };
+        let reference = Reference::of(system, &settings);
+        if let Ok(reference) = &reference {
+            measurements.extend(one_law(arguments, system, reference, &settings));
+        }
+        references.push((law.clone(), reference));
+        if CANCELLED.load(Ordering::Relaxed) {
+            break;
+        }
+    }
+    bar.finish();
+    (measurements, references)
 }
 
 /// Draws the work-precision diagrams of each law; returns the names of their files in the folder.
@@ -135,7 +144,7 @@ fn trials(arguments: &Arguments, solver: Solver) -> Vec<Trial> {
     if arguments.work_precision && solver != Solver::Steps {
         tolerances.extend((3..=11).map(|power| 10f64.powi(-power)).filter(|other| *other != arguments.tol));
     }
-    // These two locate none.
+    // These two locate no events.
     let events: &[bool] = if matches!(solver, Solver::Steps | Solver::Dop853) { &[false] } else { &[true, false] };
     let both = |tolerance: f64| events.iter().map(move |events| Trial { solver, tolerance, events: *events });
     tolerances.into_iter().flat_map(both).collect()

@@ -13,16 +13,16 @@ use super::{Failure, write};
 /// Files with the description of a job.
 #[derive(Args, Clone, Debug)]
 pub struct Description {
-    /// Read all this from a TOML file; arguments take precedence
+    /// Read options from a TOML file; arguments take precedence
     #[arg(long, value_name = "FILE")]
     config: Option<PathBuf>,
-    /// Write what is done as a TOML file for --config
+    /// Write the options as a TOML file for --config
     #[arg(long, value_name = "FILE")]
     save_config: Option<PathBuf>,
 }
 
 impl Description {
-    /// The job: that of the file, with what the arguments give in it. Written to a file if the user wants one.
+    /// The job of the file, with the given arguments in it; saved as a file if the user wants one.
     pub fn complete<T: Clone + Serialize + DeserializeOwned>(&self, given: &T) -> Result<T, Failure> {
         let job = match &self.config {
             Some(path) => job::given_over(given, &read(path)?)?,

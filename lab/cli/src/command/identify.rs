@@ -26,7 +26,7 @@ pub struct Arguments {
     inquiry: Inquiry,
     #[command(flatten)]
     description: Description,
-    /// Only say what the record is worth and which parameters it can determine
+    /// Only report the data quality of the records and which parameters they can determine
     #[arg(long)]
     check: bool,
     /// Values to compare with: a preset of the law, or a parameter set (.toml, .csv, .ssv)
@@ -46,18 +46,18 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Evaluations with which it is looked at what a record can determine (chosen).
+/// Budget of a search with --check, in evaluations (chosen).
 const CHECK: u64 = 400;
 
 impl Arguments {
-    /// Refuses files that could not be written, before the work for them is done.
+    /// Rejects output files that cannot be written, before the search.
     fn refuse_outputs(&self) -> Result<(), Fault> {
         self.out.as_ref().map_or(Ok(()), |path| outputs::file(path, &["toml", "csv", "ssv"]))?;
         self.report.as_ref().map_or(Ok(()), |path| outputs::file(path, &["html"]))?;
         self.curves.as_ref().map_or(Ok(()), |path| outputs::folder(path))
     }
 
-    /// The reference for each of the laws; None for a law that it does not fit. An error if it fits none of them.
+    /// The reference values of each law; None for a law that has none of them. An error if no law has any.
     fn references(&self, laws: &[&'static ModelType]) -> Result<Vec<Option<Reference>>, Failure> {
         let Some(text) = &self.reference else { return Ok(laws.iter().map(|_| None).collect()) };
         let mut all: Vec<Result<Option<Reference>, Failure>> =
@@ -72,7 +72,7 @@ impl Arguments {
         Ok(all)
     }
 
-    /// The reference of the best law; says so if there is none for it.
+    /// The reference values of the best law; warns if there are none, or if they are those of another law.
     fn of_best<'a>(
         &self,
         best: &Fit,
@@ -92,7 +92,7 @@ impl Arguments {
         found
     }
 
-    /// The laws that the file of the reference is for, if this one is not among them.
+    /// The laws of the reference file, if this one is not among them.
     fn other_law(&self, law: &ModelType) -> Option<String> {
         let path = self.reference.as_ref().map(Path::new).filter(|path| outputs::has_ending(path, "toml"))?;
         let known: Configuration = read(path).ok()?;
@@ -117,7 +117,7 @@ impl Arguments {
     }
 }
 
-/// Finds the parameters of laws, ranks the laws if there are several, and tells how far to trust them.
+/// Fits laws to records and ranks them; prints the parameters with their uncertainty.
 pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     arguments.refuse_outputs()?;
     arguments.inquiry.refuse_contradictions()?;
@@ -153,7 +153,7 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     tell(arguments, &facts, &data)
 }
 
-/// Prints the outcome, and writes the files that were asked for.
+/// Prints the result and writes the requested files.
 fn tell(arguments: &Arguments, facts: &Identification, data: &Data) -> Result<Ending, Failure> {
     let Identification { records, ranking, reference, .. } = *facts;
     let best = ranking.best();
@@ -194,21 +194,21 @@ fn worth(name: &str, record: &Record) -> String {
     );
     if record.matched_filter.is_some() {
         text += &format!(
-            "  force and motion averaged alike, over {:.4} s; the motion is about {:.5} s behind the force\n",
+            "  matched filter of force and motion, window {:.4} s; the motion lags the force by about {:.5} s\n",
             record.window, record.clocks.delay
         );
     } else if record.is_differentiated {
         text += &format!(
-            "  velocity from the displacement, in a window of {:.4} s; known to {:.1e} m/s around rest; acceleration in a \
-             window of {:.4} s, known to {:.1e} m/s2\n",
+            "  velocity differentiated from the displacement, window {:.4} s, error near rest {:.1e} m/s; acceleration, \
+             window {:.4} s, error {:.1e} m/s2\n",
             record.window, record.velocity_error, record.acceleration_window, record.acceleration_error
         );
     }
     let clocks = record.clocks;
     if clocks.deviation > 0.0 && record.matched_filter.is_none() {
         text += &format!(
-            "  the motion looks {:.5} s behind the force, {:.1e} s more each second; friction that builds up over a \
-             distance also looks late, so this may be an overestimate: the fit of a law looks for the delay again\n",
+            "  the motion lags the force by about {:.5} s, and {:.1e} s more each second; friction that builds up over a \
+             distance adds to this estimate: the fit of a law re-estimates the delay\n",
             clocks.delay, clocks.drift
         );
     }
@@ -216,7 +216,7 @@ fn worth(name: &str, record: &Record) -> String {
     text
 }
 
-/// Says what the data can determine, without a number.
+/// Prints which parameters the data can determine, without their values.
 fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Settings) -> Result<Ending, Failure> {
     let task = Settings { budget: CHECK.min(task.budget), profiles: false, repetitions: 0, ..task.clone() };
     let is_ended = || CANCELLED.load(std::sync::atomic::Ordering::Relaxed);
@@ -227,7 +227,7 @@ fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Setting
         bar.finish();
         println!("{}:", law.name);
         if found.searches != Searches::Agree {
-            println!("  not decided by so short a search: leave out --check");
+            println!("  inconclusive after this short search: run without --check");
             continue;
         }
         for one in &found.estimates {
@@ -254,7 +254,7 @@ fn table(ranking: &Ranking) -> String {
     for (number, place) in ranking.ranks.iter().enumerate() {
         let fit = &ranking.fits[place.fit];
         let is_tied = place.is_tied && number > 0;
-        let note = fit.searches.note().or(is_tied.then_some("cannot be told apart from the first"));
+        let note = fit.searches.note().or(is_tied.then_some("cannot be distinguished from the first"));
         let note = note.map_or(String::new(), |note| format!("  {note}"));
         text += &format!(
             "  {:<20} {:>10.3e} N {:>10} {:>8.1}{}{note}\n",

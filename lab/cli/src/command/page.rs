@@ -15,28 +15,27 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// Writes the page for a browser. Only Node makes it: a program that cargo has built takes it from beside itself, or from
-/// where the project has it.
+/// Writes the page for a browser: that beside the program or that in the folder of the project, since only Node builds it.
 pub fn page(arguments: &Arguments) -> Result<Verdict, Failure> {
     let beside = std::env::current_exe().ok().and_then(|program| Some(program.parent()?.join("page.html")));
     let made = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../dist/page.html");
-    let places: Vec<PathBuf> = beside.into_iter().chain([made]).collect();
-    write(&arguments.out, read(&places)?)?;
+    let candidates: Vec<PathBuf> = beside.into_iter().chain([made]).collect();
+    write(&arguments.out, read(&candidates)?)?;
     println!("{}: opens in a browser, from here or from a server", arguments.out.display());
     Ok(Verdict::Done)
 }
 
-/// The page at the first of these places that has one.
-fn read(places: &[PathBuf]) -> Result<String, Failure> {
-    let Some(path) = places.iter().find(|path| path.is_file()) else {
-        let names: Vec<String> = places.iter().map(|path| path.display().to_string()).collect();
-        let text = format!("the page is not there: `make page` builds it, with Node; looked for {}", names.join(", "));
+/// The first of these files that exists.
+fn read(candidates: &[PathBuf]) -> Result<String, Failure> {
+    let Some(path) = candidates.iter().find(|path| path.is_file()) else {
+        let names: Vec<String> = candidates.iter().map(|path| path.display().to_string()).collect();
+        let text = format!("page not found ({}): run `make page` (needs Node)", names.join(", "));
         return Err(Fault::File(text).into());
     };
     let text = std::fs::read_to_string(path).map_err(|source| Failure::File { path: path.clone(), source })?;
     let version = env!("CARGO_PKG_VERSION");
     if !text.contains(&format!("<meta name=\"generator\" content=\"Stribeck {version}\">")) {
-        let text = format!("{}: is not the page of version {version}: `make page` builds it", path.display());
+        let text = format!("{}: is not the page of version {version}: run `make page`", path.display());
         return Err(Fault::File(text).into());
     }
     Ok(text)
@@ -50,12 +49,9 @@ mod tests {
     fn the_first_page_of_this_version_is_taken() {
         let folder = tempfile::tempdir().unwrap();
         let [absent, here] = ["absent.html", "page.html"].map(|name| folder.path().join(name));
-        let refusal = |places: &[PathBuf]| read(places).unwrap_err().to_string();
+        let refusal = |candidates: &[PathBuf]| read(candidates).unwrap_err().to_string();
         let text = refusal(std::slice::from_ref(&absent));
-        assert!(
-            text.starts_with("the page is not there: `make page` builds it") && text.ends_with("absent.html"),
-            "{text}"
-        );
+        assert!(text.starts_with("page not found (") && text.contains("absent.html"), "{text}");
         std::fs::write(&here, "<meta name=\"generator\" content=\"Stribeck 0.0.1\">").unwrap();
         assert!(refusal(&[absent.clone(), here.clone()]).contains("is not the page of version"));
         let page = concat!("<meta name=\"generator\" content=\"Stribeck ", env!("CARGO_PKG_VERSION"), "\">");

@@ -1,11 +1,11 @@
-//! Progress of long work, and its end by the user.
+//! Progress of long work, and its cancellation.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use stribeck_solve::solve::Progress;
 
-/// Set by Ctrl-C: what is under way ends early, and what is done is kept.
+/// Set by Ctrl-C: work in progress ends early and keeps its results.
 pub static CANCELLED: AtomicBool = AtomicBool::new(false);
 
 /// Lets Ctrl-C end the work early; pressed again, it ends the program.
@@ -22,7 +22,7 @@ pub fn heed_interrupts() {
 #[derive(Debug)]
 pub struct Bar {
     bar: ProgressBar,
-    /// Parts of a run.
+    /// End of a run, s.
     until: f64,
     done: std::sync::atomic::AtomicU64,
 }
@@ -39,7 +39,7 @@ impl Bar {
         Bar { bar, until, done: 0.into() }
     }
 
-    /// The run that is under way.
+    /// Starts a run.
     pub fn begin(&self, number: usize, name: &str) {
         self.done.store(number as u64, Ordering::Relaxed);
         self.bar.set_message(name.to_owned());
@@ -56,7 +56,7 @@ impl Bar {
 pub struct Rows(ProgressBar);
 
 impl Rows {
-    /// A bar for so many.
+    /// A bar for a number of rows.
     pub fn new(rows: usize) -> Rows {
         let bar = ProgressBar::new(rows as u64);
         if let Ok(style) = ProgressStyle::with_template("[{bar:40}] {pos} of {len} rows, {per_sec}, {eta}") {
@@ -65,7 +65,7 @@ impl Rows {
         Rows(bar)
     }
 
-    /// So many are done.
+    /// Shows the number of finished rows.
     pub fn reached(&self, rows: usize) {
         self.0.set_position(rows as u64);
     }
@@ -84,7 +84,7 @@ pub struct Best {
 }
 
 impl Best {
-    /// Of no search yet.
+    /// A bar before the first search.
     pub fn new() -> Best {
         let bar = ProgressBar::new_spinner();
         if let Ok(style) = ProgressStyle::with_template("{prefix}: {pos} generations, {msg}, {elapsed}") {
@@ -93,14 +93,14 @@ impl Best {
         Best { bar, best: f64::INFINITY.into() }
     }
 
-    /// The search for the values of a law begins.
+    /// Starts the search of a law.
     pub fn begin(&self, law: &str) {
         *self.best.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = f64::INFINITY;
         self.bar.set_prefix(law.to_owned());
         self.bar.set_position(0);
     }
 
-    /// A generation is done; RMS residual at its best point.
+    /// Counts a generation, with the RMS residual of its best member.
     pub fn reached(&self, rms: f64) {
         let mut best = self.best.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         *best = best.min(rms);
