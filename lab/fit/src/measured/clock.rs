@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 use stribeck::number::Real;
 
-use super::quality::extremes;
+use super::statistics::extremes;
 
 /// Clock of the motion against that of the force.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! The mean cycle of a periodic record.
 
 use super::Record;
-use super::quality::extremes;
+use super::statistics::extremes;
 use crate::sheet::text;
 
 /// Mean of the cycles of a record, over equal parts of the period.

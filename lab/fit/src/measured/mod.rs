@@ -32,6 +32,7 @@ mod polynomial;
 mod quality;
 mod record;
 mod reduce;
+mod statistics;
 mod stencil;
 #[cfg(test)]
 mod tests;
@@ -45,5 +46,5 @@ pub use error::MeasuredError;
 pub use matched_filter::SLOW;
 pub(crate) use polynomial::correlation_of_slopes;
 pub use quality::noise;
-pub(crate) use quality::{extremes, median, reversals};
 pub use record::{Delay, Gap, MatchedFilter, Quality, Record, Setup};
+pub(crate) use statistics::{extremes, median, reversals};

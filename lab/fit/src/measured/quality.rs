@@ -2,6 +2,7 @@
 
 use super::cycle::TURN;
 use super::record::{Gap, Quality, Record, Setup};
+use super::statistics::{extremes, median, reversals};
 
 /// Distance of two samples, in median intervals, above which there is a gap between them (chosen).
 pub(super) const GAP: f64 = 3.0;
@@ -48,11 +49,6 @@ fn gaps(time: &[f64], interval: f64) -> Vec<Gap> {
     pairs.map(|pair| Gap { time: pair[0], length: pair[1] - pair[0] }).collect()
 }
 
-/// Least and largest value.
-pub(crate) fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
-}
-
 fn gap(gaps: &[Gap]) -> Option<String> {
     let Gap { time, length } = gaps.first()?;
     let more = if gaps.len() > 1 { format!(" and {} more", gaps.len() - 1) } else { String::new() };
@@ -86,19 +82,6 @@ fn few_reversals(quality: &Quality) -> Option<String> {
 fn one_load([low, high]: [f64; 2]) -> Option<String> {
     (high - low < ONE_LOAD * 0.5 * (high + low))
         .then(|| format!("one normal force ({high} N): this record alone does not show how friction depends on it"))
-}
-
-/// Number of changes of direction between motions faster than a speed.
-pub(crate) fn reversals(velocity: &[f64], speed: f64) -> usize {
-    let fast = velocity.iter().filter(|v| v.abs() > speed);
-    let signs: Vec<bool> = fast.map(|v| *v > 0.0).collect();
-    signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
-}
-
-/// Median, the upper one of an even number of values; sorts them.
-pub(crate) fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 /// Fraction of the samples with exactly the lowest or highest value, if it occurs more than once in a row.
