@@ -41,7 +41,7 @@ const HOUSES: &[House] = &[
     House { folder: "ffi/src", rooms: &["guard", "models", "fmi2", "c"] },
     House { folder: "ssp/src", rooms: &["xml", "units", "parameter_set", "system"] },
     House { folder: "lab/draw/src", rooms: &["text", "axis", "curve", "frame"] },
-    House { folder: "lab/solve/src", rooms: &["solve", "system", "job", "couple", "run", "study"] },
+    House { folder: "lab/solve/src", rooms: &["work", "solve", "system", "job", "couple", "run", "study"] },
     House { folder: "lab/fit/src", rooms: &["sheet", "thesis", "measured", "dyno", "tir", "identify", "rig"] },
     House { folder: "lab/plot/src", rooms: &["palette", "picture", "report"] },
     House { folder: "lab/cli/src", rooms: &["benchmark", "standard_output", "outputs", "command", "damper", "tyre"] },

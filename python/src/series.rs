@@ -2,8 +2,7 @@
 
 use std::ops::Range;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::thread;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -11,6 +10,7 @@ use stribeck::batch::{self, Registers, Runs, Worker};
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 use stribeck::series::{Between, Ended, Times, set_up};
+use stribeck_solve::work::share;
 
 use crate::catalogue::{column, find, preset as known_preset};
 use crate::numbers::Numbers;
@@ -82,38 +82,28 @@ impl Common<'_> {
         worker: impl Fn() -> Box<Make<'a>> + Sync,
     ) -> Result<(), (usize, Ended)> {
         let slots: Vec<_> = slots.into_iter().map(|slot| Mutex::new(Some(slot))).collect();
-        let (next, failed) = (AtomicUsize::new(0), Mutex::new(None::<(usize, Ended)>));
-        let work = || {
+        let failed = Mutex::new(None::<(usize, Ended)>);
+        let worker = || {
             let (mut instance, mut make) = (Instance::new(self.model), worker());
-            loop {
-                let number = next.fetch_add(1, Ordering::Relaxed);
-                let Some(slot) = slots.get(number) else { return };
-                let slot = slot.lock().ok().and_then(|mut slot| slot.take());
-                let Some(mut slot) = slot else { return };
+            let (slots, failed) = (&slots, &failed);
+            move |number: usize| {
+                let Some(mut slot) = slots[number].lock().ok().and_then(|mut slot| slot.take()) else { return };
                 let first = number * self.together;
                 let some = first..self.count.min(first + self.together);
-                if let Err((run, ended)) = make(some, &mut instance, &mut slot, cancel) {
+                if let Err((run, ended)) = make(some, &mut instance, &mut slot, cancel)
+                    && let Ok(mut failed) = failed.lock()
                     // The lowest run is the one that is reported, whichever thread is first.
-                    if let Ok(mut failed) = failed.lock()
-                        && failed.as_ref().is_none_or(|(other, _)| run < *other)
-                    {
-                        *failed = Some((run, ended));
-                    }
-                    next.store(usize::MAX / 2, Ordering::Relaxed);
-                    return;
-                }
-                if cancel.load(Ordering::Relaxed) {
-                    return;
+                    && failed.as_ref().is_none_or(|(other, _)| run < *other)
+                {
+                    *failed = Some((run, ended));
                 }
             }
         };
-        thread::scope(|scope| {
-            for _ in 1..self.threads {
-                // Where the system has no more threads, those that there are do the work.
-                let _ = thread::Builder::new().spawn_scoped(scope, work);
-            }
-            work();
-        });
+        let goes_on = |number: usize| {
+            let is_without_fault = failed.lock().is_ok_and(|failed| failed.is_none());
+            is_without_fault && (number == 0 || !cancel.load(Ordering::Relaxed))
+        };
+        share(slots.len(), self.threads, goes_on, worker);
         failed.into_inner().ok().flatten().map_or(Ok(()), Err)
     }
 

@@ -1,7 +1,7 @@
 //! Systems of Stribeck's models, solved to a tolerance.
 //!
 //! [`system`] joins models, [`solve`] has the solvers, [`couple`] steps models together as importers do, [`run`] runs a
-//! system once, [`study`] many times. [`job`] has what the descriptions of all jobs have in common.
+//! system once, [`study`] many times. [`job`] has what the descriptions of all jobs have in common, [`work`] the threads.
 //!
 //! Systems and solvers use the elementary functions of the models only: a run has the same bits on every platform and
 //! in a browser.
@@ -16,3 +16,4 @@ pub mod solve;
 pub mod study;
 #[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod system;
+pub mod work;

@@ -72,6 +72,7 @@ use refine::refine;
 use response::Exact;
 use search::{Best, best, first_look, polish};
 use stribeck_solve::system::Fault;
+use stribeck_solve::work::share;
 use uncertainty::{Uncertainty, residuals, uncertainty};
 use validation::{check_folds, folds};
 use warnings::warnings;
@@ -294,34 +295,21 @@ fn side_by_side<T: Send>(
     work: impl Fn(usize, &'static ModelType) -> T + Sync,
 ) -> Vec<Option<T>> {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    // Both under one lock: an end that `begin` asks for is one after the laws it has heard of.
-    let next = Mutex::new((0, begin));
     let found = Mutex::new(laws.iter().map(|_| None).collect::<Vec<Option<T>>>());
-    let pick = || {
-        let mut next = next.lock().ok()?;
-        let (number, begin) = &mut *next;
-        let law = *laws.get(*number)?;
-        if stops && *number > 0 && watch.cancel.load(Ordering::Relaxed) {
-            return None;
-        }
-        begin(law);
-        *number += 1;
-        Some((*number - 1, law))
-    };
-    let all = || {
-        while let Some((number, law)) = pick() {
-            let one = work(number, law);
-            if let Ok(mut found) = found.lock() {
-                found[number] = Some(one);
-            }
+    let one = |number: usize| {
+        let one = work(number, laws[number]);
+        if let Ok(mut found) = found.lock() {
+            found[number] = Some(one);
         }
     };
-    std::thread::scope(|scope| {
-        for _ in 1..cores.min(laws.len()) {
-            scope.spawn(all);
+    let begins = |number: usize| {
+        let is_begun = !(stops && number > 0 && watch.cancel.load(Ordering::Relaxed));
+        if is_begun {
+            begin(laws[number]);
         }
-        all();
-    });
+        is_begun
+    };
+    share(laws.len(), cores, begins, || one);
     found.into_inner().unwrap_or_default()
 }
 

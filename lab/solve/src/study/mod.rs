@@ -12,7 +12,7 @@ mod tests;
 
 use std::num::NonZeroUsize;
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 pub use chunk::merge;
@@ -21,6 +21,7 @@ pub use quantity::Quantity;
 
 use crate::run::{Settings, run};
 use crate::system::{Fault, Setting, Source, System};
+use crate::work;
 use chunk::{Chunk, chunks};
 use sample::Samples;
 
@@ -261,25 +262,13 @@ impl Study {
         cancel: &AtomicBool,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Vec<(Vec<String>, bool)> {
-        let (next, made) = (AtomicUsize::new(chunk.rows.start), Mutex::new(Vec::new()));
-        let work = || {
-            loop {
-                let row = next.fetch_add(1, Ordering::Relaxed);
-                if row >= chunk.rows.end || cancel.load(Ordering::Relaxed) {
-                    return;
-                }
-                let result = self.row(row, cancel);
-                made.lock().unwrap_or_else(PoisonError::into_inner).push((row, result));
-                progress(1);
-            }
+        let made = Mutex::new(Vec::new());
+        let row = |number: usize| {
+            let result = self.row(chunk.rows.start + number, cancel);
+            made.lock().unwrap_or_else(PoisonError::into_inner).push((number, result));
+            progress(1);
         };
-        std::thread::scope(|scope| {
-            for _ in 1..threads.get() {
-                // Where the system has no more threads, those that there are do the work.
-                let _ = std::thread::Builder::new().spawn_scoped(scope, work);
-            }
-            work();
-        });
+        work::share(chunk.rows.len(), threads.get(), |_| !cancel.load(Ordering::Relaxed), || row);
         let mut made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
         made.sort_by_key(|(row, _)| *row);
         made.into_iter().map(|(_, result)| result).collect()

@@ -1,0 +1,69 @@
+//! Work that threads share.
+
+use std::sync::Mutex;
+use std::thread;
+
+/// Makes the pieces of a work, in the order of their numbers, on as many threads as there are, up to a number. `begin` is
+/// asked before each piece, by one thread at a time, and ends the work with false. `worker` makes what a thread works with.
+pub fn share<W: FnMut(usize)>(
+    pieces: usize,
+    threads: usize,
+    begin: impl FnMut(usize) -> bool + Send,
+    worker: impl Fn() -> W + Sync,
+) {
+    let left = Mutex::new((0..pieces, begin));
+    let pick = || {
+        let mut left = left.lock().ok()?;
+        let (numbers, begin) = &mut *left;
+        let number = numbers.next()?;
+        if !begin(number) {
+            *numbers = 0..0;
+            return None;
+        }
+        Some(number)
+    };
+    let work = || {
+        let mut make = worker();
+        while let Some(piece) = pick() {
+            make(piece);
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 1..threads.min(pieces) {
+            // Where the system has no more threads, those that there are do the work.
+            let _ = thread::Builder::new().spawn_scoped(scope, work);
+        }
+        work();
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    use super::*;
+
+    /// Pieces are begun in order and made once each; none is begun after a refusal.
+    #[test]
+    fn pieces_are_made_once_until_the_work_ends() {
+        for threads in [1, 2, 7] {
+            for last in [0, 3, 50, 1000] {
+                let (mut begun, made, workers) = (Vec::new(), Mutex::new(Vec::new()), AtomicUsize::new(0));
+                let begin = |piece: usize| {
+                    begun.push(piece);
+                    piece < last
+                };
+                share(100, threads, begin, || {
+                    workers.fetch_add(1, Ordering::Relaxed);
+                    |piece| made.lock().unwrap().push(piece)
+                });
+                let mut made = made.into_inner().unwrap();
+                made.sort_unstable();
+                let expected = last.min(100);
+                assert_eq!(made, (0..expected).collect::<Vec<_>>());
+                assert_eq!(begun, (0..100.min(expected + 1)).collect::<Vec<_>>());
+                assert!(workers.into_inner() <= threads);
+            }
+        }
+    }
+}
