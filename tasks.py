@@ -518,7 +518,7 @@ def faults() -> None:
     )
 
 
-@task("two hours")
+@task("an hour or two")
 def tolerances() -> None:
     """How often a run that says that it reached its end is wrong: every law that has rates, 200 sets of parameters, at
     tolerances from 1e-3 to 1e-10, on four systems."""
