@@ -254,6 +254,7 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
                         }
                     }
                     Some(_) => h = length,
+                    None if 0.5 * length < self.shortest() => return Err(self.chatters(crossing)),
                     None => h = 0.5 * length,
                 }
             } else {
@@ -308,6 +309,12 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
         let (length_before, error_before) = self.last.replace((length, error)).unwrap_or((length, error));
         let growth = change(error / error_before, S::ERROR_ORDER) / SAFETY;
         (factor * growth * length / length_before).max(SHRINK)
+    }
+
+    /// A rate jumps so that no step ends right behind the event.
+    fn chatters(&self, crossing: Option<Crossing>) -> String {
+        let name = crossing.map(|crossing| self.equations.indicator_name(crossing.indicator)).unwrap_or_default();
+        format!("{name} chatters: no step ends at its event")
     }
 
     fn too_short(&self, h: f64) -> String {
