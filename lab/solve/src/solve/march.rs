@@ -283,7 +283,7 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
         let mut slopes = [0.0; N];
         self.course().end_slopes(&mut slopes);
         let defect = judge::defect(&ahead, &slopes, length, S::GAMMA);
-        let excess = defect.map_or(f64::INFINITY, |defect| self.norm(&defect, &ahead.states) / judge::DEFECT);
+        let excess = defect.map_or(f64::INFINITY, |defect| self.norm(&defect, &ahead.states) / S::DEFECT);
         if excess > 1.0 {
             return Ok(Some(change(excess, S::ERROR_ORDER).min(DOUBT)));
         }

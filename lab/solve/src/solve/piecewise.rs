@@ -72,6 +72,7 @@ impl<S: Step<N>, const N: usize> Step<N> for Piecewise<S, N> {
     type Course = Motion<S::Course, N>;
     const ERROR_ORDER: i32 = S::ERROR_ORDER;
     const GAMMA: f64 = S::GAMMA;
+    const DEFECT: f64 = S::DEFECT;
 
     fn begin(&mut self, equations: &dyn Equations, options: &Options) {
         self.flow = None;

@@ -171,6 +171,7 @@ impl<const N: usize> Step<N> for Rodas5P<N> {
     type Course = Polynomials<N>;
     const ERROR_ORDER: i32 = 5;
     const GAMMA: f64 = GAMMA;
+    const DEFECT: f64 = 0.1;
 
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool {
         let diagonal = 1.0 / h / GAMMA;

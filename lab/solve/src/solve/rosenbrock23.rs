@@ -44,6 +44,8 @@ impl<const N: usize> Step<N> for Rosenbrock23<N> {
     type Course = Polynomials<N>;
     const ERROR_ORDER: i32 = 3;
     const GAMMA: f64 = D;
+    // The polynomial is one of degree 2.
+    const DEFECT: f64 = 1.0;
 
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool {
         let hd = h * D;

@@ -14,6 +14,9 @@ pub(super) trait Step<const N: usize>: Default {
     /// Coefficient of the Jacobian in the matrix of the stages.
     const GAMMA: f64;
 
+    /// Largest defect at the end of a step, in parts of the tolerance.
+    const DEFECT: f64;
+
     /// Takes note of an event, such as the beginning of a run.
     fn begin(&mut self, _equations: &dyn Equations, _options: &Options) {}
 
