@@ -558,23 +558,9 @@ def formats() -> None:
 @task("many hours")
 def trust() -> None:
     """Everything in docs/trust.md, one task after another, with the figures at the end."""
-    parts = [
-        wheel,
-        wheels,
-        page,
-        faults,
-        platforms,
-        fuzz,
-        coverage,
-        broken,
-        newcomer,
-        mutants,
-        tolerances,
-        identified,
-        formats,
-        supply,
-    ]
-    summarise([[sys.executable, "tasks.py", part.__name__] for part in parts])
+    first = [wheel, wheels, page, faults, platforms, fuzz, coverage]
+    then = [broken, newcomer, mutants, tolerances, identified, formats, supply]
+    summarise([[sys.executable, "tasks.py", part.__name__] for part in first + then])
 
 
 def setup_tool(tool: str) -> dict[str, str]:
