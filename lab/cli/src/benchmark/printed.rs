@@ -150,8 +150,9 @@ The block enters the band with what is left of its acceleration, 0.49 m/s2, and 
 ode23s asks for the rate at its middle. Just outside the band the middle already lies inside, where the rate is zero, so
 that the end of the step stays outside: the block follows the edge without entering, in steps just long enough for their
 middle to reach it. The distance from the edge is of the size of the tolerance, and the number of steps grows as its
-inverse. This may be why ode23s \"did not converge\" in the thesis. Where the phase is a state that events change, as in
-this library, the same method needs no more steps than others: see the first table.
+inverse: 2,030 in these 40 s at 1e-4, 194,350 at 1e-6. This may be why ode23s \"did not converge\" in the thesis.
+`rosenbrock23` of this library takes a step only if the rates at its end confirm it; they do not, the step becomes
+shorter, and the block passes the edge: 346 and 1,079 steps.
 
 ";
 
@@ -167,12 +168,13 @@ mod tests {
         statistics.steps as f64
     }
 
-    /// A hundredth of the tolerance takes nearly a hundred times the steps; a method of order 5 passes the edge.
+    /// Taken without a look at its end, a step of the class of ode23s follows the edge: 194,350 steps at 1e-6.
     #[test]
-    fn the_printed_law_defeats_the_class_of_ode23s() {
-        let growth = |solver| steps(solver, 1e-6) / steps(solver, 1e-4);
-        assert!(growth(Solver::Rosenbrock23) > 30.0, "{}", growth(Solver::Rosenbrock23));
-        assert!(growth(Solver::Rodas5P) < 3.0, "{}", growth(Solver::Rodas5P));
+    fn the_printed_law_does_not_hold_a_solver_up() {
+        for solver in [Solver::Rosenbrock23, Solver::Rodas5P] {
+            let [loose, tight] = [1e-4, 1e-6].map(|tolerance| steps(solver, tolerance));
+            assert!(tight < 4.0 * loose && tight < 2000.0, "{solver}: {loose} and {tight} steps");
+        }
     }
 
     /// The same motion as the law with events, but for the jumps that steps extend across.
