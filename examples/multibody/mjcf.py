@@ -86,19 +86,19 @@ def telescope(name: str, s: Suspension) -> str:
     return body(f"{name}.rod", s.rod, joint(f"{name}.slide", "slide", s.rod_eye, s.axis()), eye)
 
 
+def upright(name: str, s: Suspension, *parts: str) -> str:
+    """The upright on its lower ball joint, with the sites of wheel and tie rod."""
+    sites = site(f"{name}.wheel", s.wheel_centre), site(f"{name}.tie_rod", s.tie_rod_end)
+    return body(f"{name}.upright", s.upright, joint(f"{name}.upright", "ball", s.lower_ball), *sites, *parts)
+
+
 def double_wishbone(name: str, s: Suspension, telescopic: bool = False) -> Parts:
     """A double wishbone. The strut between body and lower arm is a force, or a telescope with mass and side loads.
 
     The body of the car must have a body or site `<name>.rack` for the tie rod.
     """
     parts = Parts()
-    wheel = body(
-        f"{name}.upright",
-        s.upright,
-        joint(f"{name}.upright", "ball", s.lower_ball),
-        site(f"{name}.wheel", s.wheel_centre),
-        site(f"{name}.tie_rod", s.tie_rod_end),
-    )
+    wheel = upright(name, s)
     eye = [] if telescopic else [site(f"{name}.rod_eye", s.rod_eye)]
     parts.bodies.append(wishbone(f"{name}.lower", s.lower_front, s.lower_rear, s.lower_arm, *eye, wheel))
     parts.bodies.append(wishbone(f"{name}.upper", s.upper_front, s.upper_rear, s.upper_arm))
@@ -118,15 +118,7 @@ def double_wishbone(name: str, s: Suspension, telescopic: bool = False) -> Parts
 def macpherson(name: str, s: Suspension) -> Parts:
     """A strut whose tube is bolted to the upright and whose rod is attached to the body `car`: it guides the wheel."""
     parts = Parts()
-    wheel = body(
-        f"{name}.upright",
-        s.upright,
-        joint(f"{name}.upright", "ball", s.lower_ball),
-        site(f"{name}.wheel", s.wheel_centre),
-        site(f"{name}.tie_rod", s.tie_rod_end),
-        site(f"{name}.tube_eye", s.tube_eye),
-        telescope(name, s),
-    )
+    wheel = upright(name, s, site(f"{name}.tube_eye", s.tube_eye), telescope(name, s))
     parts.bodies.append(wishbone(f"{name}.lower", s.lower_front, s.lower_rear, s.lower_arm, wheel))
     parts.rod(f"{name}.tie_rod", f"{name}.rack", f"{name}.tie_rod")
     parts.connect(f"{name}.rod", "car", s.rod_eye)

@@ -43,7 +43,7 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
     /// $f'(v_0) = f_C / (v_1 - v_0)$ in place of $f'(0)$ (1090 N.s/m for the defaults: 1.8 ms for 1 kg); above, a held
-    /// body chatters. With `mass` there is no largest step. `sticking` means $|v| < v_1$.
+    /// body chatters. With `mass` the step is not limited. `sticking` means $|v| < v_1$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors

@@ -44,7 +44,7 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
     /// $f'(0) = f_s k_t + f_v$ (14715 N.s/m for the defaults: 0.14 ms for 1 kg, the shortest of all static laws);
-    /// above, a held body chatters. With `mass` there is no largest step. `sticking` means $|v| < 3 / k_t$ (chosen:
+    /// above, a held body chatters. With `mass` the step is not limited. `sticking` means $|v| < 3 / k_t$ (chosen:
     /// 99.5 % of the rise).
     ///
     #[doc = include_str!("coupling.md")]

@@ -57,7 +57,7 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
     /// $f'(0) = f_s beta$ for Thesis (7358 N.s/m for the defaults: 0.27 ms for 1 kg) and $2 f_s / v_0$ for Marques
-    /// (2943 N.s/m: 0.68 ms); above, a held body chatters. With `mass` there is no largest step. `sticking` means
+    /// (2943 N.s/m: 0.68 ms); above, a held body chatters. With `mass` the step is not limited. `sticking` means
     /// $|v| < 3 / beta$ (Thesis, chosen: 95 % of the rise) or $|v| < v_0$ (Marques).
     ///
     #[doc = include_str!("coupling.md")]

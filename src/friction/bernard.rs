@@ -38,8 +38,8 @@ crate::model! {
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
-    /// $f'(0) = f_C k_l$ (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body chatters. With `mass` there
-    /// is no largest step. `sticking` means $|v| < 1 / k_l$.
+    /// $f'(0) = f_C k_l$ (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body chatters. With `mass` the
+    /// step is not limited. `sticking` means $|v| < 1 / k_l$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors

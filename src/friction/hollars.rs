@@ -43,7 +43,7 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
     /// $f'(0) = (2 f_s - f_C) / v_0 + mu_v f_n$ (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body
-    /// chatters. With `mass` there is no largest step. `sticking` means $|v| < v_0$.
+    /// chatters. With `mass` the step is not limited. `sticking` means $|v| < v_0$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors

@@ -46,7 +46,7 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass $m$ needs a communication step below $2 m / f'(0)$, where
     /// $f'(0) = f_C / v_0 + f_p exp(1/2) / v_p + c_v$ (5658 N.s/m for the defaults: 0.35 ms for 1 kg); above, a held
-    /// body chatters. With `mass` there is no largest step. `sticking` means $|v| < v_p$.
+    /// body chatters. With `mass` the step is not limited. `sticking` means $|v| < v_p$.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors

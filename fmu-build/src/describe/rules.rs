@@ -80,7 +80,7 @@ fn unfit_texts(model: &ModelType) -> Vec<String> {
     breaches
 }
 
-/// What is wrong with a text, which must end with one of these characters if there are any.
+/// Faults of a text, which must end with one of these characters if any are given.
 fn unfit(text: &str, ends: &[char]) -> Option<&'static str> {
     if text.is_empty() {
         Some("is missing")

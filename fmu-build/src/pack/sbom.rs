@@ -44,7 +44,7 @@ pub fn text(model: &ModelType, parts: &Parts) -> Result<String> {
     Ok(String::from_utf8(text)? + "\n")
 }
 
-/// What the FMU and each of its crates depend on.
+/// Dependencies of the FMU and of each of its crates.
 fn dependencies(fmu: &str, parts: &Parts, standard_library: &str) -> Result<Vec<Dependency>> {
     let Parts { crates, additions, .. } = parts;
     let library = crates.iter().find(|one| one.name == LIBRARY).context("the library is not among its crates")?;

@@ -15,7 +15,7 @@ const HEIGHT: f64 = 350.0;
 /// The frame: beside it ticks and names have their place.
 const FRAME: Frame = Frame { left: 62.0, right: WIDTH - 18.0, top: 34.0, bottom: HEIGHT - 48.0 };
 
-/// What an axis shows.
+/// Quantity on an axis.
 pub struct Quantity {
     /// Its name.
     pub name: String,

@@ -3,8 +3,8 @@
 use std::sync::Mutex;
 use std::thread;
 
-/// Makes the pieces of a work, in the order of their numbers, on as many threads as there are, up to a number. `begin` is
-/// asked before each piece, by one thread at a time, and ends the work with false. `worker` makes what a thread works with.
+/// Does numbered pieces of work in order, on at most so many threads. `begin` is called before each piece, by one thread at
+/// a time, and stops the work by returning false; `worker` returns the function with which one thread does its pieces.
 pub fn share<W: FnMut(usize)>(
     pieces: usize,
     threads: usize,
@@ -43,7 +43,7 @@ mod tests {
 
     use super::*;
 
-    /// Pieces are begun in order and made once each; none is begun after a refusal.
+    /// Pieces begin in order and are done once each; none begins after a refusal.
     #[test]
     fn pieces_are_made_once_until_the_work_ends() {
         for threads in [1, 2, 7] {

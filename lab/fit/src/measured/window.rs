@@ -13,7 +13,7 @@
 //! s2 follows from the residuals in the shortest window; it is at least that of rounding to the resolution of the samples.
 //! Velocity and acceleration have a window each, with the least s2 g + [`BIAS_WEIGHT`] b2.
 //!
-//! The means have the weights |d2x/dt2|: at rest and in steady motion there is no bias, and friction changes where the
+//! The means are weighted by |d2x/dt2|: the bias vanishes at rest and in steady motion, and friction changes where the
 //! motion turns.
 //!
 //! # Source

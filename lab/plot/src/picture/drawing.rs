@@ -51,9 +51,9 @@ pub struct Line {
 pub struct Drawing<'a> {
     /// Title above the diagram.
     pub title: &'a str,
-    /// What the axes show: to the right, upwards.
+    /// Quantities of the horizontal and of the vertical axis.
     pub quantities: [Quantity; 2],
-    /// Axis to the right, axis upwards.
+    /// Horizontal and vertical axis.
     pub axes: &'a [Axis; 2],
     /// Lines, in the order of the legend.
     pub lines: &'a [Line],

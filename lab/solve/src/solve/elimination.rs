@@ -50,6 +50,14 @@ impl<const N: usize> Factors<N> {
         }
     }
 
+    /// Of diagonal I - J.
+    #[inline]
+    pub fn of_shifted(diagonal: f64, jacobian: &[[f64; N]; N]) -> Option<Factors<N>> {
+        Factors::of(std::array::from_fn(|i| {
+            std::array::from_fn(|j| if i == j { diagonal - jacobian[i][j] } else { -jacobian[i][j] })
+        }))
+    }
+
     fn eliminated(mut matrix: [[f64; N]; N]) -> Option<Factors<N>> {
         let (mut reciprocals, mut exchanged) = ([0.0; N], [0; N]);
         for column in 0..N {

@@ -39,14 +39,11 @@ pub(super) fn defect<const N: usize>(
     length: f64,
     gamma: f64,
 ) -> Option<[f64; N]> {
-    let diagonal = 1.0 / (length * gamma);
-    let matrix = std::array::from_fn(|i| {
-        std::array::from_fn(|j| if i == j { diagonal - end.jacobian[i][j] } else { -end.jacobian[i][j] })
-    });
-    Some(Factors::of(matrix)?.solve(std::array::from_fn(|i| end.rates[i] - slopes[i] / length)))
+    let factors = Factors::of_shifted(1.0 / (length * gamma), &end.jacobian)?;
+    Some(factors.solve(std::array::from_fn(|i| end.rates[i] - slopes[i] / length)))
 }
 
-/// Whether a motion under these linear equations grows by more than a step of this length can follow.
+/// Whether the linear equations have a motion that grows by more than a factor of e within a step of this length.
 pub(super) fn grows<const N: usize>(jacobian: &Matrix<N>, length: f64) -> bool {
     let most = GROWTH / length;
     let at = |i: usize, j: usize| if i == j { jacobian[i][j] - most } else { jacobian[i][j] };
@@ -100,12 +97,9 @@ fn bound<const N: usize>(matrix: &Matrix<N>) -> f64 {
 }
 
 /// Whether the real part of every eigenvalue is below `most`: those of B = (2 most I - J)^-1 J, lambda / (2 most - lambda),
-/// are then within the unit circle, and the powers of B go to 0.
+/// are then within the unit circle, and the powers of B go to 0. True if that cannot be decided.
 fn decays<const N: usize>(matrix: &Matrix<N>, most: f64) -> bool {
-    let shifted = std::array::from_fn(|i| {
-        std::array::from_fn(|j| if i == j { 2.0 * most - matrix[i][j] } else { -matrix[i][j] })
-    });
-    let Some(factors) = Factors::of(shifted) else { return false };
+    let Some(factors) = Factors::of_shifted(2.0 * most, matrix) else { return false };
     let columns: Matrix<N> = std::array::from_fn(|j| factors.solve(std::array::from_fn(|i| matrix[i][j])));
     let mut power: Matrix<N> = std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]));
     for _ in 0..SQUARINGS {
@@ -166,7 +160,7 @@ mod tests {
         }
     }
 
-    /// x' = l (x - sin t) + cos t, whose solution sin t a cubic misses: the defect is what is left of that error.
+    /// x' = l (x - sin t) + cos t with the solution sin t: the defect takes an error of the stiff state back.
     #[test]
     fn the_defect_is_the_error_of_a_stiff_state() {
         let (l, t, h) = (-1e6f64, 0.3f64, 0.1);

@@ -174,11 +174,7 @@ impl<const N: usize> Step<N> for Rodas5P<N> {
     const DEFECT: f64 = 0.1;
 
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool {
-        let diagonal = 1.0 / h / GAMMA;
-        let matrix = std::array::from_fn(|i| {
-            std::array::from_fn(|j| if i == j { diagonal - begin.jacobian[i][j] } else { -begin.jacobian[i][j] })
-        });
-        let Some(factors) = Factors::of(matrix) else { return false };
+        let Some(factors) = Factors::of_shifted(1.0 / h / GAMMA, &begin.jacobian) else { return false };
         macro_rules! make {
             ($($stage:literal)+) => { $(self.make($stage, equations, begin, &factors, h);)+ };
         }

@@ -1,8 +1,7 @@
 //! Studies against single runs, and against themselves after interruptions.
 
-use std::sync::atomic::AtomicUsize;
-
 use std::fs;
+use std::sync::atomic::AtomicUsize;
 
 use super::*;
 

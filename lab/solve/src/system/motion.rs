@@ -254,8 +254,8 @@ fn states(system: &System, recorded: &[WireSource]) -> Vec<Place> {
     if states.is_empty() { unread } else { states }
 }
 
-/// Sizes of the states. A velocity is no larger than the speeds at which the laws of the system pass from rest to sliding: an
-/// error of that size would carry it across.
+/// Sizes of the states, for the absolute tolerance. That of a velocity is at most the lowest speed at which a law of the
+/// system, chosen in a strut or not, passes from rest to sliding: an error of that size would carry the contact across.
 fn scales(system: &System, states: &[Place]) -> Vec<f64> {
     let is_passed = |variable: &Variable| matches!(variable.meaning, Meaning::FallSpeed | Meaning::TransitionSpeed);
     let speeds = system.parts.iter().flat_map(|part| {

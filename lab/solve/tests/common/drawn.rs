@@ -31,7 +31,7 @@ pub struct Case {
     pub until: f64,
 }
 
-/// What became of the runs at one tolerance.
+/// Counts of the runs at one tolerance.
 #[derive(Clone, Copy, Default)]
 pub struct Tally {
     pub runs: usize,
