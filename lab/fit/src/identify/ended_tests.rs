@@ -1,7 +1,7 @@
 //! Fits that are ended early.
 
 use std::sync::Mutex;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use stribeck::catalogue::by_name;
 

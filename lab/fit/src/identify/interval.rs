@@ -5,13 +5,12 @@
 //! Applied Statistics 37 (1988), doi:10.2307/2347496. Blocks: H. R. Kuensch, "The jackknife and the bootstrap for
 //! general stationary observations", Annals of Statistics 17 (1989), doi:10.1214/aos/1176347265.
 
-use std::sync::atomic::Ordering;
+use std::iter::repeat_with;
 
 use stribeck::number::Real;
 
 use super::parameter::Scale;
-use super::problem::Found;
-use super::problem::Problem;
+use super::problem::{Found, Problem};
 use super::search::{Watch, polish, polish_until};
 use super::uncertainty::{Elsewhere, Residuals, Uncertainty, Verdict, WIDTH};
 
@@ -165,6 +164,26 @@ impl Ended<'_> {
         found
     }
 
+    /// Places of the parameters in fits to the predicted forces with [`noise`]; none if they are ended early, since some
+    /// of the repetitions do not make an interval.
+    pub fn repetitions(&self, count: usize, seed: u64, watch: Watch) -> Vec<Vec<f64>> {
+        let Ended { problem, best, seen, .. } = *self;
+        let Some(residuals) = problem.residuals(&best.places) else { return Vec::new() };
+        let measured = problem.measured();
+        let from = Found { cost: f64::INFINITY, ..best.clone() };
+        let mut random = fastrand::Rng::with_seed(seed);
+        let again = || {
+            let noise = noise(&residuals, problem.parameters.len(), seen.correlation, &mut random);
+            let forces = measured.iter().zip(&residuals).map(|(measured, residual)| measured + residual);
+            let forces = forces.zip(noise).map(|(force, noise)| force - noise).collect();
+            let found = polish(&Problem { instead: Some(forces), ..problem.clone() }, &from).places;
+            (watch.progress)(seen.rms, best.evaluations);
+            (!watch.is_cancelled()).then_some(found)
+        };
+        let all = if watch.is_cancelled() { None } else { repeat_with(again).take(count).collect() };
+        all.unwrap_or_default()
+    }
+
     /// Gain of a step of least squares, as a part of the cost, from which another one follows.
     fn gain(&self) -> f64 {
         UNSEEN * RISE * self.seen.rise() / (2.0 * self.best.cost).max(f64::MIN_POSITIVE)
@@ -256,42 +275,18 @@ fn held(problem: &Problem, from: &Found, number: usize, place: f64, gain: f64) -
     polish_until(&pinned, &from, gain)
 }
 
-/// Places of the parameters in fits to the predicted forces with blocks of residuals from random places, as long as ten
-/// correlation times.
-pub(super) fn repetitions(
-    problem: &Problem,
-    best: &Found,
-    seen: &Residuals,
-    count: usize,
-    seed: u64,
-    watch: Watch,
-) -> Vec<Vec<f64>> {
-    let Some(residuals) = problem.residuals(&best.places) else { return Vec::new() };
-    let measured = problem.measured();
-    // A fit takes a part of the noise away.
-    let freedom = residuals.len() as f64 / (residuals.len() - problem.parameters.len().min(residuals.len() - 1)) as f64;
-    let length = ((10.0 * seen.correlation).ceil() as usize).clamp(1, residuals.len());
-    let mut random = fastrand::Rng::with_seed(seed);
-    let mut found = Vec::new();
-    for _ in 0..count {
-        if watch.cancel.load(Ordering::Relaxed) {
-            break;
-        }
-        let mut noise = Vec::with_capacity(residuals.len() + length);
-        while noise.len() < residuals.len() {
-            // A usize of 32 bits, as in a browser, would take other numbers.
-            let from = random.u64(0..=(residuals.len() - length) as u64) as usize;
-            noise.extend_from_slice(&residuals[from..from + length]);
-        }
-        let forces = measured.iter().zip(&residuals).zip(&noise);
-        let forces = forces.map(|((measured, residual), noise)| measured + residual - freedom.sqrt() * noise);
-        let again = Problem { instead: Some(forces.collect()), ..problem.clone() };
-        let from = Found { cost: f64::INFINITY, ..best.clone() };
-        found.push(polish(&again, &from).places);
-        (watch.progress)(seen.rms, best.evaluations);
+/// Blocks of residuals from random places, as long as ten correlation times; a fit takes a part of the noise away.
+fn noise(residuals: &[f64], parameters: usize, correlation: f64, random: &mut fastrand::Rng) -> Vec<f64> {
+    let count = residuals.len();
+    let freedom = count as f64 / (count - parameters.min(count - 1)) as f64;
+    let length = ((10.0 * correlation).ceil() as usize).clamp(1, count);
+    let mut noise = Vec::with_capacity(count + length);
+    while noise.len() < count {
+        // A usize of 32 bits, as in a browser, would take other numbers.
+        let from = random.u64(0..=(count - length) as u64) as usize;
+        noise.extend(residuals[from..from + length].iter().map(|one| freedom.sqrt() * one));
     }
-    // Some of the repetitions do not make an interval.
-    if watch.cancel.load(Ordering::Relaxed) { Vec::new() } else { found }
+    noise
 }
 
 /// Interval that holds 95 % of values.
@@ -306,10 +301,9 @@ mod tests {
     use std::sync::atomic::AtomicBool;
 
     use super::super::parameter::{Parameter, Target};
-    use super::super::search::Searches;
-    use super::super::tests::{estimate, fitted, measured, quick, standard, white_noise, whole_problem};
+    use super::super::tests::{estimate, fitted, fitter, measured, quick, standard, white_noise, whole_problem};
     use super::super::uncertainty::{residuals, uncertainty};
-    use super::super::{Experiment, Settings, Verdict, doubted, judge};
+    use super::super::{Experiment, Settings, Verdict};
     use super::*;
 
     /// Places of the start values of a law, but for some of them.
@@ -360,7 +354,9 @@ mod tests {
         let left = problem.residuals(&best.places).unwrap();
         let seen = residuals(&left, &problem.lengths(), 1, problem.loss);
         let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
-        let found = repetitions(&problem, &best, &seen, 400, 5, watch);
+        let trust = uncertainty(&problem, &best.places, &seen);
+        let ended = Ended { problem: &problem, best: &best, seen: &seen, trust: &trust };
+        let found = ended.repetitions(400, 5, watch);
         let levels: Vec<f64> = found.iter().map(|places| problem.values(places)[0]).collect();
         let mean = levels.iter().sum::<f64>() / 400.0;
         let skewness: f64 = levels.iter().map(|one| (one - mean).powi(3)).sum();
@@ -407,7 +403,7 @@ mod tests {
         let best = polished(&problem, places(&problem, &[]));
         let left = problem.residuals(&best.places).unwrap();
         let seen = residuals(&left, &problem.lengths(), problem.parameters.len(), problem.loss);
-        let trust = doubted(&problem, &best, &seen, false, Searches::Agree, &[]);
+        let trust = fitter(&problem).trust(&best, &seen, false);
         let quick = problem.undivided(&best.places).unwrap();
         let coarse = Problem { parts: 1, ..problem.clone() }.judge(best.clone());
         let number = problem.parameters.iter().position(|one| one.name == "sigma_0").unwrap();
@@ -442,8 +438,7 @@ mod tests {
         let problem = whole_problem("SpeckerDynamic", &data);
         let [truth, other] = [&[][..], &[("transition_velocity", 3e-6), ("sigma_0", 7e6)]]
             .map(|others| polished(&problem, places(&problem, others)));
-        let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
-        let judged = |best: &Found| judge(&problem, best, &Settings::default(), watch, Searches::Agree, &[]).unwrap();
+        let judged = |best: &Found| fitter(&problem).judge(best).unwrap();
         let wrong = judged(&other);
         assert!(other.cost - truth.cost > 10.0 * wrong.seen.rise(), "{} {}", other.cost, truth.cost);
         let found = polish(&problem, wrong.better(&other).unwrap());
@@ -458,8 +453,7 @@ mod tests {
         let data = [measured("Armstrong", &[], &standard(2000), 0.01, 4)];
         let problem = whole_problem("Armstrong", &data);
         let best = polished(&problem, places(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]));
-        let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
-        let judged = judge(&problem, &best, &Settings::default(), watch, Searches::Agree, &[]).unwrap();
+        let judged = fitter(&problem).judge(&best).unwrap();
         let number = |name: &str| problem.parameters.iter().position(|one| one.name == name).unwrap();
         let [excess, gamma] = ["mu_s - mu_k", "gamma"].map(number);
         assert!(!judged.trust.verdicts[excess].is_told(), "{:?}", judged.trust.verdicts);
@@ -516,7 +510,7 @@ mod tests {
         let problem = whole_problem("ResetIntegrator", &data);
         let column = |name: &str| problem.law.find(name).unwrap();
         let cost = |stiffness: f64, damping: f64| {
-            let mut columns = fit.columns.clone();
+            let mut columns = fit.point.columns.clone();
             columns.push((column("sigma_0"), stiffness));
             columns.push((column("sigma_1"), damping));
             let mut instance = stribeck::instance::Instance::new(problem.law);

@@ -42,8 +42,7 @@ mod validation;
 mod velocity_error;
 mod warnings;
 
-use std::sync::Mutex;
-use std::sync::atomic::Ordering;
+use std::sync::OnceLock;
 
 use stribeck::catalogue::{self, Family};
 use stribeck::instance::Instance;
@@ -56,6 +55,7 @@ pub use experiment::{Experiment, Rest, names};
 pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source};
 pub use output::{Difference, EARLY, Reference, difference, known, of_law, preset, respond};
 pub use parameter::{Parameter, Scale, Selection, Target};
+pub use problem::Point;
 pub use rank::{APART, Rank, rank};
 pub use response::Ports;
 pub use search::{Method, Searches, Watch};
@@ -63,18 +63,17 @@ pub use strut::{StrutFriction, strut_friction};
 pub use uncertainty::{DETERMINED, Residuals, Verdict, digits, digits_within};
 pub use validation::{Validation, held_out};
 
-use interval::{Ended, repetitions};
+use interval::Ended;
 use loss::Loss;
-use parameter::OF_RIG;
-use problem::Found;
-use problem::Problem;
-use refine::refine;
+use parameter::{OF_RIG, refused};
+use problem::{Found, Problem};
+use refine::{Refined, refine};
 use response::Exact;
-use search::{Best, best, first_look, polish};
+use search::{First, best, first_search, polish};
 use stribeck_solve::system::Fault;
 use stribeck_solve::work::share;
-use uncertainty::{Uncertainty, residuals, uncertainty};
-use validation::{check_folds, folds};
+use uncertainty::{SYSTEMATIC, Uncertainty, uncertainty};
+use validation::check_folds;
 use warnings::warnings;
 
 /// How a law is fitted.
@@ -156,16 +155,10 @@ pub struct Fit {
     pub predicted: Vec<Vec<f64>>,
     /// Whether each sample of each experiment was fitted.
     pub fitted: Vec<Vec<bool>>,
-    /// Values of the columns of the law.
-    pub columns: Vec<(usize, f64)>,
-    /// The columns among them that were held.
+    /// Values of law and rig.
+    pub point: Point,
+    /// The columns of the law among them that were held.
     pub held: Vec<(usize, f64)>,
-    /// Mass of the rig, as given or fitted, kg.
-    pub mass: f64,
-    /// Offset of the load cell, N.
-    pub offset: f64,
-    /// Delay of the motion behind the force, if it was fitted or held, s.
-    pub delay: Option<f64>,
     /// Normal force of an axis, N, whose coefficient of friction is a force if that is 1 N.
     pub axis_load: Option<f64>,
     /// Parts into which the intervals between samples were divided.
@@ -230,6 +223,9 @@ impl Ranking {
 /// the best one, and within 1.7 for `FrictionalLag`.
 const FAR: f64 = 2.0;
 
+/// Hears of each law that is begun.
+type Begin<'a> = &'a mut (dyn FnMut(&'static ModelType) + Send);
+
 /// Fits laws to the same experiments and ranks them; the best of several once more with all intervals. Each law is
 /// searched once, then those that may be the best again, as if they were alone. `begin` hears of each law. As many laws
 /// are under way at once as the machine has cores; their number changes no result.
@@ -237,130 +233,147 @@ pub fn fit_all(
     laws: &[&'static ModelType],
     experiments: &[Experiment],
     task: &Settings,
-    begin: &mut (dyn FnMut(&'static ModelType) + Send),
+    begin: Begin,
     watch: Watch,
 ) -> Result<Ranking, Fault> {
-    let is_ranked = laws.len() > 1 && task.method == Method::Evolution;
-    let quick =
-        if laws.len() > 1 { Settings { profiles: false, repetitions: 0, ..task.clone() } } else { task.clone() };
-    let look = |law| Some(first_look(&problem(law, experiments, &quick.of(law, laws)).ok()?, &quick, watch));
-    let looked = if is_ranked { side_by_side(laws, begin, watch, true, |_, law| look(law)) } else { Vec::new() };
-    let seen: Vec<Option<Found>> = looked.iter().cloned().map(Option::flatten).collect();
-    let least = seen.iter().flatten().map(|found| found.cost).fold(f64::INFINITY, f64::min);
-    let one = |number: usize, law: &'static ModelType| {
-        let first = seen.get(number).cloned().flatten();
-        let is_far = first.as_ref().is_some_and(|first| first.cost > FAR * FAR * least);
-        let was_reached = !is_ranked || looked.get(number).is_some_and(Option::is_some);
-        was_reached.then(|| fit_from(law, experiments, &quick.of(law, laws), watch, first, is_far))
-    };
-    let (mut fits, mut refused, mut reason) = (Vec::new(), Vec::new(), Fault::value("no law was given"));
-    // After an early end, what was found by then is ranked.
-    for (law, found) in laws.iter().zip(side_by_side(laws, begin, watch, !is_ranked, one)) {
-        match found.flatten() {
-            Some(Ok(fit)) => fits.push(fit),
-            Some(Err(fault)) => {
-                refused.push((law.name, fault.to_string()));
-                reason = fault;
-            }
-            None => refused.push((law.name, format!("{}: not reached before the end", law.name))),
-        }
+    if let [law] = laws {
+        begin(law);
+        let fits = vec![fit(law, experiments, &task.of(law, laws), watch)?];
+        return Ok(Ranking { ranks: rank(&fits), fits, refused: Vec::new() });
     }
-    let mut ranks = rank(&fits);
-    let Some(best) = ranks.first().map(|place| place.fit) else { return Err(reason) };
-    if laws.len() > 1 && !fits[best].is_cancelled {
+    Contest { laws, experiments, task, watch }.ranking(begin)
+}
+
+/// Several laws for the same experiments.
+struct Contest<'a> {
+    laws: &'a [&'static ModelType],
+    experiments: &'a [Experiment],
+    task: &'a Settings,
+    watch: Watch<'a>,
+}
+
+impl Contest<'_> {
+    fn ranking(&self, begin: Begin) -> Result<Ranking, Fault> {
+        let first = self.first_searches(begin);
+        let (mut fits, mut refused, mut reason) = (Vec::new(), Vec::new(), Fault::value("no law was given"));
+        // After an early end, what was found by then is ranked.
+        for (law, found) in self.laws.iter().zip(self.without_intervals(&first, begin)) {
+            match found {
+                Some(Ok(fit)) => fits.push(fit),
+                Some(Err(fault)) => {
+                    refused.push((law.name, fault.to_string()));
+                    reason = fault;
+                }
+                None => refused.push((law.name, format!("{}: not reached before the end", law.name))),
+            }
+        }
+        let ranks = rank(&fits);
+        let best = ranks.first().ok_or(reason)?.fit;
+        let anew = if fits[best].is_cancelled { None } else { self.with_intervals(&mut fits, best, &first, begin)? };
+        Ok(Ranking { ranks: anew.unwrap_or(ranks), fits, refused })
+    }
+
+    /// The settings for a law without intervals.
+    fn quick(&self, law: &ModelType) -> Settings {
+        Settings { profiles: false, repetitions: 0, ..self.task.of(law, self.laws) }
+    }
+
+    /// Where the first search for each law that was reached ends, if the laws are compared by it and it can be begun.
+    fn first_searches(&self, begin: Begin) -> Vec<Option<Option<Found>>> {
+        if self.task.method != Method::Evolution {
+            return vec![Some(None); self.laws.len()];
+        }
+        self.side_by_side(begin, true, |_, law| {
+            let task = self.quick(law);
+            problem(law, self.experiments, &task).ok().map(|problem| first_search(&problem, &task, self.watch))
+        })
+    }
+
+    /// The fits of the laws that were reached.
+    fn without_intervals(&self, first: &[Option<Option<Found>>], begin: Begin) -> Vec<Option<Result<Fit, Fault>>> {
+        let least = first.iter().flatten().flatten().map(|found| found.cost).fold(f64::INFINITY, f64::min);
+        let one = |number: usize, law: &'static ModelType| {
+            let first = first[number].clone()?;
+            let is_far = first.as_ref().is_some_and(|first| first.cost > FAR * FAR * least);
+            Some(fit_from(law, self.experiments, &self.quick(law), self.watch, First { found: first, is_far }))
+        };
+        let stops = self.task.method != Method::Evolution;
+        self.side_by_side(begin, stops, one).into_iter().map(Option::flatten).collect()
+    }
+
+    /// Puts the whole fit of the best law into its place, and ranks anew: it may have been searched again. None if the
+    /// ranking stays, because the whole fit leaves other samples out.
+    fn with_intervals(
+        &self,
+        fits: &mut [Fit],
+        best: usize,
+        first: &[Option<Option<Found>>],
+        begin: Begin,
+    ) -> Result<Option<Vec<Rank>>, Fault> {
         let law = fits[best].law;
         begin(law);
-        let first = laws.iter().position(|other| other.name == law.name).and_then(|at| seen.get(at).cloned());
-        let whole = fit_from(law, experiments, &task.of(law, laws), watch, first.flatten(), false)?;
-        ranks = with_whole(&mut fits, best, whole).unwrap_or(ranks);
+        let number = self.laws.iter().position(|other| other.name == law.name);
+        let found = number.and_then(|number| first[number].clone().flatten());
+        let task = self.task.of(law, self.laws);
+        let whole = fit_from(law, self.experiments, &task, self.watch, First { found, is_far: false })?;
+        let is_of_the_same = whole.samples == fits[best].samples;
+        fits[best] = whole;
+        let ranks = rank(fits);
+        Ok((is_of_the_same && ranks[0].fit == best).then_some(ranks))
     }
-    Ok(Ranking { fits, ranks, refused })
-}
 
-/// Puts the whole fit of the best law into its place, and ranks anew: it may have been searched again. None if the ranking
-/// stays, because the whole fit leaves other samples out.
-fn with_whole(fits: &mut [Fit], best: usize, whole: Fit) -> Option<Vec<Rank>> {
-    let is_of_the_same = whole.samples == fits[best].samples;
-    fits[best] = whole;
-    let ranks = rank(fits);
-    (is_of_the_same && ranks[0].fit == best).then_some(ranks)
-}
-
-/// Work on laws, in their order; None for those that were not begun before an early end, if it stops there.
-fn side_by_side<T: Send>(
-    laws: &[&'static ModelType],
-    begin: &mut (dyn FnMut(&'static ModelType) + Send),
-    watch: Watch,
-    stops: bool,
-    work: impl Fn(usize, &'static ModelType) -> T + Sync,
-) -> Vec<Option<T>> {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let found = Mutex::new(laws.iter().map(|_| None).collect::<Vec<Option<T>>>());
-    let one = |number: usize| {
-        let one = work(number, laws[number]);
-        if let Ok(mut found) = found.lock() {
-            found[number] = Some(one);
-        }
-    };
-    let begins = |number: usize| {
-        let is_begun = !(stops && number > 0 && watch.cancel.load(Ordering::Relaxed));
-        if is_begun {
-            begin(laws[number]);
-        }
-        is_begun
-    };
-    share(laws.len(), cores, begins, || one);
-    found.into_inner().unwrap_or_default()
+    /// Work on laws, in their order; None for those that were not begun before an early end, if it stops there.
+    fn side_by_side<T: Send + Sync>(
+        &self,
+        begin: Begin,
+        stops: bool,
+        work: impl Fn(usize, &'static ModelType) -> T + Sync,
+    ) -> Vec<Option<T>> {
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let found: Vec<OnceLock<T>> = self.laws.iter().map(|_| OnceLock::new()).collect();
+        let one = |number: usize| {
+            let _ = found[number].set(work(number, self.laws[number]));
+        };
+        let begins = |number: usize| {
+            let is_begun = !(stops && number > 0 && self.watch.is_cancelled());
+            if is_begun {
+                begin(self.laws[number]);
+            }
+            is_begun
+        };
+        share(self.laws.len(), cores, begins, || one);
+        found.into_iter().map(OnceLock::into_inner).collect()
+    }
 }
 
 /// Fits a law to experiments.
 pub fn fit(law: &'static ModelType, experiments: &[Experiment], task: &Settings, watch: Watch) -> Result<Fit, Fault> {
-    fit_from(law, experiments, task, watch, None, false)
+    fit_from(law, experiments, task, watch, First::default())
 }
 
-/// As [`fit`], with the end of the first search if it is known; no other search is made for a law that is far behind.
+/// As [`fit`], after a first search.
 fn fit_from(
     law: &'static ModelType,
     experiments: &[Experiment],
     task: &Settings,
     watch: Watch,
-    first: Option<Found>,
-    is_far: bool,
+    first: First,
 ) -> Result<Fit, Fault> {
-    let prepared = prepared(law, experiments, task);
-    let experiments = prepared.as_deref().unwrap_or(experiments);
-    let mut problem = problem(law, experiments, task)?;
-    let found = best(&problem, task, watch, first, is_far);
-    let again = if is_far { None } else { searched_again(&problem, &found.found, task, watch) };
-    let Best { found: best, searches, mut ends } = again.unwrap_or(found);
-    if task.method == Method::Genetic {
-        // One hardly ever ends where another one does.
-        ends.clear();
+    let (prepared, anew) = (prepared(law, experiments, task), OnceLock::new());
+    let folds = if first.is_far { 0 } else { task.folds };
+    let problem = problem(law, prepared.as_deref().unwrap_or(experiments), task)?;
+    let (mut fitter, found) = Fitter::of(problem, task, watch, first)?;
+    let mut best = fitter.refine(found);
+    if let Some(experiments) = at_rest_anew(&fitter.problem, &best.found.places) {
+        fitter.problem.experiments = anew.get_or_init(|| experiments);
+        let found = fitter.problem.judge(best.found);
+        best = fitter.follow(&found);
     }
-    if !best.cost.is_finite() {
-        return Err(Fault::value(format_args!("{}: the law is refused everywhere in the ranges", law.name)));
-    }
-    let settled;
-    let (mut best, mut shift) = refine(&mut problem, best, task, watch);
-    if let Some(experiments) = at_rest_anew(&problem, &best.places) {
-        settled = experiments;
-        problem.experiments = &settled;
-        best = polish(&problem, &problem.judge(best));
-        (best, shift) = refine(&mut problem, best, task, watch);
-    }
-    let mut judged = judge(&problem, &best, task, watch, searches, &ends)?;
-    // A genetic algorithm alone stays where it ended.
-    let returns = if task.method == Method::Evolution { RETURNS } else { 0 };
-    for _ in 0..returns {
-        let Some(better) = judged.better(&best) else { break };
-        best = polish(&problem, better);
-        (best, shift) = refine(&mut problem, best, task, watch);
-        judged = judge(&problem, &best, task, watch, searches, &ends)?;
-    }
-    let mut fit = finish(&problem, task, watch, &best, &judged, shift)?;
+    let (best, judged) = fitter.settle(best)?;
+    let mut fit = fitter.finish(&best, &judged)?;
     fit.warnings.extend(fit.static_warning());
-    if task.folds > 0 && !fit.is_cancelled && !is_far {
-        fit.saw(folds(law, experiments, task.folds, task, watch)?);
+    if folds > 0 && !fit.is_cancelled {
+        fit.saw(validation::folds(law, experiments, folds, task, watch)?);
     }
     Ok(fit)
 }
@@ -376,22 +389,6 @@ fn prepared(law: &ModelType, experiments: &[Experiment], task: &Settings) -> Opt
         if is_weighed { one.with_all_acceleration() } else { one }
     };
     (differs || is_weighed).then(|| experiments.iter().map(prepare).collect())
-}
-
-/// The ends of other searches, if the residuals of the best place are not noise and these explain more: two searches may
-/// agree on a local minimum. For fits with intervals only; many laws are ranked although they do not fit.
-fn searched_again(problem: &Problem, found: &Found, task: &Settings, watch: Watch) -> Option<Best> {
-    if !task.profiles || task.method != Method::Evolution || watch.cancel.load(Ordering::Relaxed) {
-        return None;
-    }
-    let seen =
-        residuals(&problem.residuals(&found.places)?, &problem.lengths(), problem.parameters.len(), problem.loss);
-    if seen.correlation <= SYSTEMATIC {
-        return None;
-    }
-    let other = Settings { seed: !task.seed, ..task.clone() };
-    let again = best(problem, &other, watch, None, false);
-    (2.0 * (found.cost - again.found.cost) > seen.rise()).then_some(again)
 }
 
 /// How often a fit goes on from a better place that is found while it is judged (chosen): the searches see fewer samples
@@ -440,25 +437,23 @@ fn too_few(samples: usize, experiments: &[Experiment], parameters: usize, law: &
 
 /// Problem of a fit, with everything checked.
 fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Settings) -> Result<Problem<'a>, Fault> {
-    let Some(ports) = Ports::of(law) else {
-        return Err(Fault::value(format_args!("{}: only laws of one sliding direction can be fitted", law.name)));
-    };
+    let ports = Ports::of(law).ok_or_else(|| refused(law, "only laws of one sliding direction can be fitted"))?;
     check(experiments, task)?;
     let parameters = parameter::parameters(law, experiments, &task.selection)?;
     let samples: usize = experiments.iter().map(Experiment::samples).sum();
     if samples <= 2 * parameters.len() {
         return Err(too_few(samples, experiments, parameters.len(), law));
     }
-    let named = |name: &str| task.selection.fixed.iter().find(|(fixed, _)| fixed == name).map(|(_, value)| *value);
-    let of_law = task.selection.fixed.iter().filter(|(name, _)| !OF_RIG.contains(&name.as_str()));
-    let held = of_law.filter_map(|(name, value)| Some((law.find(name)?, *value))).collect();
+    let fixed = &task.selection.fixed;
+    let named = |name: &str| fixed.iter().find(|(fixed, _)| fixed == name).map(|(_, value)| *value);
+    let of_law = fixed.iter().filter(|(name, _)| !OF_RIG.contains(&name.as_str()));
     let count = parameters.len();
     Ok(Problem {
         law,
         ports,
         exact: Exact::of(law),
         experiments,
-        held,
+        held: of_law.filter_map(|(name, value)| Some((law.find(name)?, *value))).collect(),
         mass: named("mass").unwrap_or(task.mass),
         offset: named("offset").unwrap_or(0.0),
         delay: named("delay"),
@@ -474,7 +469,6 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Se
 
 /// A best place with what is left there, and how far it can be trusted.
 struct Judged {
-    searches: Searches,
     seen: Residuals,
     trust: Uncertainty,
 }
@@ -488,115 +482,131 @@ impl Judged {
     }
 }
 
-/// Judges a best place. `ends` are the places at which the two best searches ended.
-fn judge(
-    problem: &Problem,
-    best: &Found,
-    task: &Settings,
-    watch: Watch,
+/// A fit under way, after the searches over the whole range.
+struct Fitter<'a> {
+    problem: Problem<'a>,
+    task: &'a Settings,
+    watch: Watch<'a>,
     searches: Searches,
-    ends: &[Vec<f64>],
-) -> Result<Judged, Fault> {
-    let Some(left) = problem.residuals(&best.places) else {
-        return Err(Fault::value(format_args!("{}: the law is refused at the best place", problem.law.name)));
-    };
-    let seen = residuals(&left, &problem.lengths(), problem.parameters.len(), problem.loss);
-    let profiles = task.profiles && !watch.cancel.load(Ordering::Relaxed);
-    let trust = doubted(problem, best, &seen, profiles, searches.believed(task.method), ends);
-    Ok(Judged { searches, seen, trust })
+    /// Places at which the two best searches ended.
+    ends: Vec<Vec<f64>>,
 }
 
-/// Everything about a best place. `shift` is that of the parameters if the intervals between samples are divided once more,
-/// in standard deviations.
-fn finish(
-    problem: &Problem,
-    task: &Settings,
-    watch: Watch,
-    best: &Found,
-    judged: &Judged,
-    shift: f64,
-) -> Result<Fit, Fault> {
-    let Judged { searches, seen, trust } = judged;
-    let undivided = if problem.parts > 1 { problem.undivided(&best.places) } else { None };
-    let quick = undivided.as_ref().unwrap_or(problem);
-    let best_quick = quick.judge(best.clone());
-    let repeated = repetitions(quick, &best_quick, seen, task.repetitions, task.seed, watch);
-    let is_cancelled = watch.cancel.load(Ordering::Relaxed);
-    let ended = Ended { problem: quick, best: &best_quick, seen, trust };
-    let estimates = ended.estimates(task.profiles && !is_cancelled, &repeated);
-    let point = problem.point(&best.places);
-    let predicted = problem.predicted(&mut Instance::new(problem.law), &point, problem.parts);
-    let predicted = predicted.map_err(|reason| Fault::value(format_args!("{}: {reason}", problem.law.name)))?;
-    let of_matrix = |row: usize| trust.correlation.row(row).iter().copied().collect();
-    Ok(Fit {
-        law: problem.law,
-        correlation: (0..problem.parameters.len()).map(of_matrix).collect(),
-        condition: trust.condition,
-        residuals: *seen,
-        samples: problem.samples(),
-        level: problem.measured().iter().fold(0.0, |most: f64, force| most.max(force.abs())),
-        evaluations: best.evaluations,
-        searches: *searches,
-        is_cancelled,
-        is_exact: problem.exact.is_some(),
-        mass: point.mass,
-        offset: point.offset,
-        delay: point.delay,
-        axis_load: axis::load(problem.experiments),
-        parts: problem.parts,
-        validation: Vec::new(),
-        columns: point.columns,
-        held: problem.held.clone(),
-        fitted: problem.experiments.iter().map(Experiment::fitted).collect(),
-        predicted: split(&predicted, &problem.experiments.iter().map(|one| one.time.len()).collect::<Vec<usize>>()),
-        warnings: warnings(problem, seen, &estimates, *searches, shift),
-        estimates,
-    })
-}
-
-/// Uncertainty by the sensitivities, less what they do not see.
-fn doubted(
-    problem: &Problem,
-    best: &Found,
-    seen: &Residuals,
-    profiles: bool,
-    searches: Searches,
-    ends: &[Vec<f64>],
-) -> Uncertainty {
-    let mut trust = uncertainty(problem, &best.places, seen);
-    if let Some(reason) = searches.doubt() {
-        trust.verdicts.iter_mut().for_each(|verdict| *verdict = Verdict::Undetermined(reason.to_owned()));
-    } else if profiles {
-        for (number, end) in (Ended { problem, best, seen, trust: &trust }).without_effect() {
-            let reason = format!("at {}, an end of its range, the force is predicted almost as well", digits(end));
-            trust.verdicts[number] = Verdict::Undetermined(reason);
+impl<'a> Fitter<'a> {
+    /// Searches the whole range; the best place too.
+    fn of(problem: Problem<'a>, task: &'a Settings, watch: Watch<'a>, first: First) -> Result<(Self, Found), Fault> {
+        let best = best(&problem, task, watch, first);
+        if !best.found.cost.is_finite() {
+            return Err(refused(problem.law, "the law is refused everywhere in the ranges"));
         }
-        trust.elsewhere = Ended { problem, best, seen, trust: &trust }.elsewhere();
-        for (number, other) in (Ended { problem, best, seen, trust: &trust }).dependent() {
-            let name = &problem.parameters[other].name;
-            trust.verdicts[number] = Verdict::Undetermined(format!("it depends on {name}, which is not determined"));
+        // A genetic algorithm hardly ever ends where another one does.
+        let ends = if task.method == Method::Genetic { Vec::new() } else { best.ends };
+        Ok((Fitter { problem, task, watch, searches: best.searches, ends }, best.found))
+    }
+
+    /// Divides the intervals between samples as far as that shifts a place.
+    fn refine(&mut self, found: Found) -> Refined {
+        refine(&mut self.problem, found, self.task, self.watch)
+    }
+
+    /// The same for where the slopes lead from a place.
+    fn follow(&mut self, from: &Found) -> Refined {
+        let found = polish(&self.problem, from);
+        self.refine(found)
+    }
+
+    /// Judges the best place, and goes on from better ones that are found so.
+    fn settle(&mut self, mut best: Refined) -> Result<(Refined, Judged), Fault> {
+        let mut judged = self.judge(&best.found)?;
+        // A genetic algorithm alone stays where it ended.
+        let returns = if self.task.method == Method::Evolution { RETURNS } else { 0 };
+        for _ in 0..returns {
+            let Some(better) = judged.better(&best.found) else { break };
+            best = self.follow(better);
+            judged = self.judge(&best.found)?;
         }
+        Ok((best, judged))
     }
-    if let [first, second] = ends {
-        trust.doubt_ends([problem.values(first), problem.values(second)]);
+
+    /// Judges a best place.
+    fn judge(&self, best: &Found) -> Result<Judged, Fault> {
+        let left = self.problem.residuals(&best.places);
+        let left = left.ok_or_else(|| refused(self.problem.law, "the law is refused at the best place"))?;
+        let seen = Residuals::of_fit(&self.problem, &left);
+        let profiles = self.task.profiles && !self.watch.is_cancelled();
+        let mut trust = self.trust(best, &seen, profiles);
+        // Residuals that are correlated are warned of: there the law is wrong, and not a few samples.
+        if seen.correlation <= SYSTEMATIC {
+            trust.doubt_outliers(&self.problem.loss.influence(&left).0, Loss::noise(self.problem.experiments));
+        }
+        Ok(Judged { seen, trust })
     }
-    // Residuals that are correlated are warned of: there the law is wrong, and not a few samples.
-    if seen.correlation <= SYSTEMATIC
-        && let Some(left) = problem.residuals(&best.places)
-    {
-        trust.doubt_outliers(&problem.loss.influence(&left).0, Loss::noise(problem.experiments));
+
+    /// Uncertainty by the sensitivities, less what they do not see.
+    fn trust(&self, best: &Found, seen: &Residuals, profiles: bool) -> Uncertainty {
+        let mut trust = uncertainty(&self.problem, &best.places, seen);
+        if let Some(reason) = self.searches.believed(self.task.method).doubt() {
+            trust.verdicts.fill(Verdict::Undetermined(reason.to_owned()));
+        } else if profiles {
+            doubt_straight_lines(&self.problem, best, seen, &mut trust);
+        }
+        if let [first, second] = &self.ends[..] {
+            trust.doubt_ends([first, second].map(|places| self.problem.values(places)));
+        }
+        trust
     }
-    trust
+
+    /// Everything about a best place.
+    fn finish(&self, best: &Refined, judged: &Judged) -> Result<Fit, Fault> {
+        let (problem, Judged { seen, trust }) = (&self.problem, judged);
+        let (estimates, is_cancelled) = self.estimates(&best.found, judged);
+        let point = problem.point(&best.found.places);
+        let predicted = problem.predicted(&mut Instance::new(problem.law), &point, problem.parts);
+        let mut predicted = predicted.map_err(|reason| refused(problem.law, reason))?.into_iter();
+        let part = |one: &Experiment| predicted.by_ref().take(one.time.len()).collect();
+        Ok(Fit {
+            law: problem.law,
+            correlation: trust.correlation.row_iter().map(|row| row.iter().copied().collect()).collect(),
+            condition: trust.condition,
+            residuals: *seen,
+            samples: problem.samples(),
+            level: problem.measured().iter().fold(0.0, |most: f64, force| most.max(force.abs())),
+            evaluations: best.found.evaluations,
+            searches: self.searches,
+            is_cancelled,
+            is_exact: problem.exact.is_some(),
+            predicted: problem.experiments.iter().map(part).collect(),
+            fitted: problem.experiments.iter().map(Experiment::fitted).collect(),
+            point,
+            held: problem.held.clone(),
+            axis_load: axis::load(problem.experiments),
+            parts: problem.parts,
+            validation: Vec::new(),
+            warnings: warnings(problem, seen, &estimates, self.searches, best.shift),
+            estimates,
+        })
+    }
+
+    /// The parameters at a best place, and whether the fit was ended before all intervals were found.
+    fn estimates(&self, best: &Found, Judged { seen, trust }: &Judged) -> (Vec<Estimate>, bool) {
+        let undivided = if self.problem.parts > 1 { self.problem.undivided(&best.places) } else { None };
+        let problem = undivided.as_ref().unwrap_or(&self.problem);
+        let ended = Ended { problem, best: &problem.judge(best.clone()), seen, trust };
+        let repeated = ended.repetitions(self.task.repetitions, self.task.seed, self.watch);
+        let is_cancelled = self.watch.is_cancelled();
+        (ended.estimates(self.task.profiles && !is_cancelled, &repeated), is_cancelled)
+    }
 }
 
-fn split(mut values: &[f64], lengths: &[usize]) -> Vec<Vec<f64>> {
-    let part = |length: &usize| {
-        let (one, rest) = values.split_at(*length);
-        values = rest;
-        one.to_vec()
-    };
-    lengths.iter().map(part).collect()
+/// Calls not determined what depends on more than straight lines around the best place show.
+fn doubt_straight_lines(problem: &Problem, best: &Found, seen: &Residuals, trust: &mut Uncertainty) {
+    for (number, end) in (Ended { problem, best, seen, trust }).without_effect() {
+        let reason = format!("at {}, an end of its range, the force is predicted almost as well", digits(end));
+        trust.verdicts[number] = Verdict::Undetermined(reason);
+    }
+    trust.elsewhere = Ended { problem, best, seen, trust }.elsewhere();
+    for (number, other) in (Ended { problem, best, seen, trust }).dependent() {
+        let name = &problem.parameters[other].name;
+        trust.verdicts[number] = Verdict::Undetermined(format!("it depends on {name}, which is not determined"));
+    }
 }
-
-/// Correlation time of the residuals from which the law does not explain them, in samples (chosen).
-const SYSTEMATIC: f64 = 3.0;

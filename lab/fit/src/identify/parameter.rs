@@ -1,5 +1,7 @@
 //! Unknowns of a fit: what they are in the law, and the scale on which they are searched.
 
+use std::fmt::Display;
+
 use stribeck::model::{Kind, Meaning, ModelType, Role, Variable};
 use stribeck::number::Real;
 
@@ -210,6 +212,11 @@ impl Selection {
         found.ranges.retain(|(name, _)| is_meant(name));
         found
     }
+}
+
+/// The error of a law.
+pub(super) fn refused(law: &ModelType, reason: impl Display) -> Fault {
+    Fault::value(format_args!("{}: {reason}", law.name))
 }
 
 /// Names of the parameters that are of the rig and not of the law.

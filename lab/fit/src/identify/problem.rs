@@ -71,16 +71,32 @@ fn beyond(columns: &[Vec<f64>], mut values: Vec<f64>) -> Option<Vec<f64>> {
     Some(values)
 }
 
+/// The difference of values.
+pub(super) fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+/// Places with one of them moved as far as its range admits.
+pub(super) fn moved(places: &[f64], number: usize, by: f64) -> Vec<f64> {
+    let mut moved = places.to_vec();
+    moved[number] = (moved[number] + by).clamp(0.0, 1.0);
+    moved
+}
+
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Values of the parameters as a law and a rig take them.
-pub(super) struct Point {
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// Values of the columns of the law.
     pub columns: Vec<(usize, f64)>,
+    /// Mass of the rig, as given or fitted, kg.
     pub mass: f64,
+    /// Offset of the load cell, N.
     pub offset: f64,
-    /// Delay of the motion, where it is doubtful and known better.
+    /// Delay of the motion behind the force, if it was fitted or held, s.
     pub delay: Option<f64>,
 }
 
@@ -196,8 +212,7 @@ impl Problem<'_> {
     pub fn residuals(&self, places: &[f64]) -> Option<Vec<f64>> {
         let mut instance = Instance::new(self.law);
         let predicted = self.predicted(&mut instance, &self.point(places), self.parts).ok()?;
-        let predicted = self.counting(predicted);
-        Some(predicted.iter().zip(self.measured()).map(|(predicted, measured)| predicted - measured).collect())
+        Some(minus(&self.counting(predicted), &self.measured()))
     }
 
     /// The same with intervals between samples that are not divided, and with forces that leave the same residuals at a
@@ -224,9 +239,8 @@ impl Problem<'_> {
     fn leaving(&self, places: &[f64], left: Vec<f64>) -> Option<Problem<'_>> {
         let quick = self.with_whole_intervals();
         let coarse = quick.residuals(places)?;
-        let predicted = quick.measured().into_iter().zip(coarse).map(|(force, residual)| force + residual);
-        let forces = predicted.zip(left).map(|(force, residual)| force - residual).collect();
-        Some(Problem { instead: Some(forces), ..quick })
+        let predicted: Vec<f64> = quick.measured().iter().zip(coarse).map(|(force, left)| force + left).collect();
+        Some(Problem { instead: Some(minus(&predicted, &left)), ..quick })
     }
 
     /// Derivatives of the residuals with respect to the value of each parameter, a column for each.
@@ -267,8 +281,7 @@ impl Problem<'_> {
     /// Central differences; one-sided at an end of the range.
     pub fn differences(&self, places: &[f64], number: usize, step: f64) -> Vec<f64> {
         let at = |shift: f64| {
-            let mut moved = places.to_vec();
-            moved[number] = (moved[number] + shift).clamp(0.0, 1.0);
+            let moved = moved(places, number, shift);
             (self.parameters[number].value(moved[number])[0], self.residuals(&moved))
         };
         let [(low, before), (high, after)] = [at(-step), at(step)];

@@ -1,37 +1,39 @@
 //! Intervals between samples, divided until that no longer changes a fit.
 
-use std::sync::atomic::Ordering;
-
 use super::Settings;
-use super::problem::Found;
-use super::problem::Problem;
+use super::problem::{Found, Problem, minus};
 use super::search::{Method, Watch, polish};
-use super::uncertainty::{residuals, uncertainty};
+use super::uncertainty::{Residuals, uncertainty};
 
 /// Most parts of an interval, and the shift of the parameters, in standard deviations, that may be left (chosen).
 const MOST_PARTS: usize = 16;
 pub(super) const SHIFT: f64 = 0.2;
 
-/// Divides the intervals between samples until that no longer shifts the parameters; the shift that is left, in standard
-/// deviations.
-pub(super) fn refine(problem: &mut Problem, mut best: Found, task: &Settings, watch: Watch) -> (Found, f64) {
+/// A place after [`refine`].
+pub(super) struct Refined {
+    pub found: Found,
+    /// Shift of the parameters if the intervals were divided once more, in standard deviations.
+    pub shift: f64,
+}
+
+/// Divides the intervals between samples until that no longer shifts the parameters.
+pub(super) fn refine(problem: &mut Problem, mut found: Found, task: &Settings, watch: Watch) -> Refined {
     let is_polished = task.method == Method::Evolution;
     loop {
-        let Some(here) = problem.residuals(&best.places) else { return (best, f64::INFINITY) };
         let finer = Problem { parts: 2 * problem.parts, ..problem.clone() };
-        let Some(there) = finer.residuals(&best.places) else { return (best, f64::INFINITY) };
-        let seen = residuals(&here, &problem.lengths(), problem.parameters.len(), problem.loss);
-        let error: Vec<f64> = here.iter().zip(&there).map(|(here, there)| here - there).collect();
-        let shift = uncertainty(problem, &best.places, &seen).shift(&error);
-        let is_ended = watch.cancel.load(Ordering::Relaxed);
+        let both = problem.residuals(&found.places).zip(finer.residuals(&found.places));
+        let Some((here, there)) = both else { return Refined { found, shift: f64::INFINITY } };
+        let seen = Residuals::of_fit(problem, &here);
+        let shift = uncertainty(problem, &found.places, &seen).shift(&minus(&here, &there));
+        let is_ended = watch.is_cancelled();
         if shift <= SHIFT || finer.parts > MOST_PARTS || is_ended {
             let is_corrected = is_polished && problem.parts > 1 && !is_ended;
-            return (if is_corrected { polish(problem, &best) } else { best }, shift);
+            return Refined { found: if is_corrected { polish(problem, &found) } else { found }, shift };
         }
         problem.parts = finer.parts;
-        best = problem.judge(best);
+        found = problem.judge(found);
         if is_polished {
-            best = polish_by_corrections(problem, best);
+            found = polish_by_corrections(problem, found);
         }
     }
 }
@@ -70,7 +72,7 @@ mod tests {
         let middle = Found { places: vec![0.4; problem.parameters.len()], cost: f64::INFINITY, evaluations: 0 };
         let whole = polish(&problem, &middle);
         let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
-        let (refined, shift) = refine(&mut problem, whole.clone(), &Settings::default(), watch);
+        let Refined { found: refined, shift } = refine(&mut problem, whole.clone(), &Settings::default(), watch);
         assert!(problem.parts >= 8 && shift <= SHIFT, "{} {shift}", problem.parts);
         let start = problem.judge(whole);
         let slow = polish(&problem, &start);

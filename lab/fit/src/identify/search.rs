@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 use super::problem::{Found, Problem};
+use super::uncertainty::{Residuals, SYSTEMATIC};
 use super::{BUDGET, Experiment, Settings};
 
 /// How the whole range is searched.
@@ -31,6 +32,12 @@ pub struct Watch<'a> {
     /// Root mean square of the residuals at the best place so far, N, and the evaluations that led there. It is called
     /// after each generation and each repetition.
     pub progress: &'a (dyn Fn(f64, u64) + Sync),
+}
+
+impl Watch<'_> {
+    pub(super) fn is_cancelled(self) -> bool {
+        self.cancel.load(Ordering::Relaxed)
+    }
 }
 
 /// Ends of searches over the whole range.
@@ -74,8 +81,17 @@ impl Searches {
     }
 }
 
+/// What is known of a law before it is searched.
+#[derive(Default)]
+pub(super) struct First {
+    /// Where the first search over the whole range ended.
+    pub found: Option<Found>,
+    /// Whether another law explains far more: no other search is made then.
+    pub is_far: bool,
+}
+
 /// Where the first search over the whole range ends.
-pub(super) fn first_look(problem: &Problem, task: &Settings, watch: Watch) -> Found {
+pub(super) fn first_search(problem: &Problem, task: &Settings, watch: Watch) -> Found {
     let fewer = coarser(problem, task);
     one_search(&coarse(problem, fewer.as_deref()), task, 0, watch)
 }
@@ -108,13 +124,27 @@ pub(super) struct Best {
     pub ends: Vec<Vec<f64>>,
 }
 
-/// Searches the whole range. The searches go over fewer samples; only the best of their ends is followed on all of them.
-pub(super) fn best(problem: &Problem, task: &Settings, watch: Watch, first: Option<Found>, is_far: bool) -> Best {
+/// Searches the whole range; for a fit with intervals again, if the residuals of the best place are not noise: two
+/// searches may agree on a local minimum. Many laws are ranked although they do not fit.
+pub(super) fn best(problem: &Problem, task: &Settings, watch: Watch, first: First) -> Best {
+    let is_once = !task.profiles || task.method != Method::Evolution || first.is_far;
+    let best = once(problem, task, watch, first);
+    let left = if is_once || watch.is_cancelled() { None } else { problem.residuals(&best.found.places) };
+    let Some(seen) = left.map(|left| Residuals::of_fit(problem, &left)).filter(|seen| seen.correlation > SYSTEMATIC)
+    else {
+        return best;
+    };
+    let other = once(problem, &Settings { seed: !task.seed, ..task.clone() }, watch, First::default());
+    if 2.0 * (best.found.cost - other.found.cost) > seen.rise() { other } else { best }
+}
+
+/// The searches go over fewer samples; only the best of their ends is followed on all of them.
+fn once(problem: &Problem, task: &Settings, watch: Watch, First { found, is_far }: First) -> Best {
     let fewer = coarser(problem, task);
     let coarse = coarse(problem, fewer.as_deref());
-    let (mut ends, searches) = match first.map(|found| coarse.judge(found)) {
+    let (mut ends, searches) = match found.map(|found| coarse.judge(found)) {
         Some(first) if is_far => (vec![first], Searches::One),
-        Some(first) if watch.cancel.load(Ordering::Relaxed) => (vec![first], Searches::Ended),
+        Some(first) if watch.is_cancelled() => (vec![first], Searches::Ended),
         first => several(&coarse, task, watch, first),
     };
     let compared = if searches == Searches::Ended { 0 } else { 2 };
@@ -123,7 +153,7 @@ pub(super) fn best(problem: &Problem, task: &Settings, watch: Watch, first: Opti
     let mut found = Found { evaluations, ..ends.swap_remove(0) };
     if fewer.is_some() {
         found = problem.judge(found);
-        if !watch.cancel.load(Ordering::Relaxed) {
+        if !watch.is_cancelled() {
             found = polish(problem, &found);
         }
     }
@@ -141,7 +171,7 @@ fn several(coarse: &Problem, task: &Settings, watch: Watch, mut first: Option<Fo
         if 2.0 * (ends[1].cost - ends[0].cost) <= variance.max(rounding) {
             return (ends, Searches::Agree);
         }
-        if watch.cancel.load(Ordering::Relaxed) {
+        if watch.is_cancelled() {
             return (ends, Searches::Ended);
         }
         if task.method == Method::Genetic {
@@ -159,7 +189,7 @@ fn one_search(problem: &Problem, task: &Settings, number: u32, watch: Watch) -> 
     let seed = task.seed ^ u64::from(number).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     let seed = fastrand::Rng::with_seed(seed).u64(..);
     let found = search(problem, task.method, seed, task.budget << (number / 2), watch);
-    if task.method == Method::Genetic || watch.cancel.load(Ordering::Relaxed) { found } else { polish(problem, &found) }
+    if task.method == Method::Genetic || watch.is_cancelled() { found } else { polish(problem, &found) }
 }
 
 /// Two searches with different seeds, side by side; the first one may be known.
@@ -216,30 +246,25 @@ fn run<S>(
 where
     S: for<'a> basin::Solver<Problem<'a>, PopulationProgress<Vec<f64>>>,
 {
-    let Ok(mut stepper) = executor.max_iter(generations).into_stepper() else { return nothing(problem) };
+    let Ok(mut stepper) = executor.max_iter(generations).into_stepper() else {
+        let places = vec![0.5; problem.parameters.len()];
+        return Found { places, cost: f64::INFINITY, evaluations: 0 };
+    };
+    // A method with many small generations waits longer.
+    let patience = PATIENCE * generations.div_ceil(GENERATIONS);
     let (mut last, mut idle) = (f64::INFINITY, 0);
     while let Ok(StepOutcome::Continue) = stepper.step() {
         let cost = stepper.state().cost();
         (watch.progress)((2.0 * cost / problem.samples() as f64).sqrt(), stepper.counts().cost_evals);
         idle = if cost < 0.999 * last { 0 } else { idle + 1 };
         last = last.min(cost);
-        if idle >= PATIENCE * patience(generations) || watch.cancel.load(Ordering::Relaxed) {
+        if idle >= patience || watch.is_cancelled() {
             break;
         }
     }
     let evaluations = stepper.counts().cost_evals;
     let state = stepper.state();
     Found { places: problem.whole(state.param()), cost: state.cost(), evaluations }
-}
-
-/// A search that could not begin.
-fn nothing(problem: &Problem) -> Found {
-    Found { places: vec![0.5; problem.parameters.len()], cost: f64::INFINITY, evaluations: 0 }
-}
-
-/// A method with many small generations waits longer.
-fn patience(generations: u64) -> u64 {
-    generations.div_ceil(GENERATIONS)
 }
 
 /// Steps of least squares (chosen).

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 use std::slice;
+use std::sync::LazyLock;
 use std::sync::atomic::AtomicBool;
 
 use approx::assert_abs_diff_eq;
@@ -83,6 +84,11 @@ fn is_undetermined(fit: &Fit, name: &str) -> bool {
 
 pub(super) fn whole_problem<'a>(law: &str, experiments: &'a [Experiment]) -> Problem<'a> {
     problem(by_name(law).unwrap(), experiments, &Settings::default()).unwrap()
+}
+
+pub(super) fn fitter<'a>(problem: &Problem<'a>) -> Fitter<'a> {
+    static USUAL: LazyLock<Settings> = LazyLock::new(Settings::default);
+    Fitter { problem: problem.clone(), task: &USUAL, watch: quiet(), searches: Searches::Agree, ends: Vec::new() }
 }
 
 /// Truth of reference data: a slider of 20 N.
@@ -243,14 +249,14 @@ fn correlated_residuals_count_as_fewer_samples() {
             last
         })
         .collect();
-    let seen = |values: &[f64]| residuals(values, &[20_000, 20_000], 2, Loss::SQUARES);
+    let seen = |values: &[f64]| uncertainty::residuals(values, &[20_000, 20_000], 2, Loss::SQUARES);
     assert!((seen(&white).correlation - 1.0).abs() < 0.1 && seen(&white).neighbours.abs() < 0.02);
     assert!((seen(&red).correlation / 9.0 - 1.0).abs() < 0.15, "{:?}", seen(&red));
     assert!((seen(&red).neighbours - 0.8).abs() < 0.01 && (seen(&white).rms - 1.0).abs() < 0.02);
     // The intervals grow with the root of it.
     let data = [measured("Dahl", &[], &standard(500), 0.01, 6)];
     let problem = whole_problem("Dahl", &data);
-    let best = best(&problem, &quick(), quiet(), None, false).found;
+    let best = best(&problem, &quick(), quiet(), First::default()).found;
     let plain = white_noise(0.02);
     let [narrow, wide] =
         [plain, Residuals { correlation: 9.0, ..plain }].map(|seen| uncertainty(&problem, &best.places, &seen));
@@ -281,7 +287,7 @@ fn a_force_that_changes_elsewhere_than_foreseen_is_not_smooth() {
     let data = [measured("Coulomb", &[], &standard(400), 0.01, 1)];
     let problem = whole_problem("Coulomb", &data);
     let mut slopes = problem.sensitivities(&[0.5]).remove(0);
-    let is_smooth = |slopes: &[f64]| uncertainty::is_smooth(&problem, &[0.5], &white_noise(0.01), 0, 0.01, slopes);
+    let is_smooth = |slopes: &[f64]| uncertainty::is_smooth(&problem, &[0.5], 0.01, 0, 0.01, slopes);
     assert!(is_smooth(&slopes));
     slopes.reverse();
     assert!(!is_smooth(&slopes));
@@ -291,9 +297,11 @@ fn a_force_that_changes_elsewhere_than_foreseen_is_not_smooth() {
 fn searches_that_disagree_leave_no_number() {
     let data = [measured("Dahl", &[], &standard(1000), 0.01, 1)];
     let problem = whole_problem("Dahl", &data);
-    let found = best(&problem, &quick(), quiet(), None, false).found;
+    let found = best(&problem, &quick(), quiet(), First::default()).found;
     let seen = white_noise(0.02);
-    let verdicts = |searches, ends: &[Vec<f64>]| doubted(&problem, &found, &seen, false, searches, ends).verdicts;
+    let verdicts = |searches, ends: &[Vec<f64>]| {
+        Fitter { searches, ends: ends.to_vec(), ..fitter(&problem) }.trust(&found, &seen, false).verdicts
+    };
     let told = verdicts(Searches::Agree, &[found.places.clone(), found.places.clone()]);
     assert!(told.iter().all(|verdict| *verdict == Verdict::Determined), "{told:?}");
     // Alike in cost, but elsewhere in the stiffness.
@@ -316,7 +324,11 @@ fn a_start_at_an_end_of_the_range_does_not_stop_the_search() {
     let data = [measured("LuGre", &SLIDER, &standard(1000), 0.01, 4)];
     let problem = whole_problem("LuGre", &data);
     let floor = problem
-        .judge(Found { places: best(&problem, &quick(), quiet(), None, false).found.places, cost: 0.0, evaluations: 0 })
+        .judge(Found {
+            places: best(&problem, &quick(), quiet(), First::default()).found.places,
+            cost: 0.0,
+            evaluations: 0,
+        })
         .cost;
     let count = problem.parameters.len();
     for ends in [vec![0.0; count], vec![1.0; count]] {
@@ -598,7 +610,7 @@ fn a_law_that_is_far_behind_is_searched_once_and_has_no_number() {
     assert!(far.warnings.iter().all(|text| !text.contains("raise the budget")), "{:?}", far.warnings);
     for fit in [ranking.best(), close] {
         let alone = fitted(fit.law.name, &data, &quick());
-        assert_eq!((&fit.columns, fit.searches), (&alone.columns, alone.searches), "{}", fit.law.name);
+        assert_eq!((&fit.point.columns, fit.searches), (&alone.point.columns, alone.searches), "{}", fit.law.name);
     }
 }
 

@@ -27,9 +27,11 @@ use stribeck::model::Meaning;
 
 use super::loss::Loss;
 use super::parameter::{Parameter, Target, is_level};
-use super::problem::Found;
-use super::problem::{Problem, dot};
+use super::problem::{Found, Problem, dot, minus, moved};
 use super::velocity_error;
+
+/// Correlation time of the residuals from which the law does not explain them, in samples (chosen).
+pub(super) const SYSTEMATIC: f64 = 3.0;
 
 /// Part of a large change up to which the data must know a parameter.
 pub const DETERMINED: f64 = 0.4;
@@ -112,6 +114,11 @@ pub struct Residuals {
 }
 
 impl Residuals {
+    /// Those of a fit.
+    pub(super) fn of_fit(problem: &Problem, all: &[f64]) -> Residuals {
+        residuals(all, &problem.lengths(), problem.parameters.len(), problem.loss)
+    }
+
     /// Variance of the noise, as of independent samples.
     pub(super) fn variance(&self) -> f64 {
         self.noise * self.noise * self.correlation
@@ -120,6 +127,32 @@ impl Residuals {
     /// Rise of twice the cost that counts as much as the sum of squares rising by the variance.
     pub(super) fn rise(&self) -> f64 {
         self.variance() * self.softness
+    }
+}
+
+/// Knowledge of parameters by the sensitivities alone.
+pub(super) struct Known {
+    /// Information of the data, in large changes of the parameters.
+    information: DMatrix<f64>,
+    /// Covariance, in large changes.
+    scaled: DMatrix<f64>,
+    /// Standard deviations as parts of a large change.
+    pub parts: Vec<f64>,
+}
+
+impl Known {
+    /// From sensitivities with noise of a variance.
+    pub fn of(columns: &[Vec<f64>], large: &[f64], variance: f64, is_certain: &dyn Fn(usize) -> bool) -> Known {
+        let information = DMatrix::from_fn(columns.len(), columns.len(), |a, b| {
+            dot(&columns[a], &columns[b]) * large[a] * large[b] / variance
+        });
+        let scaled = spread(&information, is_certain);
+        Known { parts: deviations(&scaled), information, scaled }
+    }
+
+    /// Standard deviation as a part of a large change, if the other parameters were known.
+    pub fn alone(&self, number: usize) -> f64 {
+        1.0 / (1.0 + self.information[(number, number)]).sqrt()
     }
 }
 
@@ -133,6 +166,7 @@ pub(super) struct Uncertainty {
     pub covariance: DMatrix<f64>,
     /// The part of it by the noise of the force.
     noise_covariance: DMatrix<f64>,
+    known: Known,
     pub verdicts: Vec<Verdict>,
     /// Whether the force changes in jumps with a parameter that it determines otherwise.
     pub jumps: Vec<bool>,
@@ -160,21 +194,22 @@ fn squares(values: &[f64]) -> f64 {
     values.iter().map(|one| one * one).sum()
 }
 
+/// Sum of the products of values a lag apart within each experiment.
+fn products(mut values: &[f64], lengths: &[usize], lag: usize) -> f64 {
+    let of_experiment = |length: &usize| {
+        let (part, others) = values.split_at(*length);
+        values = others;
+        part.iter().zip(part.iter().skip(lag)).map(|(a, b)| a * b).sum::<f64>()
+    };
+    lengths.iter().map(of_experiment).sum()
+}
+
 /// Residuals of several experiments, one after the other.
 pub(super) fn residuals(all: &[f64], lengths: &[usize], parameters: usize, loss: Loss) -> Residuals {
     let freedom = (all.len().saturating_sub(parameters)).max(1) as f64;
     let (found, softness) = loss.influence(all);
     let square = squares(&found);
-    let lag = |lag: usize| {
-        let mut from = 0;
-        let mut sum = 0.0;
-        for length in lengths {
-            let part = &found[from..from + length];
-            sum += part.iter().zip(part.iter().skip(lag)).map(|(a, b)| a * b).sum::<f64>();
-            from += length;
-        }
-        if square > 0.0 { sum / square } else { 0.0 }
-    };
+    let lag = |lag: usize| if square > 0.0 { products(&found, lengths, lag) / square } else { 0.0 };
     let longest = usize::min(all.len() / 10, lengths.iter().copied().max().unwrap_or(0));
     let mut correlation = 1.0;
     for at in 1..=longest {
@@ -197,13 +232,6 @@ pub(super) fn residuals(all: &[f64], lengths: &[usize], parameters: usize, loss:
 /// on it is not determined either.
 const UNKNOWN: f64 = 10.0;
 
-/// Information of the data about the parameters, in large changes of them.
-fn information(columns: &[Vec<f64>], large: &[f64], variance: f64) -> DMatrix<f64> {
-    DMatrix::from_fn(columns.len(), columns.len(), |a, b| {
-        dot(&columns[a], &columns[b]) * large[a] * large[b] / variance
-    })
-}
-
 /// Standard deviations.
 fn deviations(covariance: &DMatrix<f64>) -> Vec<f64> {
     covariance.diagonal().iter().map(|one| one.sqrt()).collect()
@@ -224,7 +252,8 @@ fn is_within(parameter: &Parameter, value: f64, error: f64) -> bool {
 }
 
 /// Whether the error of the velocity hides a parameter, whatever the noise of the force.
-fn is_lost(problem: &Problem, values: &[f64], number: usize, error: f64) -> bool {
+fn is_lost(problem: &Problem, values: &[f64], number: usize) -> bool {
+    let error = problem.experiments.iter().map(velocity_error::error).fold(0.0, f64::max);
     is_within(&problem.parameters[number], values[number], error) || hides_damping(problem, values, number, error)
 }
 
@@ -261,52 +290,90 @@ fn followed(covariance: &DMatrix<f64>, values: &[f64], open: &[bool], number: us
 
 /// Uncertainties of the parameters at places.
 pub(super) fn uncertainty(problem: &Problem, places: &[f64], seen: &Residuals) -> Uncertainty {
-    let values = problem.values(places);
-    let large = problem.large(&values);
+    let mut trust = by_sensitivities(problem, places, seen);
+    let large = problem.large(&problem.values(places));
+    let is_jumpy = |number: usize| {
+        let deviation = trust.known.parts[number] * large[number];
+        let slopes = &trust.columns[number];
+        !trust.is_open(number) && !is_smooth(problem, places, seen.noise, number, deviation, slopes)
+    };
+    trust.jumps = (0..large.len()).map(is_jumpy).collect();
+    trust.verdicts = (0..large.len()).map(|number| trust.verdict(problem, places, number)).collect();
+    trust
+}
+
+/// The same before verdicts.
+fn by_sensitivities(problem: &Problem, places: &[f64], seen: &Residuals) -> Uncertainty {
+    let large = problem.large(&problem.values(places));
     let columns = problem.sensitivities(places);
-    let count = columns.len();
     let variance = seen.variance().max(f64::MIN_POSITIVE);
-    let information = information(&columns, &large, variance);
     // The delay of an axis is searched wherever it can be.
     let is_axis = problem.experiments.iter().any(|one| one.alike.is_some());
-    let scaled = spread(&information, &|number| is_axis && problem.parameters[number].target == Target::Delay);
-    let spectrum = information.clone().symmetric_eigen().eigenvalues;
-    let noise_covariance = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] * large[a] * large[b]);
+    let is_certain = |number: usize| is_axis && problem.parameters[number].target == Target::Delay;
+    let known = Known::of(&columns, &large, variance, &is_certain);
+    let spectrum = known.information.clone().symmetric_eigen().eigenvalues;
+    let noise_covariance =
+        DMatrix::from_fn(large.len(), large.len(), |a, b| known.scaled[(a, b)] * large[a] * large[b]);
     let blur = velocity_error::blur(problem, places, &columns, &noise_covariance.map(|one| one / variance));
-    let covariance = DMatrix::from_fn(count, count, |a, b| noise_covariance[(a, b)] + blur[(a, b)]);
-    let [deviations, blurs] = [&covariance, &blur].map(deviations);
-    let correlation = correlations(&scaled);
-    let error = problem.experiments.iter().map(velocity_error::error).fold(0.0, f64::max);
-    let known: Vec<f64> = scaled.diagonal().iter().map(|one| one.sqrt()).collect();
-    let open: Vec<bool> = known.iter().map(|known| *known > DETERMINED).collect();
-    let is_jumpy = |at: usize| !open[at] && !is_smooth(problem, places, seen, at, known[at] * large[at], &columns[at]);
-    let jumps: Vec<bool> = (0..count).map(is_jumpy).collect();
-    let verdict = |number: usize| {
-        let alone = 1.0 / (1.0 + information[(number, number)]).sqrt();
-        let followed = followed(&noise_covariance, &values, &open, number);
-        let partner = partner(&correlation, number).or(followed).map(|other| problem.parameters[other].name.as_str());
-        let [value, deviation] = [values[number], deviations[number]];
-        let is_blurred = deviation > DETERMINED * large[number] || is_lost(problem, &values, number, error);
-        let is_open = open[number] || followed.is_some();
-        let one = Known { value, place: places[number], is_open, deviation, alone, is_blurred };
-        verdict(&problem.parameters[number], &one, partner, !jumps[number])
-    };
+    let covariance = &noise_covariance + &blur;
     Uncertainty {
-        verdicts: (0..count).map(verdict).collect(),
-        jumps,
+        verdicts: Vec::new(),
+        jumps: Vec::new(),
         elsewhere: Vec::new(),
         condition: (spectrum.max() / spectrum.min().max(f64::MIN_POSITIVE)).sqrt(),
-        deviations,
-        blurs,
+        deviations: deviations(&covariance),
+        blurs: deviations(&blur),
         covariance,
         noise_covariance,
-        correlation,
+        correlation: correlations(&known.scaled),
+        known,
         columns,
         variance,
     }
 }
 
 impl Uncertainty {
+    /// Whether the noise of the force leaves a parameter open.
+    fn is_open(&self, number: usize) -> bool {
+        self.known.parts[number] > DETERMINED
+    }
+
+    /// The verdict on a parameter.
+    fn verdict(&self, problem: &Problem, places: &[f64], number: usize) -> Verdict {
+        let values = problem.values(places);
+        let [value, half] = [values[number], WIDTH * self.deviations[number]];
+        if let Some(reason) = self.reason(problem, &values, number) {
+            Verdict::Undetermined(reason)
+        } else if problem.parameters[number].can_be_zero() && value < half {
+            Verdict::AtMost(value + half)
+        } else if !(AT_END..=1.0 - AT_END).contains(&places[number]) {
+            Verdict::AtEnd(value)
+        } else {
+            Verdict::Determined
+        }
+    }
+
+    /// Why the data do not determine a parameter, if they do not.
+    fn reason(&self, problem: &Problem, values: &[f64], number: usize) -> Option<String> {
+        let parameter = &problem.parameters[number];
+        let open: Vec<bool> = (0..values.len()).map(|number| self.is_open(number)).collect();
+        let followed = followed(&self.noise_covariance, values, &open, number);
+        let is_blurred = self.deviations[number] > DETERMINED * parameter.large(values[number]);
+        if open[number] || followed.is_some() {
+            let why = match partner(&self.correlation, number).or(followed) {
+                _ if self.known.alone(number) > DETERMINED => "it hardly changes the force".to_owned(),
+                Some(other) => format!("only in combination with {}", problem.parameters[other].name),
+                None => "only in combination with others".to_owned(),
+            };
+            Some(format!("{why}; {}", remedy(parameter)))
+        } else if is_blurred || is_lost(problem, values, number) {
+            Some("the velocity is not known well enough; measure it, or sample the motion faster".to_owned())
+        } else {
+            self.jumps[number]
+                .then(|| "the force changes with it in jumps, so that no interval can be given".to_owned())
+        }
+    }
+
     /// Standard deviation of a parameter by the noise of the force alone.
     pub fn by_noise(&self, number: usize) -> f64 {
         self.noise_covariance[(number, number)].sqrt()
@@ -406,66 +473,28 @@ const ASTRAY: f64 = 1.0;
 pub(super) fn is_smooth(
     problem: &Problem,
     places: &[f64],
-    seen: &Residuals,
+    noise: f64,
     number: usize,
     deviation: f64,
-    sensitivity: &[f64],
+    slopes: &[f64],
 ) -> bool {
     let [value, slope] = problem.parameters[number].value(places[number]);
     let step = (deviation / slope.abs().max(f64::MIN_POSITIVE)).min(0.1);
     let Some(here) = problem.residuals(places) else { return false };
     let agrees = |direction: f64| {
-        let mut moved = places.to_vec();
-        moved[number] = (moved[number] + direction * step).clamp(0.0, 1.0);
+        let moved = moved(places, number, direction * step);
         let distance = problem.parameters[number].value(moved[number])[0] - value;
-        let foreseen: Vec<f64> = sensitivity.iter().map(|slope| slope * distance).collect();
-        problem.residuals(&moved).is_some_and(|there| {
-            let found: Vec<f64> = there.iter().zip(&here).map(|(there, here)| there - here).collect();
-            let astray: Vec<f64> = found.iter().zip(&foreseen).map(|(found, foreseen)| found - foreseen).collect();
-            let [found, foreseen, astray] = [&found, &foreseen, &astray].map(|change| squares(change).sqrt());
-            // Less than the noise does not matter.
-            found.max(foreseen) < 0.1 * seen.noise || (found >= REACHED * foreseen && astray <= ASTRAY * foreseen)
-        })
+        let foreseen: Vec<f64> = slopes.iter().map(|slope| slope * distance).collect();
+        problem.residuals(&moved).is_some_and(|there| is_foreseen(&minus(&there, &here), &foreseen, noise))
     };
     // At an end of the range one side is enough.
     [-1.0, 1.0].into_iter().filter(|side| (0.0..=1.0).contains(&(places[number] + side * step))).all(agrees)
 }
 
-/// Knowledge of one parameter.
-struct Known {
-    value: f64,
-    place: f64,
-    /// Whether the noise of the force leaves it open.
-    is_open: bool,
-    deviation: f64,
-    /// Part of a large change if the others were known.
-    alone: f64,
-    /// Whether the error of the velocity leaves it open.
-    is_blurred: bool,
-}
-
-fn verdict(parameter: &Parameter, one: &Known, partner: Option<&str>, is_smooth: bool) -> Verdict {
-    let Known { value, place, is_open, deviation, alone, is_blurred } = *one;
-    if is_open {
-        let reason = match partner {
-            _ if alone > DETERMINED => format!("it hardly changes the force; {}", remedy(parameter)),
-            Some(partner) => format!("only in combination with {partner}; {}", remedy(parameter)),
-            None => format!("only in combination with others; {}", remedy(parameter)),
-        };
-        Verdict::Undetermined(reason)
-    } else if is_blurred {
-        Verdict::Undetermined(
-            "the velocity is not known well enough; measure it, or sample the motion faster".to_owned(),
-        )
-    } else if !is_smooth {
-        Verdict::Undetermined("the force changes with it in jumps, so that no interval can be given".to_owned())
-    } else if parameter.can_be_zero() && value < WIDTH * deviation {
-        Verdict::AtMost(value + WIDTH * deviation)
-    } else if !(AT_END..=1.0 - AT_END).contains(&place) {
-        Verdict::AtEnd(value)
-    } else {
-        Verdict::Determined
-    }
+/// Whether a change of the force is about the foreseen one. Less than the noise does not matter.
+fn is_foreseen(found: &[f64], foreseen: &[f64], noise: f64) -> bool {
+    let [change, expected, astray] = [found, foreseen, &minus(found, foreseen)].map(|change| squares(change).sqrt());
+    change.max(expected) < 0.1 * noise || (change >= REACHED * expected && astray <= ASTRAY * expected)
 }
 
 /// The experiment that would determine a parameter.

@@ -1,8 +1,6 @@
 //! Experiments that a fit has not seen: what it leaves unexplained there says more than what it leaves where it was
 //! fitted.
 
-use std::sync::atomic::Ordering;
-
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 
@@ -50,10 +48,11 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Validation>
         let name = &experiment.name;
         let ports = Ports::of(fit.law).ok_or_else(|| refused(name, "slides in more than one direction".into()))?;
         let experiment = &as_fitted(fit, ports, experiment);
-        let friction = forces(&mut Instance::new(fit.law), ports, &fit.columns, experiment, fit.parts);
+        let friction = forces(&mut Instance::new(fit.law), ports, &fit.point.columns, experiment, fit.parts);
         let friction = friction.map_err(|reason| refused(name, reason.to_string()))?;
-        let left =
-            |at: usize| friction[at] + fit.mass * experiment.acceleration[at] + fit.offset - experiment.force[at];
+        let left = |at: usize| {
+            friction[at] + fit.point.mass * experiment.acceleration[at] + fit.point.offset - experiment.force[at]
+        };
         let counting: Vec<f64> = (0..friction.len()).filter(|at| experiment.counts(*at)).map(left).collect();
         if counting.is_empty() {
             return Err(refused(name, "all its samples are left out, at rest or at its ends".into()));
@@ -68,9 +67,9 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Validation>
 /// A record as those that were fitted: with the delay that was found, if its own is not known; for a law with two
 /// branches without samples whose branch is not known, and for a mass that was found with all of the acceleration.
 fn as_fitted(fit: &Fit, ports: Ports, experiment: &Experiment) -> Experiment {
-    let found = match fit.delay {
+    let found = match fit.point.delay {
         Some(delay) if experiment.delay_range.is_some() => {
-            experiment.at_delay(delay).with_delay(fit.delay).into_owned()
+            experiment.at_delay(delay).with_delay(fit.point.delay).into_owned()
         }
         _ => experiment.clone(),
     };
@@ -108,7 +107,7 @@ pub(super) fn folds(
         };
         let fit = fit(law, &take(false), &quick, watch)?;
         found.extend(held_out(&fit, &take(true))?);
-        if watch.cancel.load(Ordering::Relaxed) {
+        if watch.is_cancelled() {
             break;
         }
     }
@@ -128,7 +127,7 @@ mod tests {
         let force = clean.force.clone();
         let late = Experiment { force, ..early };
         let fit = fitted("Coulomb", std::slice::from_ref(&late), &quick());
-        assert!((fit.delay.unwrap() - 5e-3).abs() < 1e-3, "{:?}", fit.delay);
+        assert!((fit.point.delay.unwrap() - 5e-3).abs() < 1e-3, "{:?}", fit.point.delay);
         let validation = held_out(&fit, std::slice::from_ref(&late)).unwrap().swap_remove(0);
         assert!((validation.rms / fit.residuals.rms - 1.0).abs() < 0.05, "{validation:?} {}", fit.residuals.rms);
     }
