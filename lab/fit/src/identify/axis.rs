@@ -20,10 +20,7 @@ pub(super) fn load(experiments: &[Experiment]) -> Option<f64> {
 pub fn fitted(selection: &mut Selection, mass: f64) {
     for name in ["mass", "offset"] {
         let is_known = name == "mass" && mass != 0.0;
-        if !is_known
-            && selection.fixed.iter().all(|(held, _)| held != name)
-            && selection.fitted.iter().all(|known| known != name)
-        {
+        if !is_known && selection.fixed(name).is_none() && !selection.fits(name) {
             selection.fitted.push(name.to_owned());
         }
     }

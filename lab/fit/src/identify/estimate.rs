@@ -5,7 +5,8 @@ use stribeck::number::Real;
 
 use super::interval::{Ended, quantiles};
 use super::parameter::{Parameter, Scale, Target};
-use super::uncertainty::{DETERMINED, Verdict, WIDTH};
+use super::problem::Problem;
+use super::uncertainty::{DETERMINED, Uncertainty, Verdict, WIDTH};
 
 /// A parameter after a fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,13 +63,18 @@ impl Estimate {
     }
 }
 
-/// Values of the parameters in repetitions of a fit.
-struct Repeated(Vec<Vec<f64>>);
+/// Intervals besides those by straight lines.
+struct Intervals {
+    /// Whether the profile likelihood is followed.
+    has_profiles: bool,
+    /// Values of the parameters in repetitions of the fit.
+    repeated: Vec<Vec<f64>>,
+}
 
-impl Repeated {
-    /// Interval of a quantity; None without repetitions.
-    fn interval(&self, of: impl Fn(&[f64]) -> f64) -> Option<[f64; 2]> {
-        (!self.0.is_empty()).then(|| quantiles(self.0.iter().map(|values| of(values)).collect()))
+impl Intervals {
+    /// Interval of a quantity by the repetitions; None without any.
+    fn repeated(&self, of: impl Fn(&[f64]) -> f64) -> Option<[f64; 2]> {
+        (!self.repeated.is_empty()).then(|| quantiles(self.repeated.iter().map(|values| of(values)).collect()))
     }
 }
 
@@ -76,86 +82,98 @@ fn around(value: f64, deviation: f64) -> [f64; 2] {
     [value - WIDTH * deviation, value + WIDTH * deviation]
 }
 
+/// mu_s = mu_k + d as a sum of parameters.
+struct StaticLevel {
+    column: usize,
+    excess: usize,
+    kinetic: Option<usize>,
+    /// mu_k where it is not parameter.
+    held: f64,
+}
+
+impl StaticLevel {
+    fn of(problem: &Problem) -> Option<StaticLevel> {
+        let parameters = &problem.parameters;
+        let is_excess = |(number, one): (usize, &Parameter)| match one.target {
+            Target::Excess { of, over } => Some((number, of, over)),
+            _ => None,
+        };
+        let (excess, column, over) = parameters.iter().enumerate().find_map(is_excess)?;
+        let kinetic = parameters.iter().position(|one| one.target == Target::Column(over));
+        Some(StaticLevel { column, excess, kinetic, held: problem.kinetic(over) })
+    }
+
+    fn value(&self, values: &[f64]) -> f64 {
+        values[self.excess] + self.kinetic.map_or(self.held, |kinetic| values[kinetic])
+    }
+
+    fn deviation(&self, trust: &Uncertainty) -> f64 {
+        let parts = || self.kinetic.into_iter().chain([self.excess]);
+        let pairs = parts().flat_map(|a| parts().map(move |b| (a, b)));
+        pairs.map(|at| trust.covariance[at]).sum::<f64>().max(0.0).sqrt()
+    }
+
+    /// It is known as well as the kinetic one, although their difference has a limit only.
+    fn verdict(&self, known: &[Estimate]) -> Verdict {
+        match (&known[self.excess].verdict, self.kinetic.map(|kinetic| &known[kinetic].verdict)) {
+            (Verdict::Determined | Verdict::AtMost(_), other) => other.cloned().unwrap_or(Verdict::Determined),
+            (other, _) => other.clone(),
+        }
+    }
+}
+
 impl Ended<'_> {
     /// The estimates; mu_s, the sum of two parameters, comes last.
-    pub fn estimates(&self, profiles: bool, places: &[Vec<f64>]) -> Vec<Estimate> {
+    pub fn estimates(&self, has_profiles: bool, repeated: &[Vec<f64>]) -> Vec<Estimate> {
+        let repeated = repeated.iter().map(|places| self.problem.values(places)).collect();
+        let intervals = Intervals { has_profiles, repeated };
         let values = self.problem.values(&self.best.places);
-        let repeated = Repeated(places.iter().map(|places| self.problem.values(places)).collect());
-        let one = |number: usize| self.estimate(number, values[number], profiles, &repeated);
-        let mut list: Vec<Estimate> = (0..values.len()).map(one).collect();
-        let level = self.static_level(&values, &list, profiles, &repeated);
+        let mut list: Vec<Estimate> =
+            values.iter().enumerate().map(|(number, value)| self.estimate(number, *value, &intervals)).collect();
+        let level = StaticLevel::of(self.problem).map(|level| self.static_level(&level, &values, &list, &intervals));
         list.extend(level);
         list
     }
 
-    fn estimate(&self, number: usize, value: f64, profiles: bool, repeated: &Repeated) -> Estimate {
+    fn estimate(&self, number: usize, value: f64, intervals: &Intervals) -> Estimate {
         let parameter = &self.problem.parameters[number];
+        let Parameter { name, unit, target, meaning, .. } = parameter.clone();
         let deviation = self.trust.deviations[number];
-        let verdict = self.trust.verdicts[number].clone();
-        let profile = (profiles && verdict.is_told()).then(|| self.profile(number));
-        let verdict = match profile {
-            Some(ends) if is_open(parameter, value, ends) => Verdict::Undetermined(format!(
-                "the other parameters can compensate for it, with {} from {:.3e} to {:.3e}",
-                parameter.name, ends[0], ends[1]
+        let told = self.trust.verdicts[number].clone();
+        let profile = (intervals.has_profiles && told.is_told()).then(|| self.profile(number));
+        let verdict = match profile.filter(|ends| is_open(parameter, value, *ends)) {
+            Some([low, high]) => Verdict::Undetermined(format!(
+                "the other parameters can compensate for it, with {name} from {low:.3e} to {high:.3e}"
             )),
-            _ => verdict,
+            None => told,
         };
-        let estimate = Estimate {
-            name: parameter.name.clone(),
-            unit: parameter.unit,
-            target: parameter.target,
-            meaning: parameter.meaning,
-            value,
-            deviation,
-            linear: around(value, deviation + self.problem.doubt_of_mass(parameter) * value / WIDTH),
-            profile,
-            repeated: repeated.interval(|values| values[number]),
-            verdict,
-        };
+        let linear = around(value, deviation + self.problem.doubt_of_mass(parameter) * value / WIDTH);
+        let repeated = intervals.repeated(|values| values[number]);
+        let estimate = Estimate { name, unit, target, meaning, value, deviation, verdict, linear, profile, repeated };
         if parameter.can_be_zero() { estimate.or_limit() } else { estimate }
     }
 
-    /// mu_s = mu_k + d.
-    fn static_level(
-        &self,
-        values: &[f64],
-        known: &[Estimate],
-        profiles: bool,
-        repeated: &Repeated,
-    ) -> Option<Estimate> {
-        let parameters = &self.problem.parameters;
-        let (excess, of, over) =
-            parameters.iter().enumerate().find_map(|(number, parameter)| match parameter.target {
-                Target::Excess { of, over } => Some((number, of, over)),
-                _ => None,
-            })?;
-        let kinetic = parameters.iter().position(|parameter| parameter.target == Target::Column(over));
-        let held = self.problem.kinetic(over);
-        let sum = |values: &[f64]| values[excess] + kinetic.map_or(held, |kinetic| values[kinetic]);
-        let parts: Vec<usize> = kinetic.into_iter().chain([excess]).collect();
-        let pairs = parts.iter().flat_map(|a| parts.iter().map(move |b| (*a, *b)));
-        let deviation = pairs.map(|at| self.trust.covariance[at]).sum::<f64>().max(0.0).sqrt();
-        let value = sum(values);
-        let of_kinetic = kinetic.map_or(&Verdict::Determined, |kinetic| &known[kinetic].verdict);
-        let level = Estimate {
-            name: self.problem.law.table.at(of).path.to_string(),
-            unit: parameters[excess].unit,
-            target: Target::Column(of),
+    fn static_level(&self, level: &StaticLevel, values: &[f64], known: &[Estimate], intervals: &Intervals) -> Estimate {
+        let (value, deviation) = (level.value(values), level.deviation(self.trust));
+        let is_elsewhere = intervals.has_profiles && !self.trust.elsewhere.is_empty();
+        let covering = || self.covering(|values| level.value(values), [WIDTH * deviation; 2]);
+        let mut estimate = Estimate {
+            name: self.problem.law.table.at(level.column).path.to_string(),
+            unit: known[level.excess].unit,
+            target: Target::Column(level.column),
             meaning: Meaning::StaticLevel,
             value,
             deviation,
-            verdict: match (&known[excess].verdict, of_kinetic) {
-                // It is known as well as the kinetic one, although their difference has a limit only.
-                (Verdict::Determined | Verdict::AtMost(_), other) | (other, _) => other.clone(),
-            },
+            verdict: level.verdict(known),
             linear: around(value, deviation),
-            profile: (profiles && !self.trust.elsewhere.is_empty()).then(|| self.covering(sum, [WIDTH * deviation; 2])),
-            repeated: repeated.interval(sum),
+            profile: is_elsewhere.then(covering),
+            repeated: intervals.repeated(|values| level.value(values)),
         };
-        let limit = level.interval()[1];
         // The limit of the kinetic level is not its own.
-        let verdict = if let Verdict::AtMost(_) = level.verdict { Verdict::AtMost(limit) } else { level.verdict };
-        Some(Estimate { verdict, ..level })
+        if let Verdict::AtMost(_) = estimate.verdict {
+            estimate.verdict = Verdict::AtMost(estimate.interval()[1]);
+        }
+        estimate
     }
 }
 

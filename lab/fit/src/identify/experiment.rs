@@ -7,7 +7,7 @@ use crate::measured::{MatchedFilter, Record};
 use stribeck_solve::system::Fault;
 
 /// A run of a rig: the motion and the load that the law is led through, and the force it shall give.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Experiment {
     /// Its name.
     pub name: String,
@@ -37,8 +37,8 @@ pub struct Experiment {
     pub rest: Rest,
     /// Time to each side in which the filter of the motion mixes samples, s.
     pub reach: f64,
-    /// Times between which that filter has samples on both sides, s; samples beyond them are left out.
-    pub ends: [f64; 2],
+    /// Times between which that filter has samples on both sides, s, if it is one; samples beyond them are left out.
+    pub ends: Option<[f64; 2]>,
     /// Time in which an error of the velocity has one sign, s: the window of its filter.
     pub window: f64,
     /// Further data of a record whose force and motion are smoothed alike.
@@ -56,9 +56,6 @@ pub struct Rest {
     /// matter.
     pub steady: f64,
 }
-
-/// Ends of an experiment whose motion needs no filter.
-pub(super) const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// Errors of the velocity below which the direction of motion is not known (chosen). A law that jumps there is off by
 /// twice its level in samples that get the wrong sign: fifteen of 4001 decided that regularised laws predicted the
@@ -103,17 +100,21 @@ impl Experiment {
             acceleration_lost: if record.matched_filter.is_none() { record.acceleration_lost } else { 0.0 },
             delay: record.clocks.delay,
             delay_range: record.delay_range,
-            left_out: Vec::new(),
-            rest: Rest::default(),
             reach,
-            ends: if record.matched_filter.is_none() { [first + reach, last - reach] } else { EVERYWHERE },
+            ends: if record.matched_filter.is_none() { Some([first + reach, last - reach]) } else { None },
             window: record.window,
             alike: record.matched_filter.clone(),
+            ..Experiment::default()
         };
-        let rest = Rest { speed: UNKNOWN_DIRECTION * all.velocity_error, ..Rest::default() };
-        let count = all.at_rest(rest).iter().filter(|is_at_rest| **is_at_rest).count();
-        let rest = if 2 * count > all.time.len() { Rest::default() } else { rest };
-        all.without(rest)
+        all.of_known_direction()
+    }
+
+    /// The same without its ends and samples whose direction of motion is not known.
+    fn of_known_direction(self) -> Experiment {
+        let rest = Rest { speed: UNKNOWN_DIRECTION * self.velocity_error, ..Rest::default() };
+        let count = self.at_rest(rest).iter().filter(|is_at_rest| **is_at_rest).count();
+        let rest = if 2 * count > self.time.len() { Rest::default() } else { rest };
+        self.without(rest)
     }
 
     /// The same without samples of which it is not known whether the contact speeds up or slows down; with these if they
@@ -143,8 +144,7 @@ impl Experiment {
             found.resize(self.time.len(), false);
             found.iter_mut().zip(&self.acceleration).for_each(|(found, a)| *found |= is_steady(a));
         }
-        let [first, last] = self.ends;
-        let is_beyond = |t: &f64| !(first..=last).contains(t);
+        let is_beyond = |t: &f64| self.ends.is_some_and(|[first, last]| !(first..=last).contains(t));
         if self.time.iter().any(is_beyond) {
             found.resize(self.time.len(), false);
             found.iter_mut().zip(&self.time).for_each(|(found, t)| *found |= is_beyond(t));
@@ -263,28 +263,20 @@ impl Experiment {
     /// The same with `parts` intervals joined to one; the force is the one at the samples that are left.
     pub(super) fn coarser(&self, parts: usize) -> Experiment {
         let take = |values: &[f64]| values.iter().copied().step_by(parts).collect();
+        let alike = self.alike.as_ref().map(|alike| MatchedFilter {
+            jerk: take(&alike.jerk),
+            least_speed: take(&alike.least_speed),
+            noise: alike.noise,
+        });
         Experiment {
-            name: self.name.clone(),
             time: take(&self.time),
             velocity: take(&self.velocity),
             acceleration: take(&self.acceleration),
             normal_force: take(&self.normal_force),
             force: take(&self.force),
-            velocity_error: self.velocity_error,
-            acceleration_error: self.acceleration_error,
-            acceleration_lost: self.acceleration_lost,
-            delay: self.delay,
-            delay_range: self.delay_range,
             left_out: self.left_out.iter().copied().step_by(parts).collect(),
-            rest: self.rest,
-            reach: self.reach,
-            ends: self.ends,
-            window: self.window,
-            alike: self.alike.as_ref().map(|alike| MatchedFilter {
-                jerk: take(&alike.jerk),
-                least_speed: take(&alike.least_speed),
-                noise: alike.noise,
-            }),
+            alike,
+            ..self.clone()
         }
     }
 
@@ -337,39 +329,41 @@ impl Experiment {
 
     /// Refuses columns that do not fit each other, and values that no rig has.
     pub(super) fn check(&self) -> Result<(), Fault> {
-        let name = &self.name;
-        let count = self.time.len();
+        let Experiment { name, time, velocity, acceleration, normal_force, force, .. } = self;
+        let refuse = |text: std::fmt::Arguments| Err(Fault::value(format_args!("{name}: {text}")));
         let columns: [(&str, &[f64]); 5] = [
-            ("time", &self.time),
-            ("velocity", &self.velocity),
-            ("acceleration", &self.acceleration),
-            ("normal_force", &self.normal_force),
-            ("force", &self.force),
+            ("time", time),
+            ("velocity", velocity),
+            ("acceleration", acceleration),
+            ("normal_force", normal_force),
+            ("force", force),
         ];
-        for (column, values) in columns {
-            if values.len() != count || count < 2 {
-                let text = format_args!("{name}: {column} has {} values, time has {count}; at least 2", values.len());
-                return Err(Fault::value(text));
-            }
-            if let Some(at) = values.iter().position(|value| !value.is_finite()) {
-                return Err(Fault::value(format_args!("{name}: {column}[{at}] = {}: must be finite", values[at])));
-            }
+        columns.iter().try_for_each(|(column, values)| self.check_column(column, values))?;
+        if let Some(at) = (1..time.len()).find(|at| time[*at] <= time[at - 1]) {
+            return refuse(format_args!("time[{at}] = {}: times must ascend", time[at]));
         }
-        if let Some(at) = (1..count).find(|at| self.time[*at] <= self.time[at - 1]) {
-            return Err(Fault::value(format_args!("{name}: time[{at}] = {}: times must ascend", self.time[at])));
-        }
-        for (column, values) in [("velocity", &self.velocity), ("normal_force", &self.normal_force)] {
+        for (column, values) in [("velocity", velocity), ("normal_force", normal_force)] {
             if values.iter().all(|value| *value == 0.0) {
-                return Err(Fault::value(format_args!(
-                    "{name}: {column} is 0 throughout, so that no friction can be seen"
-                )));
+                return refuse(format_args!("{column} is 0 throughout, so that no friction can be seen"));
             }
         }
-        if let Some(at) = self.normal_force.iter().position(|load| *load < 0.0) {
-            let text = format_args!("{name}: normal_force[{at}] = {}: must be >= 0", self.normal_force[at]);
+        match normal_force.iter().position(|load| *load < 0.0) {
+            Some(at) => refuse(format_args!("normal_force[{at}] = {}: must be >= 0", normal_force[at])),
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses a column of another length than the time, or with values that are not finite.
+    fn check_column(&self, column: &str, values: &[f64]) -> Result<(), Fault> {
+        let (name, count) = (&self.name, self.time.len());
+        if values.len() != count || count < 2 {
+            let text = format_args!("{name}: {column} has {} values, time has {count}; at least 2", values.len());
             return Err(Fault::value(text));
         }
-        Ok(())
+        match values.iter().position(|value| !value.is_finite()) {
+            Some(at) => Err(Fault::value(format_args!("{name}: {column}[{at}] = {}: must be finite", values[at]))),
+            None => Ok(()),
+        }
     }
 }
 

@@ -23,6 +23,7 @@ mod inquiry;
 #[cfg(test)]
 mod inquiry_tests;
 mod interval;
+mod least_squares;
 mod loss;
 mod output;
 mod parameter;
@@ -383,7 +384,7 @@ fn fit_from(
 /// samples that count for all of them. For a mass that is fitted, with all of the acceleration.
 fn prepared(law: &ModelType, experiments: &[Experiment], task: &Settings) -> Option<Vec<Experiment>> {
     let differs = task.profiles && Ports::of(law)?.acceleration.is_some();
-    let is_weighed = task.selection.fitted.iter().any(|name| name == "mass");
+    let is_weighed = task.selection.fits("mass");
     let prepare = |one: &Experiment| {
         let one = if differs { one.of_known_branch() } else { one.clone() };
         if is_weighed { one.with_all_acceleration() } else { one }
@@ -444,25 +445,21 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Se
     if samples <= 2 * parameters.len() {
         return Err(too_few(samples, experiments, parameters.len(), law));
     }
-    let fixed = &task.selection.fixed;
-    let named = |name: &str| fixed.iter().find(|(fixed, _)| fixed == name).map(|(_, value)| *value);
-    let of_law = fixed.iter().filter(|(name, _)| !OF_RIG.contains(&name.as_str()));
-    let count = parameters.len();
+    let selection = &task.selection;
+    let of_law = selection.fixed.iter().filter(|(name, _)| !OF_RIG.contains(&name.as_str()));
     Ok(Problem {
         law,
         ports,
         exact: Exact::of(law),
         experiments,
         held: of_law.filter_map(|(name, value)| Some((law.find(name)?, *value))).collect(),
-        mass: named("mass").unwrap_or(task.mass),
-        offset: named("offset").unwrap_or(0.0),
-        delay: named("delay"),
+        mass: selection.fixed("mass").unwrap_or(task.mass),
+        offset: selection.fixed("offset").unwrap_or(0.0),
+        delay: selection.fixed("delay"),
         loss: if task.is_robust { Loss::robust(experiments) } else { Loss::SQUARES },
         parts: 1,
-        pinned: vec![None; count],
+        pinned: vec![None; parameters.len()],
         instead: None,
-        low: vec![0.0; count],
-        high: vec![1.0; count],
         parameters,
     })
 }

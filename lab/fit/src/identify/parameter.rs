@@ -96,6 +96,26 @@ impl Parameter {
         ((self.scale.forth(value.clamp(self.range[0], self.range[1])) - low) / (high - low)).clamp(0.0, 1.0)
     }
 
+    /// Gives it another range.
+    fn narrow(&mut self, law: &ModelType, [low, high]: [f64; 2]) -> Result<(), Fault> {
+        let refuse = |why| Err(Fault::value(format_args!("{} = {low}:{high}: {why}", self.name)));
+        if !(low < high && low.is_finite() && high.is_finite()) {
+            return refuse("must be LOW:HIGH with LOW < HIGH, both finite".to_owned());
+        }
+        match self.target {
+            Target::Column(column) if ![low, high].iter().all(|end| law.table.at(column).admits(*end)) => {
+                return refuse(format!("both must be {}", law.table.at(column).bound));
+            }
+            Target::Excess { .. } | Target::Mass if low < 0.0 => return refuse("both must be >= 0".to_owned()),
+            _ => {}
+        }
+        self.range = [low, high];
+        if low <= 0.0 && self.scale == Scale::Logarithmic {
+            self.scale = Scale::Mixed(1e-3 * high);
+        }
+        Ok(())
+    }
+
     /// Whether its least value is 0, which no interval then has to exclude.
     pub(super) fn can_be_zero(&self) -> bool {
         self.scale != Scale::Logarithmic && self.range[0] == 0.0
@@ -200,6 +220,16 @@ pub struct Selection {
 }
 
 impl Selection {
+    /// Value at which a parameter is held.
+    pub(super) fn fixed(&self, name: &str) -> Option<f64> {
+        self.fixed.iter().find(|(fixed, _)| fixed == name).map(|(_, value)| *value)
+    }
+
+    /// Whether a parameter is to be fitted although it usually is not.
+    pub(super) fn fits(&self, name: &str) -> bool {
+        self.fitted.iter().any(|fitted| fitted == name)
+    }
+
     /// Those for one of several laws: without names that others of them have and it does not.
     pub(super) fn of(&self, law: &ModelType, laws: &[&ModelType]) -> Selection {
         let has =
@@ -224,13 +254,8 @@ pub(super) const OF_RIG: [&str; 3] = ["mass", "offset", "delay"];
 
 /// The parameters of a law that can be fitted.
 fn known(law: &ModelType) -> Vec<(usize, Variable)> {
-    let mut all: Vec<(usize, Variable)> = Vec::new();
-    for (column, variable) in law.variables() {
-        if is_parameter(&variable) && matches!(variable.role, Role::Fixed | Role::Tunable) {
-            all.push((column, variable));
-        }
-    }
-    all
+    let can_be_set = |variable: &Variable| matches!(variable.role, Role::Fixed | Role::Tunable);
+    law.variables().filter(|(_, variable)| is_parameter(variable) && can_be_set(variable)).collect()
 }
 
 /// Name of the excess of a static level over a kinetic one.
@@ -252,34 +277,36 @@ pub(super) fn parameters(
 ) -> Result<Vec<Parameter>, Fault> {
     let known = known(law);
     check_names(law, &known, selection)?;
-    let is_fixed = |name: &str| selection.fixed.iter().any(|(fixed, _)| fixed == name);
-    let is_fitted = |name: &str| selection.fitted.iter().any(|fitted| fitted == name);
     let magnitudes = Magnitudes::of(experiments);
-    let mut list = Vec::new();
-    for (column, variable) in &known {
+    let is_chosen = |(_, variable): &&(usize, Variable)| {
         let name = variable.path.to_string();
-        if is_fixed(&name) || !(is_usual(variable) || is_fitted(&name)) {
-            continue;
-        }
-        let Kind::Real(unit) = variable.kind else { continue };
-        let (range, scale) = magnitudes.range(variable, unit.name);
-        let (name, target) = match law.table.of(Meaning::KineticLevel) {
-            Some(over) if variable.meaning == Meaning::StaticLevel => {
-                (excess_name(law, *column, over), Target::Excess { of: *column, over })
-            }
-            _ => (name, Target::Column(*column)),
-        };
-        list.push(Parameter { name, unit: unit.name, target, meaning: variable.meaning, range, scale });
-    }
+        selection.fixed(&name).is_none() && (is_usual(variable) || selection.fits(&name))
+    };
+    let chosen = known.iter().filter(is_chosen);
+    let mut list: Vec<Parameter> =
+        chosen.filter_map(|(column, variable)| of_law(law, *column, variable, &magnitudes)).collect();
     list.extend(of_rig(experiments, selection, &magnitudes)?);
     narrow(&mut list, law, selection)?;
-    if let Some(Parameter { name, range: [low, high], .. }) =
-        list.iter().find(|one| !(one.range[0] < one.range[1] && one.range[1].is_finite()))
-    {
-        let text = format_args!("{}: the data give no range for {name} ({low:e} to {high:e}); give one", law.name);
-        return Err(Fault::value(text));
+    let is_empty = |one: &&Parameter| !(one.range[0] < one.range[1] && one.range[1].is_finite());
+    match list.iter().find(is_empty) {
+        Some(Parameter { name, range: [low, high], .. }) => {
+            Err(refused(law, format_args!("the data give no range for {name} ({low:e} to {high:e}); give one")))
+        }
+        None if list.is_empty() => Err(refused(law, "nothing is left to fit")),
+        None => Ok(list),
     }
-    if list.is_empty() { Err(Fault::value(format_args!("{}: nothing is left to fit", law.name))) } else { Ok(list) }
+}
+
+/// The parameter of a column; None if that has no real number.
+fn of_law(law: &ModelType, column: usize, variable: &Variable, magnitudes: &Magnitudes) -> Option<Parameter> {
+    let Kind::Real(unit) = variable.kind else { return None };
+    let (range, scale) = magnitudes.range(variable, unit.name);
+    let over = law.table.of(Meaning::KineticLevel).filter(|_| variable.meaning == Meaning::StaticLevel);
+    let (name, target) = match over {
+        Some(over) => (excess_name(law, column, over), Target::Excess { of: column, over }),
+        None => (variable.path.to_string(), Target::Column(column)),
+    };
+    Some(Parameter { name, unit: unit.name, target, meaning: variable.meaning, range, scale })
 }
 
 /// The range in which a delay is looked for; None if none is. Each record with clocks of its own has another one; the
@@ -305,64 +332,52 @@ fn doubted(experiments: &[Experiment]) -> Result<Option<[f64; 2]>, Fault> {
     Ok(first.delay_range)
 }
 
-fn of_rig_linear(name: &str, unit: &'static str, target: Target, range: [f64; 2]) -> Parameter {
-    let (name, meaning, scale) = (name.to_owned(), Meaning::Undeclared, Scale::Linear);
-    Parameter { name, unit, target, meaning, range, scale }
-}
-
 /// The parameters of the rig.
 fn of_rig(experiments: &[Experiment], selection: &Selection, magnitudes: &Magnitudes) -> Result<Vec<Parameter>, Fault> {
-    let is_fixed = |name: &str| selection.fixed.iter().any(|(fixed, _)| fixed == name);
-    let is_fitted = |name: &str| selection.fitted.iter().any(|fitted| fitted == name);
+    let one = |name: &str, unit, target, range, scale| {
+        let (name, meaning) = (name.to_owned(), Meaning::Undeclared);
+        Parameter { name, unit, target, meaning, range, scale }
+    };
     let mut list = Vec::new();
-    if is_fitted("mass") {
-        list.push(Parameter {
-            name: "mass".into(),
-            unit: "kg",
-            target: Target::Mass,
-            meaning: Meaning::Undeclared,
-            range: [0.0, 1e4],
-            scale: Scale::Mixed(1.0),
-        });
+    if selection.fits("mass") {
+        list.push(one("mass", "kg", Target::Mass, [0.0, 1e4], Scale::Mixed(1.0)));
     }
-    if is_fitted("offset") {
+    if selection.fits("offset") {
         let range = [-magnitudes.force, magnitudes.force];
-        list.push(of_rig_linear("offset", "N", Target::Offset, range));
+        list.push(one("offset", "N", Target::Offset, range, Scale::Linear));
     }
-    let doubted = doubted(experiments)?;
-    if doubted.is_none() && is_fixed("delay") {
-        return Err(Fault::value("delay: is held only where it is looked for; otherwise give it with the record"));
+    match (doubted(experiments)?, selection.fixed("delay")) {
+        (None, Some(_)) => Err("delay: is held only where it is looked for; otherwise give it with the record"),
+        (Some(range), None) => {
+            list.push(one("delay", "s", Target::Delay, range, Scale::Linear));
+            Ok(list)
+        }
+        _ if selection.fits("delay") => {
+            Err("delay: can be fitted only if it is looked for in the motion of a single record")
+        }
+        _ => Ok(list),
     }
-    if let Some(range) = doubted.filter(|_| !is_fixed("delay")) {
-        list.push(of_rig_linear("delay", "s", Target::Delay, range));
-    } else if is_fitted("delay") {
-        return Err(Fault::value("delay: can be fitted only if it is looked for in the motion of a single record"));
-    }
-    Ok(list)
+    .map_err(Fault::value)
 }
 
+/// Refuses names that the law does not have, and values at which a parameter cannot be held.
 fn check_names(law: &ModelType, known: &[(usize, Variable)], selection: &Selection) -> Result<(), Fault> {
     let names: Vec<String> = known.iter().map(|(_, variable)| variable.path.to_string()).collect();
-    let named = selection.fixed.iter().map(|(name, _)| name).chain(&selection.fitted);
     let excess = excess(law);
-    let named =
-        named.chain(selection.ranges.iter().map(|(name, _)| name).filter(|name| Some(*name) != excess.as_ref()));
-    for name in named {
-        if !names.contains(name) && !OF_RIG.contains(&name.as_str()) {
-            let all = names.iter().map(String::as_str).chain(OF_RIG);
-            return Err(Fault::unknown(format!("{}: parameter", law.name), name, all));
-        }
+    let ranges = selection.ranges.iter().map(|(name, _)| name).filter(|name| Some(*name) != excess.as_ref());
+    let mut named = selection.fixed.iter().map(|(name, _)| name).chain(&selection.fitted).chain(ranges);
+    if let Some(name) = named.find(|name| !names.contains(name) && !OF_RIG.contains(&name.as_str())) {
+        let all = names.iter().map(String::as_str).chain(OF_RIG);
+        return Err(Fault::unknown(format!("{}: parameter", law.name), name, all));
     }
     for (name, value) in &selection.fixed {
-        if selection.fitted.contains(name) {
-            return Err(Fault::value(format_args!("{name} = {value}: is held, and to be fitted too")));
-        }
-        let variable = known.iter().map(|(_, variable)| variable).find(|variable| variable.path.to_string() == *name);
-        if let Some(variable) = variable.filter(|variable| !variable.admits(*value)) {
-            return Err(Fault::value(format_args!("{name} = {value}: must be {}", variable.bound)));
-        }
-        if !value.is_finite() {
-            return Err(Fault::value(format_args!("{name} = {value}: must be a finite number")));
+        let refuse = |why: std::fmt::Arguments| Err(Fault::value(format_args!("{name} = {value}: {why}")));
+        let variable = known.iter().zip(&names).find(|(_, known)| *known == name).map(|((_, variable), _)| variable);
+        match variable.filter(|variable| !variable.admits(*value)) {
+            _ if selection.fits(name) => return refuse(format_args!("is held, and to be fitted too")),
+            Some(variable) => return refuse(format_args!("must be {}", variable.bound)),
+            None if !value.is_finite() => return refuse(format_args!("must be a finite number")),
+            None => {}
         }
     }
     Ok(())
@@ -370,35 +385,14 @@ fn check_names(law: &ModelType, known: &[(usize, Variable)], selection: &Selecti
 
 /// Ranges of the user.
 fn narrow(list: &mut [Parameter], law: &ModelType, selection: &Selection) -> Result<(), Fault> {
-    for (name, [low, high]) in &selection.ranges {
+    for (name, range) in &selection.ranges {
         let Some(parameter) = list.iter_mut().find(|parameter| parameter.name == *name) else {
             let static_level = law.table.of(Meaning::StaticLevel).map(|column| law.table.at(column).path.to_string());
             let excess = excess(law).filter(|_| Some(name) == static_level.as_ref());
             let how = excess.map_or(String::new(), |excess| format!("; it is fitted as '{excess}'"));
-            return Err(Fault::value(format_args!("{}: {name} has a range and is not fitted{how}", law.name)));
+            return Err(refused(law, format_args!("{name} has a range and is not fitted{how}")));
         };
-        let is_ordered = low < high && low.is_finite() && high.is_finite();
-        let is_admitted = match parameter.target {
-            Target::Column(column) => [low, high].into_iter().all(|end| law.table.at(column).admits(*end)),
-            Target::Excess { .. } | Target::Mass => *low >= 0.0,
-            Target::Offset | Target::Delay => true,
-        };
-        if !is_ordered {
-            return Err(Fault::value(format_args!(
-                "{name} = {low}:{high}: must be LOW:HIGH with LOW < HIGH, both finite"
-            )));
-        }
-        if !is_admitted {
-            let bound = match parameter.target {
-                Target::Column(column) => law.table.at(column).bound.to_string(),
-                _ => ">= 0".to_owned(),
-            };
-            return Err(Fault::value(format_args!("{name} = {low}:{high}: both must be {bound}")));
-        }
-        parameter.range = [*low, *high];
-        if *low <= 0.0 && parameter.scale == Scale::Logarithmic {
-            parameter.scale = Scale::Mixed(1e-3 * high);
-        }
+        parameter.narrow(law, *range)?;
     }
     Ok(())
 }

@@ -2,14 +2,12 @@
 
 use std::borrow::Cow;
 
-use basin::{
-    BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix, Jacobian, Residual,
-};
 use nalgebra::DMatrix;
 use stribeck::instance::{Instance, Phase, Refused};
 use stribeck::model::ModelType;
 
 use super::Experiment;
+use super::least_squares::LeastSquares;
 use super::loss::Loss;
 use super::parameter::{Parameter, Target};
 use super::response::{Exact, Ports, forces};
@@ -37,8 +35,6 @@ pub(super) struct Problem<'a> {
     pub pinned: Vec<Option<f64>>,
     /// Forces that are fitted instead of the measured ones.
     pub instead: Option<Vec<f64>>,
-    pub low: Vec<f64>,
-    pub high: Vec<f64>,
 }
 
 /// A place and its cost, half the sum of squares.
@@ -140,12 +136,14 @@ impl Problem<'_> {
         self.parameters.iter().zip(places).map(|(parameter, place)| parameter.value(*place)[0]).collect()
     }
 
+    /// Numbers of the parameters that are not held.
+    pub fn free(&self) -> impl Iterator<Item = usize> {
+        (0..self.parameters.len()).filter(|number| self.pinned[*number].is_none())
+    }
+
     /// Holds a parameter at a place.
     pub fn pin(&mut self, number: usize, place: f64) {
         self.pinned[number] = Some(place.clamp(0.0, 1.0));
-        let free = self.pinned.iter().filter(|pin| pin.is_none()).count();
-        self.low.truncate(free);
-        self.high.truncate(free);
     }
 
     /// Changes of the parameters that are large.
@@ -292,57 +290,37 @@ impl Problem<'_> {
             _ => vec![0.0; self.samples()],
         }
     }
+}
 
-    /// Derivatives with respect to the places of the free parameters.
+/// Over the places of the free parameters.
+impl LeastSquares for Problem<'_> {
+    fn count(&self) -> usize {
+        self.free().count()
+    }
+
+    fn work(&self) -> u64 {
+        self.parameters.len() as u64
+    }
+
+    fn weighted(&self, free: &[f64]) -> Vec<f64> {
+        let residuals = self.residuals(&self.whole(free)).unwrap_or_else(|| vec![REFUSED; self.samples()]);
+        residuals.into_iter().map(|one| self.loss.root_of_loss(one)).collect()
+    }
+
     fn slopes(&self, free: &[f64]) -> Vec<Vec<f64>> {
         let places = self.whole(free);
-        let is_free = (0..self.parameters.len()).filter(|number| self.pinned[*number].is_none());
+        // A refused place has no residuals and is never a place to go on from.
+        let residuals = self.residuals(&places).unwrap_or_else(|| vec![0.0; self.samples()]);
+        let weights: Vec<f64> = residuals.into_iter().map(|one| self.loss.slope_of_root(one)).collect();
         let column = |number: usize| {
             let [_, slope] = self.parameters[number].value(places[number]);
-            self.sensitivity(&places, number).into_iter().map(|value| value * slope).collect()
+            let column = self.sensitivity(&places, number);
+            column.iter().zip(&weights).map(|(value, weight)| weight * (value * slope)).collect()
         };
-        is_free.map(column).collect()
+        self.free().map(column).collect()
     }
-}
 
-impl Constraints for Problem<'_> {
-    type Set = ConstraintSet<BoxBounds<Vec<f64>>>;
-
-    fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
-        ConstraintSet::new().with_bounds(BoxBounds::new(Some(&self.low), Some(&self.high)))
-    }
-}
-
-impl CostFunction for Problem<'_> {
-    type Param = Vec<f64>;
-    type Output = f64;
-    type Error = std::convert::Infallible;
-
-    fn cost(&self, free: &Vec<f64>) -> Result<f64, Self::Error> {
-        Ok(self.residuals(&self.whole(free)).map_or(f64::INFINITY, |found| self.loss.cost(&found)))
-    }
-}
-
-impl Residual for Problem<'_> {
-    type Param = Vec<f64>;
-    type Output = Vec<f64>;
-    type Error = std::convert::Infallible;
-
-    fn residual(&self, free: &Vec<f64>) -> Result<Vec<f64>, Self::Error> {
-        let residuals = self.residuals(&self.whole(free)).unwrap_or_else(|| vec![REFUSED; self.samples()]);
-        Ok(residuals.into_iter().map(|one| self.loss.root_of_loss(one)).collect())
-    }
-}
-
-impl Jacobian for Problem<'_> {
-    type Jacobian = DenseMatrix;
-
-    fn jacobian(&self, free: &Vec<f64>) -> Result<DenseMatrix, Self::Error> {
-        let columns = self.slopes(free);
-        // A refused place has no residuals and is never a place to go on from.
-        let residuals = self.residuals(&self.whole(free)).unwrap_or_else(|| vec![0.0; self.samples()]);
-        let weight = |row: usize| self.loss.slope_of_root(residuals[row]);
-        let rows = (0..self.samples()).flat_map(|row| columns.iter().map(move |column| weight(row) * column[row]));
-        Ok(DenseMatrix::from_row_slice(self.samples(), columns.len(), &rows.collect::<Vec<f64>>()))
+    fn cost(&self, free: &[f64]) -> f64 {
+        self.residuals(&self.whole(free)).map_or(f64::INFINITY, |found| self.loss.cost(&found))
     }
 }

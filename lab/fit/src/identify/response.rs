@@ -4,6 +4,8 @@
 //! at a sample it has those of the sample. A record that begins in motion begins in steady sliding; one that
 //! begins at rest begins with the start values of the law, such as unloaded bristles.
 
+use std::convert::Infallible;
+
 use stribeck::instance::{Instance, Phase, Refused};
 use stribeck::model::{InLanes, Law, Meaning, Model, ModelType, Steps, Visitor, model_in};
 use stribeck::number::Dual;
@@ -34,6 +36,11 @@ impl Ports {
         let acceleration = of(Meaning::Acceleration);
         Some(Ports { velocity: velocity?, load: load?, force: force?, acceleration })
     }
+
+    /// Columns and values of the inputs for velocity, load and acceleration.
+    fn inputs(self, [v, n, a]: [f64; 3]) -> impl Iterator<Item = (usize, f64)> {
+        self.acceleration.map(|column| (column, a)).into_iter().chain([(self.velocity, v), (self.load, n)])
+    }
 }
 
 /// Way in m and time in s after which sliding is steady (chosen).
@@ -51,6 +58,33 @@ fn between(values: &[f64], at: usize, part: usize, parts: usize) -> f64 {
     values[at - 1] + share * (values[at] - values[at - 1])
 }
 
+/// Leads a contact through an experiment, with each interval divided into `parts`: its force at the samples. `drive` sets
+/// velocity, load and acceleration.
+fn lead<C, F, E>(
+    contact: &mut C,
+    (experiment, parts): (&Experiment, usize),
+    drive: impl Fn(&mut C, [f64; 3]) -> Result<(), E>,
+    step: impl Fn(&mut C, f64) -> Result<(), E>,
+    force: impl Fn(&mut C) -> Result<F, E>,
+) -> Result<Vec<F>, E> {
+    let Experiment { time, velocity: v, normal_force: n, acceleration: a, .. } = experiment;
+    drive(contact, [v[0], n[0], a[0]])?;
+    if let Some(time) = run_up(experiment) {
+        step(contact, time)?;
+    }
+    let mut found = Vec::with_capacity(time.len());
+    found.push(force(contact)?);
+    for at in 1..time.len() {
+        for part in 0..parts {
+            drive(contact, [v, n, a].map(|values| between(values, at, part, parts)))?;
+            step(contact, (time[at] - time[at - 1]) / parts as f64)?;
+        }
+        drive(contact, [v[at], n[at], a[at]])?;
+        found.push(force(contact)?);
+    }
+    Ok(found)
+}
+
 /// Friction force at the samples of an experiment, with each interval divided into `parts`.
 pub(super) fn forces(
     instance: &mut Instance,
@@ -62,31 +96,11 @@ pub(super) fn forces(
     instance.reset();
     instance.set_all(Phase::Setup, values.iter().copied())?;
     instance.check().map_err(Refused::Value)?;
-    let Experiment { velocity: v, normal_force: n, acceleration: a, .. } = experiment;
-    let set = |instance: &mut Instance, v: f64, n: f64, a: f64| {
-        if let Some(acceleration) = ports.acceleration {
-            instance.set_column(acceleration, a)?;
-        }
-        instance.set_column(ports.velocity, v)?;
-        instance.set_column(ports.load, n)
+    let drive = |instance: &mut Instance, motion: [f64; 3]| {
+        ports.inputs(motion).try_for_each(|(column, value)| instance.set_column(column, value))
     };
-    set(instance, v[0], n[0], a[0])?;
-    if let Some(time) = run_up(experiment) {
-        instance.step(time).map_err(Refused::NotFinite)?;
-    }
-    let mut found = Vec::with_capacity(v.len());
-    found.push(instance.get_column(ports.force)?);
-    for at in 1..v.len() {
-        let step = (experiment.time[at] - experiment.time[at - 1]) / parts as f64;
-        for part in 0..parts {
-            let [v, n, a] = [v, n, a].map(|values| between(values, at, part, parts));
-            set(instance, v, n, a)?;
-            instance.step(step).map_err(Refused::NotFinite)?;
-        }
-        set(instance, v[at], n[at], a[at])?;
-        found.push(instance.get_column(ports.force)?);
-    }
-    Ok(found)
+    let step = |instance: &mut Instance, dt: f64| instance.step(dt).map_err(Refused::NotFinite);
+    lead(instance, (experiment, parts), drive, step, |instance| instance.get_column(ports.force))
 }
 
 /// A law whose steps are written for every number: its response carries exact derivatives.
@@ -131,31 +145,19 @@ impl Exact {
         for (column, component) in seeds {
             row[*column].slope += component;
         }
-        let Experiment { velocity: v, normal_force: n, acceleration: a, .. } = experiment;
-        let set = |row: &mut [Dual], v: f64, n: f64, a: f64| {
-            if let Some(acceleration) = ports.acceleration {
-                row[acceleration] = Dual::from(a);
-            }
-            row[ports.velocity] = Dual::from(v);
-            row[ports.load] = Dual::from(n);
+        let drive = |row: &mut Vec<Dual>, motion: [f64; 3]| {
+            ports.inputs(motion).for_each(|(column, value)| row[column] = Dual::from(value));
+            Ok(())
         };
-        set(&mut row, v[0], n[0], a[0]);
-        if let Some(time) = run_up(experiment) {
-            (self.step)(&mut row, time);
-        }
-        (self.output)(&mut row);
-        let mut found = vec![row[ports.force]];
-        for at in 1..v.len() {
-            let step = (experiment.time[at] - experiment.time[at - 1]) / parts as f64;
-            for part in 0..parts {
-                let [v, n, a] = [v, n, a].map(|values| between(values, at, part, parts));
-                set(&mut row, v, n, a);
-                (self.step)(&mut row, step);
-            }
-            set(&mut row, v[at], n[at], a[at]);
-            (self.output)(&mut row);
-            found.push(row[ports.force]);
-        }
+        let step = |row: &mut Vec<Dual>, dt: f64| {
+            (self.step)(row, dt);
+            Ok(())
+        };
+        let force = |row: &mut Vec<Dual>| {
+            (self.output)(row);
+            Ok(row[ports.force])
+        };
+        let Ok(found) = lead::<_, _, Infallible>(&mut row, (experiment, parts), drive, step, force);
         found
     }
 }

@@ -2,13 +2,12 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use basin::{
-    BoundedLevenbergMarquardt, De, DeMutation, Executor, PointState, PopulationProgress, Ssga, State, StepOutcome,
-};
+use basin::{De, DeMutation, Executor, PopulationProgress, Ssga, State, StepOutcome};
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
+use super::least_squares::Bounded;
 use super::problem::{Found, Problem};
 use super::uncertainty::{Residuals, SYSTEMATIC};
 use super::{BUDGET, Experiment, Settings};
@@ -219,33 +218,24 @@ const PATIENCE: u64 = 12;
 
 /// Searches the whole range.
 fn search(problem: &Problem, method: Method, seed: u64, budget: u64, watch: Watch) -> Found {
-    let members = (MEMBERS * problem.parameters.len()).max(LEAST_MEMBERS);
-    let empty = PopulationProgress::<Vec<f64>>::empty();
     match method {
         Method::Evolution => {
+            let members = (MEMBERS * problem.parameters.len()).max(LEAST_MEMBERS);
             let solver =
                 De::new(seed).with_pop_size(members).with_mutation(DeMutation::CurrentToBest1).with_dither(0.5, 1.0);
             let most = GENERATIONS.saturating_mul(budget.max(BUDGET)) / BUDGET;
-            let generations = (budget / members as u64).clamp(1, most);
-            run(Executor::new(problem.clone(), solver, empty), generations, problem, watch)
+            run(solver, (budget / members as u64).clamp(1, most), problem, watch)
         }
-        Method::Genetic => {
-            // It replaces two members at a time.
-            let executor = Executor::new(problem.clone(), Ssga::new(seed), empty);
-            run(executor, (budget.saturating_sub(60) / 2).max(1), problem, watch)
-        }
+        // It replaces two members at a time.
+        Method::Genetic => run(Ssga::new(seed), (budget.saturating_sub(60) / 2).max(1), problem, watch),
     }
 }
 
-fn run<S>(
-    executor: Executor<Problem<'_>, PopulationProgress<Vec<f64>>, S>,
-    generations: u64,
-    problem: &Problem,
-    watch: Watch,
-) -> Found
+fn run<S>(solver: S, generations: u64, problem: &Problem, watch: Watch) -> Found
 where
-    S: for<'a> basin::Solver<Problem<'a>, PopulationProgress<Vec<f64>>>,
+    S: for<'a, 'b> basin::Solver<Bounded<'a, Problem<'b>>, PopulationProgress<Vec<f64>>>,
 {
+    let executor = Executor::new(Bounded::new(problem), solver, PopulationProgress::empty());
     let Ok(mut stepper) = executor.max_iter(generations).into_stepper() else {
         let places = vec![0.5; problem.parameters.len()];
         return Found { places, cost: f64::INFINITY, evaluations: 0 };
@@ -304,27 +294,22 @@ const EDGE: f64 = 1e-4;
 
 /// A problem in which the parameters at ends of their ranges are held; None if there are none.
 fn without_ends<'a>(problem: &Problem<'a>, places: &[f64]) -> Option<Problem<'a>> {
-    let is_at_end =
-        |number: &usize| problem.pinned[*number].is_none() && !(EDGE..=1.0 - EDGE).contains(&places[*number]);
     let mut inside = problem.clone();
-    (0..places.len()).filter(is_at_end).for_each(|number| inside.pin(number, places[number]));
-    (inside.low.len() < problem.low.len()).then_some(inside)
+    let at_ends = problem.free().filter(|number| !(EDGE..=1.0 - EDGE).contains(&places[*number]));
+    at_ends.for_each(|number| inside.pin(number, places[number]));
+    (inside.pinned != problem.pinned).then_some(inside)
 }
 
 /// Steps of least squares until one gains less than a part of the cost.
 fn follow(problem: &Problem, from: &Found, gain: f64) -> Found {
-    let is_free = |number: &usize| problem.pinned[*number].is_none();
-    let start: Vec<f64> = (0..problem.parameters.len()).filter(is_free).map(|number| from.places[number]).collect();
+    let start: Vec<f64> = problem.free().map(|number| from.places[number]).collect();
     if start.is_empty() {
         return from.clone();
     }
-    let solver = BoundedLevenbergMarquardt::new().with_relative_cost_change_tolerance(gain);
-    let executor = Executor::new(problem.clone(), solver, PointState::new(start)).max_iter(MOST_STEPS);
-    let Ok(result) = executor.run() else { return from.clone() };
-    let work = |count: u64| count * problem.parameters.len() as u64;
-    let evaluations = from.evaluations + result.counts.residual_evals + work(result.counts.jacobian_evals);
-    if result.cost() < from.cost {
-        Found { places: problem.whole(result.param()), cost: result.cost(), evaluations }
+    let Some(end) = Bounded::new(problem).solve(start, gain, MOST_STEPS) else { return from.clone() };
+    let evaluations = from.evaluations + end.evaluations;
+    if end.cost < from.cost {
+        Found { places: problem.whole(&end.places), cost: end.cost, evaluations }
     } else {
         Found { evaluations, ..from.clone() }
     }

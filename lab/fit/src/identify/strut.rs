@@ -18,7 +18,7 @@
 use ssp::parameter_set::{ParameterSet, choice};
 use stribeck::model::{Meaning, ModelType, Variable};
 
-use super::parameter::is_level;
+use super::parameter::{is_level, refused};
 use super::{Estimate, Experiment, Fit, Selection, Settings, Target, Verdict, Watch, fit};
 use crate::dyno::{Damper, Options, Stroke, Test, find_damper, shock_absorber, slow_strokes};
 use stribeck_solve::system::Fault;
@@ -110,17 +110,7 @@ fn experiment(stroke: &Stroke, load: f64, asymmetry: f64) -> Experiment {
         acceleration: vec![0.0; stroke.time.len()],
         normal_force: stroke.velocity.iter().map(|v| load * (1.0 - asymmetry * direction(*v))).collect(),
         force: stroke.friction_force.clone(),
-        velocity_error: 0.0,
-        acceleration_error: 0.0,
-        acceleration_lost: 0.0,
-        delay: 0.0,
-        delay_range: None,
-        left_out: Vec::new(),
-        rest: super::experiment::Rest::default(),
-        reach: 0.0,
-        ends: super::experiment::EVERYWHERE,
-        window: 0.0,
-        alike: None,
+        ..Experiment::default()
     }
 }
 
@@ -133,13 +123,11 @@ impl StrutFriction {
             self.fit.estimates.iter().find(is_it)
         };
         let kinetic = told(Meaning::KineticLevel);
-        let Some(kinetic) = kinetic.filter(is_told).map(|one| one.value) else {
-            let reason = kinetic.map_or("the law has none".to_owned(), |one| one.verdict.to_string());
-            return Err(Fault::value(format_args!("{}: mu_k, on which all levels depend: {reason}", law.name)));
-        };
+        let reason = || kinetic.map_or("the law has none".to_owned(), |one| one.verdict.to_string());
+        let unknown = || refused(law, format_args!("mu_k, on which all levels depend: {}", reason()));
+        let kinetic = kinetic.filter(is_told).ok_or_else(unknown)?.value;
         let level = kinetic * self.load * SHARE;
-        let starts = ["c1.preload_k", "c1.preload_s"];
-        let starts = ParameterSet::starts(strut, starts).map_err(Fault::value)?;
+        let starts = ParameterSet::starts(strut, ["c1.preload_k", "c1.preload_s"]).map_err(Fault::value)?;
         let ratio = match told(Meaning::StaticLevel) {
             Some(one) if is_told(&one) => one.value / kinetic,
             // Not seen: as for a test that has no slow strokes.
@@ -158,31 +146,28 @@ impl StrutFriction {
 
     /// The other parameters, each by its unit.
     fn others(&mut self, strut: &'static ModelType, kinetic: f64, mu: f64) {
-        let law = self.fit.law;
         for one in &self.fit.estimates {
-            match (one.target, one.meaning) {
-                (_, Meaning::KineticLevel) => {}
-                (Target::Column(_), Meaning::StaticLevel) if is_told(&one) => {}
-                (Target::Column(_), _) if is_told(&one) => {
-                    let unit = one.unit;
-                    let factor = match unit {
-                        // The strut has its own mu and a load that gives the same level.
-                        "N" => kinetic / mu * SHARE,
-                        _ if is_level(one.meaning) => mu / kinetic,
-                        // Stiffness, damping, rates of a force: they add up over the contacts.
-                        _ if unit.starts_with("N/") || unit.starts_with("N.") => SHARE,
-                        _ => 1.0,
-                    };
-                    match in_strut(strut, law.name, &one.name) {
-                        Some(name) => self.values.push((name, factor * one.value)),
-                        // Elements beyond those that the strut has.
-                        None => self.left.push(one.name.clone()),
-                    }
-                }
-                (Target::Column(_), _) => self.left.push(one.name.clone()),
-                _ => {}
+            let is_level = one.meaning == Meaning::KineticLevel || one.meaning == Meaning::StaticLevel && is_told(&one);
+            if is_level || !matches!(one.target, Target::Column(_)) {
+                continue;
+            }
+            // The strut may have fewer elements than the law.
+            match in_strut(strut, self.fit.law.name, &one.name).filter(|_| is_told(&one)) {
+                Some(name) => self.values.push((name, factor(one, kinetic, mu) * one.value)),
+                None => self.left.push(one.name.clone()),
             }
         }
+    }
+}
+
+/// Factor of a parameter in a contact of the strut, which has its own mu and a load that gives the same level.
+fn factor(one: &Estimate, kinetic: f64, mu: f64) -> f64 {
+    match one.unit {
+        "N" => kinetic / mu * SHARE,
+        _ if is_level(one.meaning) => mu / kinetic,
+        // Stiffness, damping, rates of a force: they add up over the contacts.
+        unit if unit.starts_with("N/") || unit.starts_with("N.") => SHARE,
+        _ => 1.0,
     }
 }
 

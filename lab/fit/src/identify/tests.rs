@@ -28,18 +28,8 @@ pub(super) fn standard(samples: u32) -> Experiment {
         acceleration: time.iter().map(|t| slope(*t)).collect(),
         normal_force: time.iter().map(|t| 20.0 + wave(5.0, 0.3, *t)).collect(),
         force: vec![0.0; time.len()],
-        velocity_error: 0.0,
-        acceleration_error: 0.0,
-        acceleration_lost: 0.0,
-        delay: 0.0,
-        delay_range: None,
-        left_out: Vec::new(),
-        rest: Rest::default(),
-        reach: 0.0,
-        ends: experiment::EVERYWHERE,
-        window: 0.0,
-        alike: None,
         time,
+        ..Experiment::default()
     }
 }
 
@@ -431,7 +421,7 @@ fn a_turn_between_two_samples_is_rest_for_a_filter() {
     // Nothing is at rest below 0 m/s, but the filter has samples on both sides from the second to the eighth only.
     assert!(numbers(moved.clone().without_rest(0.0).unwrap()).is_empty());
     let ends = [moved.time[1], moved.time[7]];
-    assert_eq!(numbers(Experiment { ends, ..moved }.without_rest(0.0).unwrap()), [0, 8, 9]);
+    assert_eq!(numbers(Experiment { ends: Some(ends), ..moved }.without_rest(0.0).unwrap()), [0, 8, 9]);
 }
 
 /// A motion that is known before and after the force has no ends there.

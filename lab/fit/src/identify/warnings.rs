@@ -6,14 +6,15 @@ use super::experiment::UNKNOWN_DIRECTION;
 use super::problem::Problem;
 use super::refine::SHIFT;
 use super::search::Searches;
-use super::uncertainty::{Residuals, Verdict, digits};
+use super::uncertainty::{Residuals, SYSTEMATIC, Verdict, digits};
 use super::velocity_error::{self, BLURRED};
-use super::{Estimate, Experiment, SYSTEMATIC, Target};
+use super::{Estimate, Experiment, Target};
 
 /// Correlation of neighbours from which it is not noise that is left, although it swings so often that few samples count
 /// as one (chosen).
 const ALIKE: f64 = 0.3;
 
+/// Everything to warn of in a fit; `shift` is that of [`super::refine`].
 pub(super) fn warnings(
     problem: &Problem,
     seen: &Residuals,
@@ -21,43 +22,48 @@ pub(super) fn warnings(
     searches: Searches,
     shift: f64,
 ) -> Vec<String> {
-    let mut list = Vec::new();
-    if searches == Searches::Disagree {
-        list.push(
-            "searches over the whole range ended at different values: raise the budget, or narrow the ranges"
-                .to_owned(),
-        );
-    }
-    if shift > SHIFT {
-        list.push(format!(
+    let of_fit = [not_found(searches), too_coarse(shift), not_noise(seen)].into_iter().flatten();
+    let experiments = || problem.experiments.iter();
+    let systematic = experiments().filter(|_| seen.correlation > SYSTEMATIC);
+    let relaxed = systematic.filter_map(|one| relaxed(one, estimates));
+    let blurred = experiments().filter_map(|one| blurred(problem, one, estimates));
+    of_fit.chain(relaxed).chain(estimates.iter().filter_map(at_end)).chain(blurred).collect()
+}
+
+fn not_found(searches: Searches) -> Option<String> {
+    let text = "searches over the whole range ended at different values: raise the budget, or narrow the ranges";
+    (searches == Searches::Disagree).then(|| text.to_owned())
+}
+
+fn too_coarse(shift: f64) -> Option<String> {
+    (shift > SHIFT).then(|| {
+        format!(
             "the samples are too far apart: dividing their intervals once more shifts a value by {shift:.1} standard \
              deviations"
-        ));
+        )
+    })
+}
+
+fn not_noise(Residuals { correlation, neighbours, .. }: &Residuals) -> Option<String> {
+    if *correlation > SYSTEMATIC {
+        Some(format!(
+            "the residuals are not noise (correlation time {correlation:.0} samples): law, clocks or mass are not those \
+             of the rig, and the intervals may not hold"
+        ))
+    } else {
+        (*neighbours > ALIKE).then(|| {
+            format!(
+                "the residuals are not noise (neighbours are correlated by {neighbours:.2}): an effect outside the law \
+                 acts, such as a ripple along the way or another delay, and the intervals may not hold"
+            )
+        })
     }
-    if seen.correlation > SYSTEMATIC {
-        list.push(format!(
-            "the residuals are not noise (correlation time {:.0} samples): law, clocks or mass are not those of the rig, \
-             and the intervals may not hold",
-            seen.correlation
-        ));
-        list.extend(problem.experiments.iter().filter_map(|one| relaxed(one, estimates)));
-    } else if seen.neighbours > ALIKE {
-        list.push(format!(
-            "the residuals are not noise (neighbours are correlated by {:.2}): an effect outside the law acts, such as \
-             a ripple along the way or another delay, and the intervals may not hold",
-            seen.neighbours
-        ));
-    }
-    for estimate in estimates {
-        if let Verdict::AtEnd(end) = estimate.verdict {
-            let unit = if estimate.unit == "1" { String::new() } else { format!(" {}", estimate.unit) };
-            list.push(format!("{} is at an end of its range ({}{unit})", estimate.name, digits(end)));
-        }
-    }
-    for one in problem.experiments {
-        list.extend(blurred(problem, one, estimates));
-    }
-    list
+}
+
+fn at_end(estimate: &Estimate) -> Option<String> {
+    let Verdict::AtEnd(end) = estimate.verdict else { return None };
+    let unit = if estimate.unit == "1" { String::new() } else { format!(" {}", estimate.unit) };
+    Some(format!("{} is at an end of its range ({}{unit})", estimate.name, digits(end)))
 }
 
 /// Way to and fro at rest, as a part of the way by which the contact yields, from which its friction is taken to relax
@@ -71,9 +77,8 @@ fn relaxed(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
     if experiment.window > 0.0 || error == 0.0 {
         return None;
     }
-    let value = |is_it: &dyn Fn(&Estimate) -> bool| estimates.iter().find(|one| is_it(one)).map(|one| one.value);
-    let [stiffness, level] =
-        [value(&|one| one.meaning == Meaning::Stiffness)?, value(&|one| one.meaning == Meaning::KineticLevel)?];
+    let value = |meaning: Meaning| estimates.iter().find(|one| one.meaning == meaning).map(|one| one.value);
+    let (stiffness, level) = (value(Meaning::Stiffness)?, value(Meaning::KineticLevel)?);
     let load = experiment.normal_force.iter().fold(0.0, |most: f64, load| most.max(*load));
     let yields = level * load / stiffness;
     let is_at_rest = |at: usize| experiment.velocity[at].abs() < UNKNOWN_DIRECTION * error;

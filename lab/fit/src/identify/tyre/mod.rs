@@ -23,7 +23,7 @@ pub use file::{property_file, table};
 pub use inquiry::{Inquiry, SideChoice, TyreInquiryError};
 
 use super::loss::Loss;
-use super::uncertainty::{DETERMINED, WIDTH, residuals, spread};
+use super::uncertainty::{DETERMINED, Known, WIDTH, residuals};
 use coefficient::{ALIGNING, ARM, COMBINED_X, COMBINED_Y, Coefficient, LATERAL, LONGITUDINAL};
 use problem::{Channel, Rows, TyreProblem, column};
 use stribeck_solve::system::Fault;
@@ -201,25 +201,13 @@ struct Fitter<'a> {
     dropped: Vec<(&'static Coefficient, String)>,
 }
 
-/// Knowledge of the parameters of a problem.
-struct Known {
-    /// Standard deviations as parts of a large change.
-    parts: Vec<f64>,
-    /// The same if the others were known.
-    alone: Vec<f64>,
-    /// Standard deviations.
-    deviations: Vec<f64>,
-}
-
-impl Known {
-    /// The parameter of which least is known, if that is not enough; one that its group can do without, if there is one.
-    fn worst(&self, parameters: &[&'static Coefficient]) -> Option<usize> {
-        let open = |number: &usize| self.parts[*number] > DETERMINED;
-        let is_essential = |number: usize| ESSENTIAL.iter().any(|group| group.contains(&parameters[number].name));
-        (0..parameters.len())
-            .filter(open)
-            .max_by(|a, b| is_essential(*b).cmp(&is_essential(*a)).then(self.parts[*a].total_cmp(&self.parts[*b])))
-    }
+/// The parameter of which least is known, if that is not enough; one that its group can do without, if there is one.
+fn worst(known: &Known, parameters: &[&'static Coefficient]) -> Option<usize> {
+    let open = |number: &usize| known.parts[*number] > DETERMINED;
+    let is_essential = |number: usize| ESSENTIAL.iter().any(|group| group.contains(&parameters[number].name));
+    (0..parameters.len())
+        .filter(open)
+        .max_by(|a, b| is_essential(*b).cmp(&is_essential(*a)).then(known.parts[*a].total_cmp(&known.parts[*b])))
 }
 
 impl Fitter<'_> {
@@ -301,8 +289,8 @@ impl Fitter<'_> {
             rows = weighed(&problem);
             problem.rows = rows.clone();
             let known = known(&problem);
-            let Some(worst) = known.worst(&parameters) else { break };
-            let gone = self.without(parameters[worst], known.alone[worst])?;
+            let Some(worst) = worst(&known, &parameters) else { break };
+            let gone = self.without(parameters[worst], known.alone(worst))?;
             parameters.retain(|one| !gone.contains(&one.name));
         }
         self.kept.extend(parameters);
@@ -347,35 +335,30 @@ impl Fitter<'_> {
             problem.rows = weighed(&problem);
             self.formula = problem.formula;
             let known = known(&problem);
-            let Some(worst) = known.worst(&self.kept) else { return Ok(self.finish(&problem, &known)) };
-            let gone = self.without(self.kept[worst], known.alone[worst])?;
+            let Some(worst) = worst(&known, &self.kept) else { return Ok(self.finish(&problem, &known)) };
+            let gone = self.without(self.kept[worst], known.alone(worst))?;
             self.kept.retain(|one| !gone.contains(&one.name));
         }
     }
 
     fn finish(&self, problem: &TyreProblem, known: &Known) -> TyreFit {
         let row = row_of(&self.formula);
-        let mut estimates: Vec<TyreEstimate> = Vec::new();
-        for (number, one) in self.kept.iter().enumerate() {
+        let estimate = |key: &str, value, told| TyreEstimate { key: key.to_uppercase(), value, told };
+        let deviations = known.parts.iter().zip(large(problem)).map(|(part, large)| part * large);
+        let kept = self.kept.iter().zip(deviations).map(|(one, deviation)| {
             let value = row[column(one.name)];
             let place = (value - one.range[0]) / (one.range[1] - one.range[0]);
             let is_inside = (AT_END..=1.0 - AT_END).contains(&place);
-            let told = if is_inside { Told::Within(WIDTH * known.deviations[number]) } else { Told::AtEnd };
-            estimates.push(TyreEstimate { key: one.name.to_uppercase(), value, told });
-        }
-        for (key, value) in &self.task.fixed {
-            estimates.push(TyreEstimate { key: key.to_uppercase(), value: *value, told: Told::Held });
-        }
-        for (one, reason) in &self.dropped {
-            estimates.push(TyreEstimate { key: one.name.to_uppercase(), value: 0.0, told: Told::Not(reason.clone()) });
-        }
+            estimate(one.name, value, if is_inside { Told::Within(WIDTH * deviation) } else { Told::AtEnd })
+        });
+        let fixed = self.task.fixed.iter().map(|(key, value)| estimate(key, *value, Told::Held));
+        let dropped = self.dropped.iter().map(|(one, reason)| estimate(one.name, 0.0, Told::Not(reason.clone())));
+        let mut estimates: Vec<TyreEstimate> = kept.chain(fixed).chain(dropped).collect();
         estimates.sort_by_key(|one| column(&one.key.to_lowercase()));
         let groups = problem.left(&self.formula);
         let left = problem.rows.channels.iter().zip(groups).map(|((channel, _), left)| {
-            let measured = channel.measured(self.test).unwrap_or_default();
-            let most = measured.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
             let rms = (left.iter().map(|one| one * one).sum::<f64>() / left.len().max(1) as f64).sqrt();
-            (channel.name(), channel.unit(), rms, most)
+            (channel.name(), channel.unit(), rms, channel.largest(self.test))
         });
         TyreFit { estimates, left: left.collect(), formula: self.formula }
     }
@@ -386,8 +369,7 @@ fn weighed(problem: &TyreProblem) -> Rows {
     let groups = problem.left(&problem.formula);
     let weigh = |((channel, _), left): (&(Channel, f64), Vec<f64>)| {
         let seen = residuals(&left, &[left.len()], problem.parameters.len(), Loss::SQUARES);
-        let measured = channel.measured(problem.test).unwrap_or_default();
-        let most = measured.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let most = channel.largest(problem.test);
         // What is computed leaves rounding; a channel that is 0 throughout says nothing.
         let deviation = seen.variance().sqrt().max(1e-9 * most);
         (*channel, if most > 0.0 { 1.0 / deviation } else { 0.0 })
@@ -396,21 +378,13 @@ fn weighed(problem: &TyreProblem) -> Rows {
     Rows { samples: problem.rows.samples.clone(), channels }
 }
 
-fn known(problem: &TyreProblem) -> Known {
-    let count = problem.parameters.len();
+/// Large changes of the parameters: as for laws, about the value itself where that is larger.
+fn large(problem: &TyreProblem) -> Vec<f64> {
     let row = row_of(&problem.formula);
-    // As for laws: a large change is about the value itself where that is larger.
-    let large: Vec<f64> = problem.parameters.iter().map(|one| one.large.max(row[column(one.name)].abs())).collect();
-    let columns: Vec<Vec<f64>> = (0..count).map(|number| problem.sensitivity(&problem.formula, number)).collect();
-    let information = nalgebra::DMatrix::from_fn(count, count, |a, b| {
-        let sum: f64 = columns[a].iter().zip(&columns[b]).map(|(a, b)| a * b).sum();
-        sum * large[a] * large[b]
-    });
-    let spread = spread(&information, &|_| false);
-    let parts: Vec<f64> = (0..count).map(|number| spread[(number, number)].sqrt()).collect();
-    Known {
-        deviations: parts.iter().zip(&large).map(|(part, large)| part * large).collect(),
-        parts,
-        alone: (0..count).map(|number| 1.0 / (1.0 + information[(number, number)]).sqrt()).collect(),
-    }
+    problem.parameters.iter().map(|one| one.large.max(row[column(one.name)].abs())).collect()
+}
+
+fn known(problem: &TyreProblem) -> Known {
+    let columns = (0..problem.parameters.len()).map(|number| problem.sensitivity(&problem.formula, number));
+    Known::of(&columns.collect::<Vec<_>>(), &large(problem), 1.0, &|_| false)
 }

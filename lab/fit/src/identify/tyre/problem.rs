@@ -2,14 +2,11 @@
 
 use std::cell::Cell;
 
-use basin::{
-    BoundedLevenbergMarquardt, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, DenseMatrix, Executor,
-    Jacobian, PointState, Residual,
-};
 use stribeck::host::{Contact, MagicFormula, Wrench};
 use stribeck::model::{Columns, row_of, row_of_mut};
 use stribeck::number::{Dual, Scalar};
 
+use super::super::least_squares::{Bounded, LeastSquares};
 use super::TyreTest;
 use super::coefficient::Coefficient;
 
@@ -44,6 +41,11 @@ impl Channel {
         }
     }
 
+    /// Largest magnitude in a test.
+    pub fn largest(self, test: &TyreTest) -> f64 {
+        self.measured(test).unwrap_or_default().iter().fold(0.0, |most, value| most.max(value.abs()))
+    }
+
     fn of<T: Copy>(self, wrench: &Wrench<T>) -> T {
         match self {
             Channel::ForceX => wrench.force_x,
@@ -68,8 +70,6 @@ pub(super) struct TyreProblem<'a> {
     pub formula: MagicFormula,
     pub parameters: Vec<&'static Coefficient>,
     pub rows: Rows,
-    low: Vec<f64>,
-    high: Vec<f64>,
     /// Where the search begins, and the residual of a large change from there: coefficients that only act together stay
     /// near it, so that least squares have one end.
     anchor: Vec<f64>,
@@ -97,8 +97,7 @@ impl<'a> TyreProblem<'a> {
         rows: Rows,
     ) -> TyreProblem<'a> {
         let count = parameters.len();
-        let [low, high] = [0.0, 1.0].map(|end| vec![end; count]);
-        TyreProblem { test, formula, parameters, rows, low, high, anchor: vec![0.0; count], pull: 0.0 }
+        TyreProblem { test, formula, parameters, rows, anchor: vec![0.0; count], pull: 0.0 }
     }
 
     /// The places of the parameters, from 0 to 1 in their ranges.
@@ -152,7 +151,7 @@ impl<'a> TyreProblem<'a> {
     }
 
     /// The residuals with their weights, one sample after the other.
-    fn weighted(&self, formula: &MagicFormula) -> Vec<f64> {
+    fn residuals(&self, formula: &MagicFormula) -> Vec<f64> {
         let left = self.left(formula);
         let at = |row: usize| self.rows.channels.iter().zip(&left).map(move |((_, weight), left)| weight * left[row]);
         (0..self.rows.samples.len()).flat_map(at).collect()
@@ -170,23 +169,21 @@ impl<'a> TyreProblem<'a> {
     }
 
     /// Half the weighted sum of squares.
-    pub fn cost(&self, formula: &MagicFormula) -> f64 {
-        0.5 * self.weighted(formula).iter().map(|one| one * one).sum::<f64>()
+    fn half_square(&self, formula: &MagicFormula) -> f64 {
+        0.5 * self.residuals(formula).iter().map(|one| one * one).sum::<f64>()
     }
 
     /// Follows the slopes from where the formula is; half the sum of squares at the end.
     pub fn solve(&mut self) -> f64 {
-        let before = self.cost(&self.formula);
+        let before = self.half_square(&self.formula);
         if self.parameters.is_empty() {
             return before;
         }
         self.anchor = self.places();
         self.pull = PULL * self.size();
-        let solver = BoundedLevenbergMarquardt::new().with_relative_cost_change_tolerance(1e-7);
-        let executor = Executor::new(self.clone(), solver, PointState::new(self.places())).max_iter(MOST_STEPS);
-        let Ok(result) = executor.run() else { return before };
-        let found = self.at(result.param());
-        let cost = self.cost(&found);
+        let Some(end) = Bounded::new(self).solve(self.places(), 1e-7, MOST_STEPS) else { return before };
+        let found = self.at(&end.places);
+        let cost = self.half_square(&found);
         if cost < before {
             self.formula = found;
         }
@@ -210,43 +207,34 @@ impl<'a> TyreProblem<'a> {
     }
 }
 
-impl Constraints for TyreProblem<'_> {
-    type Set = ConstraintSet<BoxBounds<Vec<f64>>>;
-
-    fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
-        ConstraintSet::new().with_bounds(BoxBounds::new(Some(&self.low), Some(&self.high)))
+impl LeastSquares for TyreProblem<'_> {
+    fn count(&self) -> usize {
+        self.parameters.len()
     }
-}
 
-impl Residual for TyreProblem<'_> {
-    type Param = Vec<f64>;
-    type Output = Vec<f64>;
-    type Error = std::convert::Infallible;
+    fn work(&self) -> u64 {
+        self.parameters.len() as u64
+    }
 
-    fn residual(&self, places: &Vec<f64>) -> Result<Vec<f64>, Self::Error> {
-        let mut all = self.weighted(&self.at(places));
+    fn weighted(&self, places: &[f64]) -> Vec<f64> {
+        let mut all = self.residuals(&self.at(places));
         let moved = places.iter().zip(&self.anchor).enumerate();
         all.extend(moved.map(|(number, (place, anchor))| self.pulled(number) * (place - anchor)));
-        Ok(all)
+        all
     }
-}
 
-impl Jacobian for TyreProblem<'_> {
-    type Jacobian = DenseMatrix;
-
-    fn jacobian(&self, places: &Vec<f64>) -> Result<DenseMatrix, Self::Error> {
+    fn slopes(&self, places: &[f64]) -> Vec<Vec<f64>> {
         let formula = self.at(places);
-        let scaled = |(number, one): (usize, &&'static Coefficient)| {
-            let range = one.range[1] - one.range[0];
-            self.sensitivity(&formula, number).into_iter().map(|slope| slope * range).collect::<Vec<f64>>()
+        let column = |number: usize| {
+            let range = self.parameters[number].range;
+            let slopes = self.sensitivity(&formula, number).into_iter().map(|slope| slope * (range[1] - range[0]));
+            let pull = |row: usize| if row == number { self.pulled(row) } else { 0.0 };
+            slopes.chain((0..self.count()).map(pull)).collect()
         };
-        let columns: Vec<Vec<f64>> = self.parameters.iter().enumerate().map(scaled).collect();
-        let parameters = columns.len();
-        let count = self.rows.samples.len() * self.rows.channels.len();
-        let rows = (0..count).flat_map(|row| columns.iter().map(move |column| column[row]));
-        let pulls = (0..parameters * parameters).map(|at| (at / parameters, at % parameters));
-        let pulls = pulls.map(|(row, column)| if row == column { self.pulled(row) } else { 0.0 });
-        let all: Vec<f64> = rows.chain(pulls).collect();
-        Ok(DenseMatrix::from_row_slice(count + parameters, parameters, &all))
+        (0..self.count()).map(column).collect()
+    }
+
+    fn cost(&self, places: &[f64]) -> f64 {
+        self.half_square(&self.at(places))
     }
 }
