@@ -288,16 +288,17 @@ pub fn find_damper(test: &Test, options: &Options) -> Result<Damper, DynoError> 
     if test.displacement.is_some() && gradient.is_none() {
         warnings.push("the displacement does not separate the two branches of a stroke: not used".into());
     }
-    let (friction, gas_force) = match sides_at_rest(&samples, options, gradient.is_some()) {
+    let sides = sides_at_rest(&samples, options, gradient.is_some());
+    let (friction, gas_force) = match sides {
         Ok(sides) => friction_and_gas(sides, options.gas_force, &mut warnings),
-        Err(direction) => {
-            warnings.push(format!(
-                "too few samples below {low_speed} m/s in {direction}: friction and gas force cannot be separated from \
-                 damping; the table includes them, and the set keeps the default friction"
-            ));
-            (None, None)
-        }
+        Err(_) => (None, None),
     };
+    warnings.extend(sides.err().map(|direction| {
+        format!(
+            "too few samples below {low_speed} m/s in {direction}: friction and gas force cannot be separated from \
+             damping; the table includes them, and the set keeps the default friction"
+        )
+    }));
     let offset = Offset { gas: gas_force.map_or(0.0, |gas| gas.value), friction };
     let table = table(&samples, &offset, options.points, &mut warnings);
     let [rms_error, max_error] = errors(&samples, &offset, &table);
@@ -491,22 +492,21 @@ fn friction_and_gas(
     if level.value < 2.0 * level.deviation {
         warnings.push(format!("friction {:.1} N is within its uncertainty ({:.1} N)", level.value, level.deviation));
     }
-    let Some(known) = known_gas else {
-        if gas.value < -3.0 * gas.deviation - 1.0 {
-            warnings.push(format!(
-                "at rest the damper pulls with {:.1} N, but gas pushes: are velocities positive in compression?",
-                -gas.value
-            ));
-        }
-        return (Some(Friction { level, asymmetry: None }), Some(gas));
-    };
     // The mean at rest is F_g + alpha F_C.
-    let asymmetry = (gas.value - known) / level.value;
-    if asymmetry.abs() >= 1.0 {
-        warnings.push(format!("a gas force of {known} N would make friction negative in one direction: not used"));
-        return (Some(Friction { level, asymmetry: None }), Some(gas));
+    let parts = known_gas.map(|known| (known, (gas.value - known) / level.value));
+    let used = parts.filter(|(_, asymmetry)| asymmetry.is_nan() || asymmetry.abs() < 1.0);
+    match known_gas {
+        Some(known) if used.is_none() => {
+            warnings.push(format!("a gas force of {known} N would make friction negative in one direction: not used"));
+        }
+        None if gas.value < -3.0 * gas.deviation - 1.0 => warnings.push(format!(
+            "at rest the damper pulls with {:.1} N, but gas pushes: are velocities positive in compression?",
+            -gas.value
+        )),
+        _ => {}
     }
-    (Some(Friction { level, asymmetry: Some(asymmetry) }), Some(Estimate { value: known, deviation: 0.0 }))
+    let gas = used.map_or(gas, |(value, _)| Estimate { value, deviation: 0.0 });
+    (Some(Friction { level, asymmetry: used.map(|(_, asymmetry)| asymmetry) }), Some(gas))
 }
 
 /// The part of the force that is not hydraulic damping.
@@ -593,12 +593,8 @@ fn polyline(curve: &[(f64, f64)], slots: usize) -> Vec<(f64, f64)> {
         let row = (0..curve.len()).map(best).collect();
         rows.push(row);
     }
-    let mut points = Vec::new();
-    let mut end = last;
-    for slot in (1..=slots).rev() {
-        points.push(curve[end]);
-        end = rows[slot][end].1;
-    }
+    let ends = std::iter::successors(Some((slots, last)), |(slot, end)| Some((slot - 1, rows[*slot][*end].1)));
+    let mut points: Vec<(f64, f64)> = ends.take(slots).map(|(_, end)| curve[end]).collect();
     points.reverse();
     points
 }

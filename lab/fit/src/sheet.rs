@@ -204,6 +204,9 @@ impl Heading {
     }
 }
 
+/// A channel of a binary file: name, unit, values.
+type Channel = (String, String, Vec<f64>);
+
 /// A table under its headings, as text.
 #[derive(Debug)]
 pub struct Sheet {
@@ -258,9 +261,9 @@ impl Sheet {
         Ok(Sheet { is_si: true, ..Sheet::parse(&text(&columns)?)? })
     }
 
-    /// A table of channels of a binary file: name, unit, values.
+    /// A table of channels.
     #[cfg_attr(not(any(feature = "mdf", feature = "mat")), allow(dead_code, reason = "for binary files"))]
-    fn of_channels(channels: Vec<(String, String, Vec<f64>)>) -> Sheet {
+    fn of_channels(channels: Vec<Channel>) -> Sheet {
         let count = channels.iter().map(|(_, _, values)| values.len()).max().unwrap_or(0);
         let cell = |values: &Vec<f64>, row: usize| values.get(row).map_or(String::new(), f64::to_string);
         let row = |row: usize| channels.iter().map(|(_, _, values)| cell(values, row)).collect();

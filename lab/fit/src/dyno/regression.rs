@@ -20,8 +20,7 @@ pub fn regress<const COLUMNS: usize>(rows: &[[f64; COLUMNS]], values: &[f64]) ->
     let mut coefficients = solve(&design, &values, &weights)?;
     for _ in 0..ROUNDS {
         let residuals = &values - &design * &coefficients;
-        let mut sizes: Vec<f64> = residuals.iter().map(|residual| residual.abs()).collect();
-        let scale = median(&mut sizes) / 0.6745;
+        let scale = median(residuals.abs().as_mut_slice()) / 0.6745;
         if scale <= 1e-12 * values.amax() {
             break; // the majority is fitted exactly
         }
@@ -76,11 +75,9 @@ pub fn local(samples: &[(f64, f64)], at: f64) -> Option<Estimate> {
     let scaled = samples.iter().map(|sample| (sample.0 - at) / reach);
     let values: Vec<f64> = samples.iter().map(|sample| sample.1).collect();
     if samples.len() < MANY {
-        let rows: Vec<[f64; 2]> = scaled.map(|u| [1.0, u]).collect();
-        regress(&rows, &values).map(|estimates| estimates[0])
+        regress(&scaled.map(|u| [1.0, u]).collect::<Vec<_>>(), &values).map(|estimates| estimates[0])
     } else {
-        let rows: Vec<[f64; 3]> = scaled.map(|u| [1.0, u, u * u]).collect();
-        regress(&rows, &values).map(|estimates| estimates[0])
+        regress(&scaled.map(|u| [1.0, u, u * u]).collect::<Vec<_>>(), &values).map(|estimates| estimates[0])
     }
 }
 

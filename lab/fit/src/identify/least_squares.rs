@@ -7,7 +7,14 @@ use basin::{
     Executor, Jacobian, PointState, Residual,
 };
 
-use super::problem::Found;
+/// A place and its cost, half the sum of squares.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Found {
+    pub places: Vec<f64>,
+    pub cost: f64,
+    /// Evaluations of the law over all experiments.
+    pub evaluations: u64,
+}
 
 /// Residuals as functions of places.
 pub(super) trait LeastSquares {

@@ -178,24 +178,7 @@ impl Fit {
 
     /// The fit as a table for a terminal, with the differences from a reference if one is given.
     pub fn table(&self, reference: Option<&Reference>) -> String {
-        let seen = &self.residuals;
-        let mut text = format!(
-            "{}: RMS residual {} N of {} N ({} samples, correlation time {:.1} samples)\n",
-            self.law.name,
-            digits(seen.rms),
-            digits(self.level),
-            self.samples,
-            seen.correlation
-        );
-        if seen.loss < seen.rms {
-            let _ = writeln!(text, "robust loss: the noise without outliers is {} N", digits(seen.noise));
-        }
-        for one in &self.validation {
-            let _ = writeln!(text, "validation record {}: RMS residual {} N", one.name, digits(one.rms));
-        }
-        let how = if self.is_exact { "exact" } else { "by differences" };
-        let _ =
-            writeln!(text, "{} evaluations, sensitivities {how}, condition {:.1e}", self.evaluations, self.condition);
+        let mut text = self.heading();
         let width = self.estimates.iter().map(|one| one.name.len()).max().unwrap_or(0);
         for one in &self.estimates {
             let _ = writeln!(text, "  {:<width$}  {}{}", one.name, told(one, self.searches), compared(one, reference));
@@ -206,6 +189,23 @@ impl Fit {
         for warning in &self.warnings {
             let _ = writeln!(text, "warning: {warning}");
         }
+        text
+    }
+
+    /// Law, residuals and effort.
+    fn heading(&self) -> String {
+        let (left, [rms, level]) = (&self.residuals, [self.residuals.rms, self.level].map(digits));
+        let mut text = format!("{}: RMS residual {rms} N of {level} N ", self.law.name);
+        let _ = writeln!(text, "({} samples, correlation time {:.1} samples)", self.samples, left.correlation);
+        if left.loss < left.rms {
+            let _ = writeln!(text, "robust loss: the noise without outliers is {} N", digits(left.noise));
+        }
+        for one in &self.validation {
+            let _ = writeln!(text, "validation record {}: RMS residual {} N", one.name, digits(one.rms));
+        }
+        let how = if self.is_exact { "exact" } else { "by differences" };
+        let _ =
+            writeln!(text, "{} evaluations, sensitivities {how}, condition {:.1e}", self.evaluations, self.condition);
         text
     }
 }

@@ -7,6 +7,7 @@ use stribeck::instance::{Instance, Phase, Refused};
 use stribeck::model::ModelType;
 
 use super::Experiment;
+pub(super) use super::least_squares::Found;
 use super::least_squares::LeastSquares;
 use super::loss::Loss;
 use super::parameter::{Parameter, Target};
@@ -35,15 +36,6 @@ pub(super) struct Problem<'a> {
     pub pinned: Vec<Option<f64>>,
     /// Forces that are fitted instead of the measured ones.
     pub instead: Option<Vec<f64>>,
-}
-
-/// A place and its cost, half the sum of squares.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Found {
-    pub places: Vec<f64>,
-    pub cost: f64,
-    /// Evaluations of the law over all experiments.
-    pub evaluations: u64,
 }
 
 /// Residual of a place at which the law is refused: larger than any force that is measured.

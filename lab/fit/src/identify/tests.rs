@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 use std::slice;
-use std::sync::LazyLock;
 use std::sync::atomic::AtomicBool;
 
 use approx::assert_abs_diff_eq;
@@ -77,8 +76,8 @@ pub(super) fn whole_problem<'a>(law: &str, experiments: &'a [Experiment]) -> Pro
 }
 
 pub(super) fn fitter<'a>(problem: &Problem<'a>) -> Fitter<'a> {
-    static USUAL: LazyLock<Settings> = LazyLock::new(Settings::default);
-    Fitter { problem: problem.clone(), task: &USUAL, watch: quiet(), searches: Searches::Agree, ends: Vec::new() }
+    let (problem, task) = (problem.clone(), Box::leak(Box::default()));
+    Fitter { problem, task, watch: quiet(), searches: Searches::Agree, ends: Vec::new() }
 }
 
 /// Truth of reference data: a slider of 20 N.
@@ -288,9 +287,8 @@ fn searches_that_disagree_leave_no_number() {
     let data = [measured("Dahl", &[], &standard(1000), 0.01, 1)];
     let problem = whole_problem("Dahl", &data);
     let found = best(&problem, &quick(), quiet(), First::default()).found;
-    let seen = white_noise(0.02);
     let verdicts = |searches, ends: &[Vec<f64>]| {
-        Fitter { searches, ends: ends.to_vec(), ..fitter(&problem) }.trust(&found, &seen, false).verdicts
+        Fitter { searches, ends: ends.to_vec(), ..fitter(&problem) }.trust(&found, &white_noise(0.02), false).verdicts
     };
     let told = verdicts(Searches::Agree, &[found.places.clone(), found.places.clone()]);
     assert!(told.iter().all(|verdict| *verdict == Verdict::Determined), "{told:?}");

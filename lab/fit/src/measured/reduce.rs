@@ -259,14 +259,14 @@ impl Reduction<'_> {
     /// Force and motion on the clock of the force, where both are known.
     fn joined(&self, windows: [f64; 2], clocks: Clocks) -> Result<Record, MeasuredError> {
         let inside = self.overlap(clocks)?;
-        let take = |values: &[f64]| -> Vec<f64> { inside.iter().map(|at| values[*at]).collect() };
-        let (time, force) = (take(&self.time), take(&self.force));
-        let filtered: Vec<[f64; 3]> = time.iter().map(|t| self.motion.at(windows, clocks.of_motion(*t))).collect();
-        let [displacement, velocity, acceleration] =
-            [0, 1, 2].map(|n| filtered.iter().map(|point| point[n]).collect::<Vec<f64>>());
+        let [time, force, normal_force] =
+            [&self.time, &self.force, &self.load].map(|all| inside.iter().map(|at| all[*at]).collect::<Vec<f64>>());
+        let motion = time.iter().map(|t| self.motion.at(windows, clocks.of_motion(*t)));
+        let (displacement, (velocity, acceleration)): (Vec<f64>, (Vec<f64>, Vec<f64>)) =
+            motion.map(|[x, v, a]| (x, (v, a))).unzip();
         let mut record = Record {
             friction_force: force.iter().zip(&acceleration).map(|(force, a)| force - self.setup.mass * a).collect(),
-            normal_force: take(&self.load),
+            normal_force,
             is_differentiated: self.motion.velocity.is_none(),
             window: windows[0],
             acceleration_window: windows[1],

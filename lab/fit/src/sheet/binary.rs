@@ -40,7 +40,7 @@ fn mdf(path: &Path) -> Result<Vec<Sheet>, SheetError> {
     let wrong = |error: falcon_mdf::Mf4Error| refused(path, error);
     super::not_too_large(path)?;
     let file = Mf4File::open(path).map_err(wrong)?;
-    let mut groups: BTreeMap<(usize, usize), Vec<(String, String, Vec<f64>)>> = BTreeMap::new();
+    let mut groups: BTreeMap<(usize, usize), Vec<super::Channel>> = BTreeMap::new();
     for channel in file.channels() {
         let place = (channel.data_group_index, channel.channel_group_index);
         let master = file.master_channel(place.0, place.1);
@@ -49,15 +49,11 @@ fn mdf(path: &Path) -> Result<Vec<Sheet>, SheetError> {
             continue;
         }
         let mut values = signal.values_f64().map_err(wrong)?;
-        for (value, is_valid) in values.iter_mut().zip(signal.validity().unwrap_or_default()) {
-            if !is_valid {
-                *value = f64::NAN;
-            }
-        }
+        let validity = signal.validity().unwrap_or_default();
+        values.iter_mut().zip(validity).filter(|(_, is_valid)| !is_valid).for_each(|(value, _)| *value = f64::NAN);
         let is_master = master.is_some_and(|master| master.index == channel.index);
-        let (name, unit) =
-            if is_master { ("time".to_owned(), "s".to_owned()) } else { (channel.name.clone(), channel.unit.clone()) };
-        groups.entry(place).or_default().push((name, unit, values));
+        let (name, unit) = if is_master { ("time", "s") } else { (channel.name.as_str(), channel.unit.as_str()) };
+        groups.entry(place).or_default().push((name.to_owned(), unit.to_owned(), values));
     }
     if groups.is_empty() {
         return Err(refused(path, "the file has no channels"));
@@ -75,7 +71,7 @@ fn mat(path: &Path) -> Result<Vec<Sheet>, SheetError> {
     let parsed = silently(|| variables(&bytes)).ok_or_else(|| refused(path, "the file is damaged"))?;
     let file = parsed.map_err(|why| refused(path, why))?;
     let channel = |(name, variable)| vector(variable).map(|values| (name, String::new(), values));
-    let channels: Vec<(String, String, Vec<f64>)> = file.into_iter().filter_map(channel).collect();
+    let channels: Vec<super::Channel> = file.into_iter().filter_map(channel).collect();
     if channels.is_empty() {
         return Err(refused(path, "the file has no vectors"));
     }

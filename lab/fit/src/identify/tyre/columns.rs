@@ -109,6 +109,13 @@ fn check_angle(sheet: &Sheet, name: &str, angles: &[f64]) -> Result<(), TyreTest
     Err(TyreTestError::Angle { line: sheet.line(row), name: name.to_owned(), value: angles[row], hint })
 }
 
+/// Refuses loads with the sign of other axes.
+fn check_load(sheet: &Sheet, name: &str, load: &[f64], axes: Axes) -> Result<(), TyreTestError> {
+    let (sign, wanted) = if axes == Axes::Sae { (-1.0, "<= 0") } else { (1.0, ">= 0") };
+    let Some(row) = load.iter().position(|load| sign * load < 0.0) else { return Ok(()) };
+    Err(TyreTestError::Load { line: sheet.line(row), name: name.to_owned(), value: load[row], wanted })
+}
+
 /// Names of the columns: those of rigs and that of the library. Headings are compared without regard to case.
 const LOAD: &[&str] = &["F_z", "FZ", "normal_force"];
 const SIDE_SLIP: &[&str] = &["alpha", "SA", "side_slip"];
@@ -124,41 +131,36 @@ impl TyreTest {
 
     /// Reads a table with the columns F_z, alpha and F_y, and perhaps kappa, gamma, F_x and M_z.
     pub fn of(sheet: &Sheet, axes: Axes) -> Result<TyreTest, TyreTestError> {
-        let (name, mut load) = required(sheet, LOAD, &FORCE)?;
-        let (side_slip_name, mut side_slip) = required(sheet, SIDE_SLIP, &ANGLE)?;
-        let (_, mut force_y) = required(sheet, FORCE_Y, &FORCE)?;
+        let (load_name, load) = required(sheet, LOAD, &FORCE)?;
+        let (slip_name, side_slip) = required(sheet, SIDE_SLIP, &ANGLE)?;
+        let (_, force_y) = required(sheet, FORCE_Y, &FORCE)?;
         let slip = named(sheet, LONGITUDINAL_SLIP, &SLIP)?;
         let camber = named(sheet, CAMBER, &ANGLE)?;
         let force_x = named(sheet, FORCE_X, &FORCE)?.map(|(_, values)| values);
-        let mut moment_z = named(sheet, MOMENT_Z, &MOMENT)?.map(|(_, values)| values);
+        let moment_z = named(sheet, MOMENT_Z, &MOMENT)?.map(|(_, values)| values);
         let count = load.len();
         if count < LEAST {
             return Err(TyreTestError::Short { count });
         }
-        check_angle(sheet, side_slip_name, &side_slip)?;
+        check_angle(sheet, slip_name, &side_slip)?;
         camber.as_ref().map_or(Ok(()), |(name, angles)| check_angle(sheet, name, angles))?;
-        let sign = if axes == Axes::Sae { -1.0 } else { 1.0 };
-        if let Some(row) = load.iter().position(|load| sign * load < 0.0) {
-            let wanted = if axes == Axes::Sae { "<= 0" } else { ">= 0" };
-            let (line, name) = (sheet.line(row), name.to_owned());
-            return Err(TyreTestError::Load { line, name, value: load[row], wanted });
+        check_load(sheet, load_name, &load, axes)?;
+        let [longitudinal_slip, camber] =
+            [slip, camber].map(|column| column.map_or_else(|| vec![0.0; count], |(_, values)| values));
+        let mut test = TyreTest { load, side_slip, longitudinal_slip, camber, force_x, force_y, moment_z };
+        if axes == Axes::Sae {
+            test.turn();
         }
-        // A half turn about x: y and z change their signs, and with them what is measured along them. A camber is a
-        // turn about x.
-        let moment = moment_z.iter_mut().flatten();
-        load.iter_mut().chain(&mut side_slip).chain(&mut force_y).chain(moment).for_each(|value| *value *= sign);
-        let zeros = || vec![0.0; count];
-        let test = TyreTest {
-            longitudinal_slip: slip.map_or_else(zeros, |(_, values)| values),
-            camber: camber.map_or_else(zeros, |(_, values)| values),
-            load,
-            side_slip,
-            force_x,
-            force_y,
-            moment_z,
-        };
         // Each sample by itself may be on the wrong side, by a shift or at large camber.
         let work: f64 = test.side_slip.iter().zip(&test.force_y).map(|(slip, force)| slip * force).sum();
         if work > 0.0 { Err(TyreTestError::SideForce) } else { Ok(test) }
+    }
+
+    /// A half turn about x: y and z change their signs, and with them what is measured along them. A camber is a turn
+    /// about x.
+    fn turn(&mut self) {
+        let moment = self.moment_z.iter_mut().flatten();
+        let turned = self.load.iter_mut().chain(&mut self.side_slip).chain(&mut self.force_y).chain(moment);
+        turned.for_each(|value| *value = -*value);
     }
 }

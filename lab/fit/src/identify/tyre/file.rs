@@ -20,9 +20,7 @@ pub fn property_file(fit: &TyreFit) -> String {
     let formula = &fit.formula;
     let mut text =
         "$ Coefficients of the Magic Formula 5.2, fitted to a test by stribeck. Axes: ISO 8855.\n".to_owned();
-    for (name, unit, rms, most) in &fit.left {
-        let _ = writeln!(text, "$ {name}: RMS residual {} {unit} of {} {unit}", digits(*rms), digits(*most));
-    }
+    text += &residuals(fit, "$ ");
     let side = if Side::of(formula.side) == Side::Left { "LEFT" } else { "RIGHT" };
     let _ = write!(
         text,
@@ -33,24 +31,42 @@ pub fn property_file(fit: &TyreFit) -> String {
     );
     for (section, beginnings) in SECTIONS {
         let is_here = |one: &&TyreEstimate| beginnings.iter().any(|begin| one.key.starts_with(begin));
-        let mut rest = fit.estimates.iter().filter(is_here).peekable();
-        if rest.peek().is_some() {
-            let _ = writeln!(text, "[{section}]");
-        }
-        for one in rest {
-            let (key, value) = (&one.key, one.value);
-            let _ = match &one.told {
-                Told::Within(half) => {
-                    let [low, high] = [value - half, value + half].map(digits);
-                    writeln!(text, "{key:<6} = {value:<24} $ 95 %: {low} to {high}; {}", help(key))
-                }
-                Told::Held => writeln!(text, "{key:<6} = {value:<24} $ held; {}", help(key)),
-                Told::AtEnd => writeln!(text, "{key:<6} = {value:<24} $ at an end of its range; {}", help(key)),
-                Told::Not(reason) => writeln!(text, "$ {key}: not determined: {reason}"),
-            };
+        let lines: String = fit.estimates.iter().filter(is_here).map(line).collect();
+        if !lines.is_empty() {
+            let _ = write!(text, "[{section}]\n{lines}");
         }
     }
     text
+}
+
+/// A line of the file.
+fn line(one: &TyreEstimate) -> String {
+    let TyreEstimate { key, value, .. } = one;
+    match note(one) {
+        Ok(note) => format!("{key:<6} = {value:<24} $ {note}; {}\n", help(key)),
+        Err(reason) => format!("$ {key}: not determined: {reason}\n"),
+    }
+}
+
+/// How well the value of a coefficient is known, or why it is not.
+fn note(TyreEstimate { value, told, .. }: &TyreEstimate) -> Result<String, &str> {
+    match told {
+        Told::Within(half) => {
+            let [low, high] = [value - half, value + half].map(digits);
+            Ok(format!("95 %: {low} to {high}"))
+        }
+        Told::Held => Ok("held".to_owned()),
+        Told::AtEnd => Ok("at an end of its range".to_owned()),
+        Told::Not(reason) => Err(reason),
+    }
+}
+
+/// The residuals of the channels, each in a line with a mark.
+fn residuals(fit: &TyreFit, mark: &str) -> String {
+    let line = |(name, unit, rms, most): &(&str, &str, f64, f64)| {
+        format!("{mark}{name}: RMS residual {} {unit} of {} {unit}\n", digits(*rms), digits(*most))
+    };
+    fit.left.iter().map(line).collect()
 }
 
 /// Meaning of a coefficient, from the table of the library.
@@ -62,20 +78,10 @@ fn help(key: &str) -> String {
 
 /// The fit as a table for a terminal.
 pub fn table(fit: &TyreFit) -> String {
-    let mut text = String::new();
-    for (name, unit, rms, most) in &fit.left {
-        let _ = writeln!(text, "{name}: RMS residual {} {unit} of {} {unit}", digits(*rms), digits(*most));
-    }
-    for one in &fit.estimates {
-        let _ = match &one.told {
-            Told::Within(half) => {
-                let [low, high] = [one.value - half, one.value + half].map(digits);
-                writeln!(text, "  {:<6} {} (95 %: {low} to {high})", one.key, digits(one.value))
-            }
-            Told::Held => writeln!(text, "  {:<6} {} held", one.key, digits(one.value)),
-            Told::AtEnd => writeln!(text, "  {:<6} {} at an end of its range", one.key, digits(one.value)),
-            Told::Not(reason) => writeln!(text, "  {:<6} not determined: {reason}", one.key),
-        };
-    }
-    text
+    let line = |one: &TyreEstimate| match (note(one), &one.told) {
+        (Ok(note), Told::Within(_)) => format!("  {:<6} {} ({note})\n", one.key, digits(one.value)),
+        (Ok(note), _) => format!("  {:<6} {} {note}\n", one.key, digits(one.value)),
+        (Err(reason), _) => format!("  {:<6} not determined: {reason}\n", one.key),
+    };
+    residuals(fit, "") + &fit.estimates.iter().map(line).collect::<String>()
 }

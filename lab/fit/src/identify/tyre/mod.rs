@@ -239,12 +239,9 @@ impl Fitter<'_> {
 
     /// Side force in pure side slip, from several starts.
     fn lateral(&mut self, samples: &[usize]) -> Result<(), Fault> {
-        if samples.len() < columns::LEAST {
-            let text = format_args!(
-                "{} samples without longitudinal slip; at least {} are needed",
-                samples.len(),
-                columns::LEAST
-            );
+        let (count, least) = (samples.len(), columns::LEAST);
+        if count < least {
+            let text = format_args!("{count} samples without longitudinal slip; at least {least} are needed");
             return Err(Fault::value(text));
         }
         let rows = Rows { samples: samples.to_vec(), channels: vec![(Channel::ForceY, 1.0)] };
@@ -259,7 +256,7 @@ impl Fitter<'_> {
         };
         let mut ends = STARTS.map(begin).to_vec();
         ends.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let variance = 2.0 * ends[0].0 / samples.len() as f64;
+        let variance = 2.0 * ends[0].0 / count as f64;
         let level = self.test.force_y.iter().map(|force| force * force).sum::<f64>();
         if 2.0 * (ends[1].0 - ends[0].0) > variance.max(1e-9 * level) {
             return Err(Fault::value(
