@@ -12,7 +12,8 @@ pub const NORMAL_FORCE: f64 = 1.0;
 /// Normal force of experiments that all are of an axis; None for others.
 pub(super) fn load(experiments: &[Experiment]) -> Option<f64> {
     let load = *experiments.first()?.normal_force.first()?;
-    let is_of_axis = |one: &Experiment| one.alike.is_some() && one.normal_force.iter().all(|other| *other == load);
+    let is_of_axis =
+        |one: &Experiment| one.matched_filter.is_some() && one.normal_force.iter().all(|other| *other == load);
     experiments.iter().all(is_of_axis).then_some(load)
 }
 

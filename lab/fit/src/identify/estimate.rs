@@ -3,7 +3,7 @@
 use stribeck::model::Meaning;
 use stribeck::number::Real;
 
-use super::interval::{Ended, quantiles};
+use super::interval::{Optimum, quantiles};
 use super::parameter::{Parameter, Scale, Target};
 use super::problem::Problem;
 use super::uncertainty::{DETERMINED, Uncertainty, Verdict, WIDTH};
@@ -122,12 +122,12 @@ impl StaticLevel {
     }
 }
 
-impl Ended<'_> {
+impl Optimum<'_> {
     /// The estimates; mu_s, the sum of two parameters, comes last.
     pub fn estimates(&self, has_profiles: bool, repeated: &[Vec<f64>]) -> Vec<Estimate> {
-        let repeated = repeated.iter().map(|places| self.problem.values(places)).collect();
+        let repeated = repeated.iter().map(|point| self.problem.values(point)).collect();
         let intervals = Intervals { has_profiles, repeated };
-        let values = self.problem.values(&self.best.places);
+        let values = self.problem.values(&self.best.point);
         let mut list: Vec<Estimate> =
             values.iter().enumerate().map(|(number, value)| self.estimate(number, *value, &intervals)).collect();
         let level = StaticLevel::of(self.problem).map(|level| self.static_level(&level, &values, &list, &intervals));
@@ -138,7 +138,7 @@ impl Ended<'_> {
     fn estimate(&self, number: usize, value: f64, intervals: &Intervals) -> Estimate {
         let parameter = &self.problem.parameters[number];
         let Parameter { name, unit, target, meaning, .. } = parameter.clone();
-        let deviation = self.trust.deviations[number];
+        let deviation = self.trust.standard_deviations[number];
         let told = self.trust.verdicts[number].clone();
         let profile = (intervals.has_profiles && told.is_told()).then(|| self.profile(number));
         let verdict = match profile.filter(|ends| is_open(parameter, value, *ends)) {
@@ -155,7 +155,7 @@ impl Ended<'_> {
 
     fn static_level(&self, level: &StaticLevel, values: &[f64], known: &[Estimate], intervals: &Intervals) -> Estimate {
         let (value, deviation) = (level.value(values), level.deviation(self.trust));
-        let is_elsewhere = intervals.has_profiles && !self.trust.elsewhere.is_empty();
+        let is_elsewhere = intervals.has_profiles && !self.trust.alternatives.is_empty();
         let covering = || self.covering(|values| level.value(values), [WIDTH * deviation; 2]);
         let mut estimate = Estimate {
             name: self.problem.law.table.at(level.column).path.to_string(),
@@ -182,7 +182,7 @@ fn is_open(parameter: &Parameter, value: f64, [low, high]: [f64; 2]) -> bool {
     let far = DETERMINED * WIDTH;
     match parameter.scale {
         Scale::Logarithmic => low <= 0.0 || 0.5 * Real::ln(high / low) > far,
-        Scale::Linear | Scale::Mixed(_) => 0.5 * (high - low) > far * parameter.large(value),
+        Scale::Linear | Scale::Mixed(_) => 0.5 * (high - low) > far * parameter.large_change(value),
     }
 }
 

@@ -42,7 +42,7 @@ pub struct Experiment {
     /// Time in which an error of the velocity has one sign, s: the window of its filter.
     pub window: f64,
     /// Further data of a record whose force and motion are smoothed alike.
-    pub alike: Option<MatchedFilter>,
+    pub matched_filter: Option<MatchedFilter>,
 }
 
 /// Samples that are taken to be at rest, or in steady motion.
@@ -103,7 +103,7 @@ impl Experiment {
             reach,
             ends: if record.matched_filter.is_none() { Some([first + reach, last - reach]) } else { None },
             window: record.window,
-            alike: record.matched_filter.clone(),
+            matched_filter: record.matched_filter.clone(),
             ..Experiment::default()
         };
         all.of_known_direction()
@@ -164,8 +164,8 @@ impl Experiment {
 
     /// Whether each sample is at rest; empty if none is.
     fn at_rest(&self, rest: Rest) -> Vec<bool> {
-        if let Some(alike) = &self.alike {
-            return alike.least_speed.iter().map(|least| *least <= rest.speed).collect();
+        if let Some(filter) = &self.matched_filter {
+            return filter.least_speed.iter().map(|least| *least <= rest.speed).collect();
         }
         let mut found = self.in_pauses(rest);
         let mut from = 0;
@@ -234,8 +234,8 @@ impl Experiment {
 
     /// The same with the motion taken from this much later.
     pub(super) fn shifted(&self, by: f64) -> Experiment {
-        if let Some(alike) = &self.alike {
-            return self.along_jerk(&alike.jerk, by);
+        if let Some(filter) = &self.matched_filter {
+            return self.along_jerk(&filter.jerk, by);
         }
         let last = self.time.len() - 1;
         let at = |values: &[f64], slopes: Option<&[f64]>, t: f64| {
@@ -263,10 +263,10 @@ impl Experiment {
     /// The same with `parts` intervals joined to one; the force is the one at the samples that are left.
     pub(super) fn coarser(&self, parts: usize) -> Experiment {
         let take = |values: &[f64]| values.iter().copied().step_by(parts).collect();
-        let alike = self.alike.as_ref().map(|alike| MatchedFilter {
-            jerk: take(&alike.jerk),
-            least_speed: take(&alike.least_speed),
-            noise: alike.noise,
+        let matched_filter = self.matched_filter.as_ref().map(|filter| MatchedFilter {
+            jerk: take(&filter.jerk),
+            least_speed: take(&filter.least_speed),
+            noise: filter.noise,
         });
         Experiment {
             time: take(&self.time),
@@ -275,7 +275,7 @@ impl Experiment {
             normal_force: take(&self.normal_force),
             force: take(&self.force),
             left_out: self.left_out.iter().copied().step_by(parts).collect(),
-            alike,
+            matched_filter,
             ..self.clone()
         }
     }

@@ -12,7 +12,7 @@ use stribeck::number::Real;
 use super::parameter::Scale;
 use super::problem::{Found, Problem};
 use super::search::{Watch, polish, polish_until};
-use super::uncertainty::{Elsewhere, Residuals, Uncertainty, Verdict, WIDTH};
+use super::uncertainty::{Alternative, Residuals, Uncertainty, Verdict, WIDTH};
 
 /// Rise of the sum of squares, in variances, at the ends of an interval that holds in 95 % of cases.
 const RISE: f64 = WIDTH * WIDTH;
@@ -24,18 +24,18 @@ const SURE: f64 = 16.0;
 const TRIALS: usize = 12;
 
 /// A fit at its end.
-pub(super) struct Ended<'a> {
+pub(super) struct Optimum<'a> {
     pub problem: &'a Problem<'a>,
     pub best: &'a Found,
-    pub seen: &'a Residuals,
+    pub residuals: &'a Residuals,
     pub trust: &'a Uncertainty,
 }
 
-impl Ended<'_> {
+impl Optimum<'_> {
     /// Interval of a parameter: as far as the sum of squares, at the best values of the others, rises by less than noise
     /// can make it, and farther by the error of the velocity. An end at an end of the range is open.
     pub fn profile(&self, number: usize) -> [f64; 2] {
-        let value = self.problem.parameters[number].value(self.best.places[number])[0];
+        let value = self.problem.parameters[number].value(self.best.point[number])[0];
         let blur = WIDTH * self.trust.blurs[number];
         let distance = |direction| ((self.end(number, direction) - value).powi(2) + blur * blur).sqrt();
         self.covering(|values| values[number], [-1.0, 1.0].map(distance))
@@ -44,140 +44,141 @@ impl Ended<'_> {
     /// An interval, by the distances of its ends from the best value, that covers what explains the force as well
     /// elsewhere too: along the joint profile of two parameters, the width of one is that of an ellipse.
     pub fn covering(&self, of: impl Fn(&[f64]) -> f64, [low, high]: [f64; 2]) -> [f64; 2] {
-        let at = |place: &Found, part: f64| {
-            let value = of(&self.problem.values(&place.places));
+        let at = |found: &Found, part: f64| {
+            let value = of(&self.problem.values(&found.point));
             [value - part * low, value + part * high]
         };
-        let near = self.trust.elsewhere.iter().filter(|place| place.rise < RISE);
-        let others = near.map(|place| at(&place.end, (1.0 - place.rise.max(0.0) / RISE).sqrt()));
+        let near = self.trust.alternatives.iter().filter(|other| other.rise < RISE);
+        let others = near.map(|other| at(&other.end, (1.0 - other.rise.max(0.0) / RISE).sqrt()));
         others.fold(at(self.best, 1.0), |[least, most], [low, high]| [least.min(low), most.max(high)])
     }
 
     /// Value at which the sum of squares has risen to its limit.
     fn end(&self, number: usize, direction: f64) -> f64 {
-        let Ended { problem, best, trust, .. } = *self;
+        let Optimum { problem, best, trust, .. } = *self;
         let mut last: Option<(f64, Found)> = None;
         let rise = |distance: f64| {
-            let place = best.places[number] + direction * distance;
+            let coordinate = best.point[number] + direction * distance;
             let from = match &last {
                 Some((farther, end)) => part_of_the_way(best, end, distance / farther),
-                None => along(problem, best, trust, number, place),
+                None => along(problem, best, trust, number, coordinate),
             };
-            let end = held(problem, &from, number, place, self.gain());
+            let end = held(problem, &from, number, coordinate, self.gain());
             let rise = self.rise(&end);
             last = Some((distance, end));
             rise
         };
-        let most = if direction > 0.0 { 1.0 - best.places[number] } else { best.places[number] };
+        let most = if direction > 0.0 { 1.0 - best.point[number] } else { best.point[number] };
         let distance = crossing(rise, WIDTH * self.step(number), most);
-        problem.parameters[number].value(best.places[number] + direction * distance)[0]
+        problem.parameters[number].value(best.point[number] + direction * distance)[0]
     }
 
     /// Unknowns on a logarithmic scale that may as well be at an end of their range, where they have no effect, with the
     /// value there. If noise is what tells a parameter, which it does in one of twenty records, its interval is wrong.
     pub fn without_effect(&self) -> Vec<(usize, f64)> {
-        let Ended { problem, trust, .. } = *self;
+        let Optimum { problem, trust, .. } = *self;
         let is_told = |number: &usize| {
             problem.parameters[*number].scale == Scale::Logarithmic && trust.verdicts[*number] == Verdict::Determined
         };
-        let is_alike = |number: usize, place: f64| {
-            let end = held(problem, &self.start(number, place), number, place, self.gain());
+        let is_alike = |number: usize, coordinate: f64| {
+            let end = held(problem, &self.start(number, coordinate), number, coordinate, self.gain());
             self.rise(&end) < SURE
         };
         let alike = |number: usize| {
-            let place = [0.0, 1.0].into_iter().find(|place| is_alike(number, *place))?;
-            Some((number, problem.parameters[number].value(place)[0]))
+            let coordinate = [0.0, 1.0].into_iter().find(|coordinate| is_alike(number, *coordinate))?;
+            Some((number, problem.parameters[number].value(coordinate)[0]))
         };
         (0..problem.parameters.len()).filter(is_told).filter_map(alike).collect()
     }
 
-    /// Places that explain the force as well, with each parameter that the data do not determine held elsewhere: far from
-    /// the best place, and close to it if the force changes with it in jumps.
-    pub fn elsewhere(&self) -> Vec<Elsewhere> {
-        let Ended { problem, best, trust, .. } = *self;
+    /// Points that explain the force as well, with each parameter that the data do not determine held elsewhere: far from
+    /// the best point, and close to it if the force changes with it in jumps.
+    pub fn alternatives(&self) -> Vec<Alternative> {
+        let Optimum { problem, best, trust, .. } = *self;
         let is_free = |number: &usize| matches!(trust.verdicts[*number], Verdict::Undetermined(_));
         let mut found = Vec::new();
         if !trust.verdicts.iter().any(Verdict::is_told) {
             return found;
         }
         for number in (0..problem.parameters.len()).filter(is_free) {
-            let steps = DISTANCES.iter().flat_map(|distance| [-distance, *distance]).filter(|_| trust.jumps[number]);
-            let close = steps.map(|distance| best.places[number] + distance * self.step(number));
-            let close = close.filter(|place| (0.0..=1.0).contains(place));
-            for place in FAR.into_iter().chain(close) {
-                let end = held(problem, &self.start(number, place), number, place, self.gain());
+            let steps =
+                DISTANCES.iter().flat_map(|distance| [-distance, *distance]).filter(|_| trust.is_discontinuous[number]);
+            let close = steps.map(|distance| best.point[number] + distance * self.step(number));
+            let close = close.filter(|coordinate| (0.0..=1.0).contains(coordinate));
+            for coordinate in FAR.into_iter().chain(close) {
+                let end = held(problem, &self.start(number, coordinate), number, coordinate, self.gain());
                 let rise = self.rise(&end);
                 if rise < joint_rise(problem.parameters.len()) {
-                    found.push(Elsewhere { number, end, rise });
+                    found.push(Alternative { number, end, rise });
                 }
             }
         }
         found
     }
 
-    /// The best of three places with a parameter at a place: with the others as they are, where straight lines expect them,
+    /// The best of three points with a parameter at a coordinate: with the others as they are, where straight lines expect them,
     /// and where powers of the parameter do, such as its multiples where the data tell a ratio only.
-    fn start(&self, number: usize, place: f64) -> Found {
-        let Ended { problem, best, trust, .. } = *self;
+    fn start(&self, number: usize, coordinate: f64) -> Found {
+        let Optimum { problem, best, trust, .. } = *self;
         let mut same = best.clone();
-        same.places[number] = place;
-        let [before, after] = [&best.places, &same.places].map(|places| problem.values(places));
+        same.point[number] = coordinate;
+        let [before, after] = [&best.point, &same.point].map(|point| problem.values(point));
         let ratio = after[number] / before[number];
         let mut scaled = same.clone();
         for other in (0..before.len()).filter(|other| *other != number) {
             let power = trust.follows(other, number) * before[number] / before[other];
             let value = before[other] * Real::exp(power * Real::ln(ratio));
             if value.is_finite() {
-                scaled.places[other] = problem.parameters[other].place(value);
+                scaled.point[other] = problem.parameters[other].coordinate(value);
             }
         }
-        let starts = [same, along(problem, best, trust, number, place), scaled].map(|found| problem.judge(found));
+        let starts = [same, along(problem, best, trust, number, coordinate), scaled].map(|found| problem.judge(found));
         starts.into_iter().min_by(|a, b| a.cost.total_cmp(&b.cost)).unwrap_or_else(|| best.clone())
     }
 
-    /// Rise of the sum of squares from the best place, in variances.
+    /// Rise of the sum of squares from the best point, in variances.
     fn rise(&self, end: &Found) -> f64 {
-        2.0 * (end.cost - self.best.cost) / self.seen.rise()
+        2.0 * (end.cost - self.best.cost) / self.residuals.rise()
     }
 
-    /// Standard deviation of the place of a parameter by the noise of the force.
+    /// Standard deviation of the coordinate of a parameter by the noise of the force.
     fn step(&self, number: usize) -> f64 {
-        let [_, slope] = self.problem.parameters[number].value(self.best.places[number]);
+        let [_, slope] = self.problem.parameters[number].value(self.best.point[number]);
         (self.trust.by_noise(number) / slope.abs().max(f64::MIN_POSITIVE)).clamp(1e-9, 0.5)
     }
 
     /// Unknowns that move when one that the data do not determine is held elsewhere: pairs of the one that moves and the
     /// one it depends on.
     pub fn dependent(&self) -> Vec<(usize, usize)> {
-        let values = self.problem.values(&self.best.places);
+        let values = self.problem.values(&self.best.point);
         let mut found: Vec<(usize, usize)> = Vec::new();
-        for place in &self.trust.elsewhere {
-            for (other, (value, moved)) in values.iter().zip(self.problem.values(&place.end.places)).enumerate() {
+        for alternative in &self.trust.alternatives {
+            for (other, (value, moved)) in values.iter().zip(self.problem.values(&alternative.end.point)).enumerate() {
                 let change = (moved - value).abs();
-                let is_far = change > MOVED[0] * self.trust.deviations[other]
-                    && change > MOVED[1] * self.problem.parameters[other].large(*value);
-                if other != place.number && is_far && found.iter().all(|(known, _)| *known != other) {
-                    found.push((other, place.number));
+                let is_far = change > MOVED[0] * self.trust.standard_deviations[other]
+                    && change > MOVED[1] * self.problem.parameters[other].large_change(*value);
+                if other != alternative.number && is_far && found.iter().all(|(known, _)| *known != other) {
+                    found.push((other, alternative.number));
                 }
             }
         }
         found
     }
 
-    /// Places of the parameters in fits to the predicted forces with [`noise`]; none if they are ended early, since some
+    /// Points of the parameters in fits to the predicted forces with [`noise`]; none if they are ended early, since some
     /// of the repetitions do not make an interval.
     pub fn repetitions(&self, count: usize, seed: u64, watch: Watch) -> Vec<Vec<f64>> {
-        let Ended { problem, best, seen, .. } = *self;
-        let Some(residuals) = problem.residuals(&best.places) else { return Vec::new() };
+        let Optimum { problem, best, residuals, .. } = *self;
+        let Some(left) = problem.residuals(&best.point) else { return Vec::new() };
         let measured = problem.measured();
         let from = Found { cost: f64::INFINITY, ..best.clone() };
         let mut random = fastrand::Rng::with_seed(seed);
         let again = || {
-            let noise = noise(&residuals, problem.parameters.len(), seen.correlation, &mut random);
-            let forces = measured.iter().zip(&residuals).map(|(measured, residual)| measured + residual);
+            let noise = noise(&left, problem.parameters.len(), residuals.correlation, &mut random);
+            let forces = measured.iter().zip(&left).map(|(measured, residual)| measured + residual);
             let forces = forces.zip(noise).map(|(force, noise)| force - noise).collect();
-            let found = polish(&Problem { instead: Some(forces), ..problem.clone() }, &from).places;
-            (watch.progress)(seen.rms, best.evaluations);
+            let found = polish(&Problem { substitute: Some(forces), ..problem.clone() }, &from).point;
+            (watch.progress)(residuals.rms, best.evaluations);
             (!watch.is_cancelled()).then_some(found)
         };
         let all = if watch.is_cancelled() { None } else { repeat_with(again).take(count).collect() };
@@ -186,7 +187,7 @@ impl Ended<'_> {
 
     /// Gain of a step of least squares, as a part of the cost, from which another one follows.
     fn gain(&self) -> f64 {
-        UNSEEN * RISE * self.seen.rise() / (2.0 * self.best.cost).max(f64::MIN_POSITIVE)
+        UNSEEN * RISE * self.residuals.rise() / (2.0 * self.best.cost).max(f64::MIN_POSITIVE)
     }
 }
 
@@ -202,27 +203,27 @@ fn joint_rise(parameters: usize) -> f64 {
 /// slopes know of it is too much.
 const DISTANCES: [f64; 7] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0];
 
-/// Places, as parts of its range, at which a parameter that the data do not determine is held.
+/// Coordinates at which a parameter that the data do not determine is held.
 const FAR: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
-/// The best place, with the others where straight lines expect them for a parameter at a place.
-fn along(problem: &Problem, best: &Found, trust: &Uncertainty, number: usize, place: f64) -> Found {
+/// The best point, with the others where straight lines expect them for a parameter at a coordinate.
+fn along(problem: &Problem, best: &Found, trust: &Uncertainty, number: usize, coordinate: f64) -> Found {
     let mut moved = best.clone();
-    moved.places[number] = place.clamp(0.0, 1.0);
-    let change = problem.values(&moved.places)[number] - problem.values(&best.places)[number];
-    for other in (0..moved.places.len()).filter(|other| *other != number) {
-        let [_, slope] = problem.parameters[other].value(best.places[other]);
+    moved.point[number] = coordinate.clamp(0.0, 1.0);
+    let change = problem.values(&moved.point)[number] - problem.values(&best.point)[number];
+    for other in (0..moved.point.len()).filter(|other| *other != number) {
+        let [_, slope] = problem.parameters[other].value(best.point[other]);
         let expected = change * trust.follows(other, number) / slope.abs().max(f64::MIN_POSITIVE);
-        moved.places[other] = (moved.places[other] + expected).clamp(0.0, 1.0);
+        moved.point[other] = (moved.point[other] + expected).clamp(0.0, 1.0);
     }
     moved
 }
 
-/// Places on the line from the best place to an end.
+/// A point on the line from the best point to an end.
 fn part_of_the_way(best: &Found, end: &Found, part: f64) -> Found {
-    let places = best.places.iter().zip(&end.places);
-    let places = places.map(|(best, end)| (best + part * (end - best)).clamp(0.0, 1.0)).collect();
-    Found { places, ..best.clone() }
+    let point = best.point.iter().zip(&end.point);
+    let point = point.map(|(best, end)| (best + part * (end - best)).clamp(0.0, 1.0)).collect();
+    Found { point, ..best.clone() }
 }
 
 /// Part of its half width to which an end of an interval is found (chosen).
@@ -265,12 +266,12 @@ const MOVED: [f64; 2] = [3.0, 0.1];
 /// Part of the rise at the end of an interval that a step of least squares on the way there need not gain (chosen).
 const UNSEEN: f64 = 1e-2;
 
-/// The best place with a parameter held at a part of its range, from a place on.
-fn held(problem: &Problem, from: &Found, number: usize, place: f64, gain: f64) -> Found {
+/// The best point with a parameter held at a coordinate, from a point on.
+fn held(problem: &Problem, from: &Found, number: usize, coordinate: f64, gain: f64) -> Found {
     let mut pinned = problem.clone();
-    pinned.pin(number, place);
+    pinned.pin(number, coordinate);
     let mut from = from.clone();
-    from.places[number] = place.clamp(0.0, 1.0);
+    from.point[number] = coordinate.clamp(0.0, 1.0);
     from.cost = f64::INFINITY;
     polish_until(&pinned, &from, gain)
 }
@@ -306,8 +307,8 @@ mod tests {
     use super::super::{Experiment, Settings, Verdict};
     use super::*;
 
-    /// Places of the start values of a law, but for some of them.
-    fn places(problem: &Problem, others: &[(&str, f64)]) -> Vec<f64> {
+    /// Point of the start values of a law, but for some of them.
+    fn point(problem: &Problem, others: &[(&str, f64)]) -> Vec<f64> {
         let start = |name: &str| problem.law.table.at(problem.law.find(name).unwrap()).start;
         let of = |parameter: &Parameter| {
             let usual = if let Target::Excess { .. } = parameter.target {
@@ -315,13 +316,14 @@ mod tests {
             } else {
                 start(&parameter.name)
             };
-            parameter.place(others.iter().find(|(name, _)| *name == parameter.name).map_or(usual, |(_, value)| *value))
+            parameter
+                .coordinate(others.iter().find(|(name, _)| *name == parameter.name).map_or(usual, |(_, value)| *value))
         };
         problem.parameters.iter().map(of).collect()
     }
 
-    fn polished(problem: &Problem, places: Vec<f64>) -> Found {
-        polish(problem, &problem.judge(Found { places, cost: 0.0, evaluations: 0 }))
+    fn polished(problem: &Problem, point: Vec<f64>) -> Found {
+        polish(problem, &problem.judge(Found { point, cost: 0.0, evaluations: 0 }))
     }
 
     /// Quantiles of 95 % of chi square from tables.
@@ -350,14 +352,14 @@ mod tests {
             clean.force.iter().enumerate().map(|(at, f)| if at % 40 == 7 { f + 3.9 } else { f - 0.1 }).collect();
         let data = [Experiment { force, ..clean }];
         let problem = whole_problem("Coulomb", &data);
-        let best = polished(&problem, vec![problem.parameters[0].place(0.1)]);
-        let left = problem.residuals(&best.places).unwrap();
-        let seen = residuals(&left, &problem.lengths(), 1, problem.loss);
+        let best = polished(&problem, vec![problem.parameters[0].coordinate(0.1)]);
+        let left = problem.residuals(&best.point).unwrap();
+        let residuals = residuals(&left, &problem.lengths(), 1, problem.loss);
         let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
-        let trust = uncertainty(&problem, &best.places, &seen);
-        let ended = Ended { problem: &problem, best: &best, seen: &seen, trust: &trust };
-        let found = ended.repetitions(400, 5, watch);
-        let levels: Vec<f64> = found.iter().map(|places| problem.values(places)[0]).collect();
+        let trust = uncertainty(&problem, &best.point, &residuals);
+        let optimum = Optimum { problem: &problem, best: &best, residuals: &residuals, trust: &trust };
+        let found = optimum.repetitions(400, 5, watch);
+        let levels: Vec<f64> = found.iter().map(|point| problem.values(point)[0]).collect();
         let mean = levels.iter().sum::<f64>() / 400.0;
         let skewness: f64 = levels.iter().map(|one| (one - mean).powi(3)).sum();
         assert!(skewness > 0.0, "{skewness}");
@@ -384,13 +386,13 @@ mod tests {
     fn an_interval_covers_places_within_the_rise() {
         let data = [measured("Coulomb", &[], &standard(400), 0.01, 1)];
         let problem = whole_problem("Coulomb", &data);
-        let at = |value: f64| Found { places: vec![problem.parameters[0].place(value)], cost: 0.0, evaluations: 0 };
-        let seen = white_noise(0.02);
-        let mut trust = uncertainty(&problem, &at(0.1).places, &seen);
+        let at = |value: f64| Found { point: vec![problem.parameters[0].coordinate(value)], cost: 0.0, evaluations: 0 };
+        let residuals = white_noise(0.02);
+        let mut trust = uncertainty(&problem, &at(0.1).point, &residuals);
         let others = [(0.2, 0.75 * RISE), (0.3, 1.01 * RISE)];
-        trust.elsewhere = others.map(|(value, rise)| Elsewhere { number: 0, end: at(value), rise }).into();
-        let ended = Ended { problem: &problem, best: &at(0.1), seen: &seen, trust: &trust };
-        let [low, high] = ended.covering(|values| values[0], [0.01, 0.02]);
+        trust.alternatives = others.map(|(value, rise)| Alternative { number: 0, end: at(value), rise }).into();
+        let optimum = Optimum { problem: &problem, best: &at(0.1), residuals: &residuals, trust: &trust };
+        let [low, high] = optimum.covering(|values| values[0], [0.01, 0.02]);
         assert!((low - 0.09).abs() < 1e-12 && (high - 0.21).abs() < 1e-12, "{low} {high}");
     }
 
@@ -400,17 +402,17 @@ mod tests {
         let data = [measured("MaxwellSlip", &[], &standard(600), 0.01, 3)];
         let mut problem = whole_problem("MaxwellSlip", &data);
         problem.parts = 8;
-        let best = polished(&problem, places(&problem, &[]));
-        let left = problem.residuals(&best.places).unwrap();
-        let seen = residuals(&left, &problem.lengths(), problem.parameters.len(), problem.loss);
-        let trust = fitter(&problem).trust(&best, &seen, false);
-        let quick = problem.undivided(&best.places).unwrap();
+        let best = polished(&problem, point(&problem, &[]));
+        let left = problem.residuals(&best.point).unwrap();
+        let residuals = residuals(&left, &problem.lengths(), problem.parameters.len(), problem.loss);
+        let trust = fitter(&problem).trust(&best, &residuals, false);
+        let quick = problem.undivided(&best.point).unwrap();
         let coarse = Problem { parts: 1, ..problem.clone() }.judge(best.clone());
         let number = problem.parameters.iter().position(|one| one.name == "sigma_0").unwrap();
-        assert!(2.0 * (coarse.cost - best.cost) / seen.rise() > RISE, "{} {}", coarse.cost, best.cost);
+        assert!(2.0 * (coarse.cost - best.cost) / residuals.rise() > RISE, "{} {}", coarse.cost, best.cost);
         let [whole, quick] = [&problem, &quick].map(|problem| {
             let best = problem.judge(best.clone());
-            Ended { problem, best: &best, seen: &seen, trust: &trust }.profile(number)
+            Optimum { problem, best: &best, residuals: &residuals, trust: &trust }.profile(number)
         });
         let width = whole[1] - whole[0];
         assert!(whole.iter().zip(quick).all(|(a, b)| (a - b).abs() < 0.03 * width), "{whole:?} {quick:?}");
@@ -431,16 +433,16 @@ mod tests {
         }
     }
 
-    /// A curve without transition behind a stiff spring is the best of all places around it, and far from the truth.
+    /// A curve without transition behind a stiff spring is the best of all points around it, and far from the truth.
     #[test]
     fn a_place_that_explains_more_is_found_elsewhere() {
         let data = [measured("SpeckerDynamic", &[], &standard(2000), 0.01, 3)];
         let problem = whole_problem("SpeckerDynamic", &data);
         let [truth, other] = [&[][..], &[("transition_velocity", 3e-6), ("sigma_0", 7e6)]]
-            .map(|others| polished(&problem, places(&problem, others)));
+            .map(|others| polished(&problem, point(&problem, others)));
         let judged = |best: &Found| fitter(&problem).judge(best).unwrap();
         let wrong = judged(&other);
-        assert!(other.cost - truth.cost > 10.0 * wrong.seen.rise(), "{} {}", other.cost, truth.cost);
+        assert!(other.cost - truth.cost > 10.0 * wrong.residuals.rise(), "{} {}", other.cost, truth.cost);
         let found = polish(&problem, wrong.better(&other).unwrap());
         assert!((found.cost / truth.cost - 1.0).abs() < 1e-6, "{} {}", found.cost, truth.cost);
         assert!(judged(&truth).better(&truth).is_none());
@@ -452,18 +454,18 @@ mod tests {
     fn what_the_data_tell_by_a_ratio_only_is_not_determined() {
         let data = [measured("Armstrong", &[], &standard(2000), 0.01, 4)];
         let problem = whole_problem("Armstrong", &data);
-        let best = polished(&problem, places(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]));
+        let best = polished(&problem, point(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]));
         let judged = fitter(&problem).judge(&best).unwrap();
         let number = |name: &str| problem.parameters.iter().position(|one| one.name == name).unwrap();
         let [excess, gamma] = ["mu_s - mu_k", "gamma"].map(number);
         assert!(!judged.trust.verdicts[excess].is_told(), "{:?}", judged.trust.verdicts);
-        let most = judged.trust.elsewhere.iter().map(|place| problem.values(&place.end.places)[excess]);
+        let most = judged.trust.alternatives.iter().map(|other| problem.values(&other.end.point)[excess]);
         let most = most.fold(0.0, f64::max);
-        assert!(most > 10.0 * problem.values(&best.places)[excess], "{most} {:?}", problem.values(&best.places));
+        assert!(most > 10.0 * problem.values(&best.point)[excess], "{most} {:?}", problem.values(&best.point));
         assert!(!judged.trust.verdicts[gamma].is_told());
         // Where the time is a little longer than the rests, slopes alone show it.
         let slopes =
-            uncertainty(&problem, &places(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]), &judged.seen);
+            uncertainty(&problem, &point(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]), &judged.residuals);
         let reason = slopes.verdicts[excess].to_string();
         assert!(reason.contains("only in combination with"), "{reason}");
     }
@@ -473,22 +475,22 @@ mod tests {
     fn an_end_of_a_range_does_not_stop_the_others() {
         let data = [measured("Armstrong", &[], &standard(2000), 0.01, 4)];
         let problem = whole_problem("Armstrong", &data);
-        let best = polished(&problem, places(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]));
-        let seen = white_noise(0.02);
-        let trust = uncertainty(&problem, &best.places, &seen);
-        let ended = Ended { problem: &problem, best: &best, seen: &seen, trust: &trust };
+        let best = polished(&problem, point(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]));
+        let residuals = white_noise(0.02);
+        let trust = uncertainty(&problem, &best.point, &residuals);
+        let optimum = Optimum { problem: &problem, best: &best, residuals: &residuals, trust: &trust };
         let number = |name: &str| problem.parameters.iter().position(|one| one.name == name).unwrap();
         let [gamma, excess] = ["gamma", "mu_s - mu_k"].map(number);
         let mut start = best.clone();
-        start.places[gamma] = problem.parameters[gamma].place(0.3);
-        start.places[number("viscous_coefficient")] = 0.0;
+        start.point[gamma] = problem.parameters[gamma].coordinate(0.3);
+        start.point[number("viscous_coefficient")] = 0.0;
         let scan = |part: u32| {
             let mut moved = start.clone();
-            moved.places[excess] = problem.parameters[excess].place(1e-3 * f64::from(part));
+            moved.point[excess] = problem.parameters[excess].coordinate(1e-3 * f64::from(part));
             problem.judge(moved).cost
         };
         let least = (1..50).map(scan).fold(f64::INFINITY, f64::min);
-        let end = held(&problem, &start, gamma, start.places[gamma], ended.gain());
+        let end = held(&problem, &start, gamma, start.point[gamma], optimum.gain());
         assert!(end.cost <= least, "{} {least}", end.cost);
     }
 
@@ -510,7 +512,7 @@ mod tests {
         let problem = whole_problem("ResetIntegrator", &data);
         let column = |name: &str| problem.law.find(name).unwrap();
         let cost = |stiffness: f64, damping: f64| {
-            let mut columns = fit.point.columns.clone();
+            let mut columns = fit.physical.columns.clone();
             columns.push((column("sigma_0"), stiffness));
             columns.push((column("sigma_1"), damping));
             let mut instance = stribeck::instance::Instance::new(problem.law);

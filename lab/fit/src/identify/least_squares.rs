@@ -1,4 +1,4 @@
-//! Least squares over places from 0 to 1, for the solvers of `basin`.
+//! Least squares over points of a unit cube, whose coordinates are parameters scaled to their ranges, by `basin`.
 
 use std::convert::Infallible;
 
@@ -7,34 +7,34 @@ use basin::{
     Executor, Jacobian, PointState, Residual,
 };
 
-/// A place and its cost, half the sum of squares.
+/// A point of the unit cube and its cost, half the sum of squares.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Found {
-    pub places: Vec<f64>,
+    pub point: Vec<f64>,
     pub cost: f64,
     /// Evaluations of the law over all experiments.
     pub evaluations: u64,
 }
 
-/// Residuals as functions of places.
+/// Residuals as functions of a point.
 pub(super) trait LeastSquares {
-    /// Number of places.
+    /// Number of coordinates.
     fn count(&self) -> usize;
 
     /// Evaluations that the derivatives take.
     fn work(&self) -> u64;
 
     /// The residuals.
-    fn weighted(&self, places: &[f64]) -> Vec<f64>;
+    fn weighted(&self, point: &[f64]) -> Vec<f64>;
 
-    /// Their derivatives, a column for each place.
-    fn slopes(&self, places: &[f64]) -> Vec<Vec<f64>>;
+    /// Their derivatives, a column for each coordinate.
+    fn slopes(&self, point: &[f64]) -> Vec<Vec<f64>>;
 
     /// Half the sum of squares.
-    fn cost(&self, places: &[f64]) -> f64;
+    fn cost(&self, point: &[f64]) -> f64;
 }
 
-/// The same with the bounds of the places.
+/// The same with the bounds of the coordinates.
 pub(super) struct Bounded<'a, P> {
     problem: &'a P,
     low: Vec<f64>,
@@ -47,13 +47,13 @@ impl<'a, P: LeastSquares> Bounded<'a, P> {
         Bounded { problem, low, high }
     }
 
-    /// Follows the slopes from places, in at most so many steps, until one gains less than a part of the cost.
+    /// Follows the slopes from a point, in at most so many steps, until one gains less than a part of the cost.
     pub fn solve(self, start: Vec<f64>, gain: f64, steps: u64) -> Option<Found> {
         let work = self.problem.work();
         let solver = BoundedLevenbergMarquardt::new().with_relative_cost_change_tolerance(gain);
         let result = Executor::new(self, solver, PointState::new(start)).max_iter(steps).run().ok()?;
         let evaluations = result.counts.residual_evals + work * result.counts.jacobian_evals;
-        Some(Found { places: result.param().clone(), cost: result.cost(), evaluations })
+        Some(Found { point: result.param().clone(), cost: result.cost(), evaluations })
     }
 }
 
@@ -70,8 +70,8 @@ impl<P: LeastSquares> CostFunction for Bounded<'_, P> {
     type Output = f64;
     type Error = Infallible;
 
-    fn cost(&self, places: &Vec<f64>) -> Result<f64, Infallible> {
-        Ok(self.problem.cost(places))
+    fn cost(&self, point: &Vec<f64>) -> Result<f64, Infallible> {
+        Ok(self.problem.cost(point))
     }
 }
 
@@ -80,16 +80,16 @@ impl<P: LeastSquares> Residual for Bounded<'_, P> {
     type Output = Vec<f64>;
     type Error = Infallible;
 
-    fn residual(&self, places: &Vec<f64>) -> Result<Vec<f64>, Infallible> {
-        Ok(self.problem.weighted(places))
+    fn residual(&self, point: &Vec<f64>) -> Result<Vec<f64>, Infallible> {
+        Ok(self.problem.weighted(point))
     }
 }
 
 impl<P: LeastSquares> Jacobian for Bounded<'_, P> {
     type Jacobian = DenseMatrix;
 
-    fn jacobian(&self, places: &Vec<f64>) -> Result<DenseMatrix, Infallible> {
-        let columns = self.problem.slopes(places);
+    fn jacobian(&self, point: &Vec<f64>) -> Result<DenseMatrix, Infallible> {
+        let columns = self.problem.slopes(point);
         let count = columns.first().map_or(0, Vec::len);
         let rows = (0..count).flat_map(|row| columns.iter().map(move |column| column[row]));
         Ok(DenseMatrix::from_row_slice(count, columns.len(), &rows.collect::<Vec<f64>>()))

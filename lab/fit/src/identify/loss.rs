@@ -45,7 +45,8 @@ impl Loss {
 
     /// Noise of the forces of experiments, N.
     pub fn noise(experiments: &[Experiment]) -> f64 {
-        let of = |one: &Experiment| one.alike.as_ref().map_or_else(|| noise(&one.force), |alike| alike.noise);
+        let of =
+            |one: &Experiment| one.matched_filter.as_ref().map_or_else(|| noise(&one.force), |filter| filter.noise);
         let square = |one: &Experiment| of(one) * of(one);
         let noise = (experiments.iter().map(square).sum::<f64>() / experiments.len().max(1) as f64).sqrt();
         let forces = experiments.iter().flat_map(|one| &one.force);

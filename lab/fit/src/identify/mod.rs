@@ -56,7 +56,7 @@ pub use experiment::{Experiment, Rest, names};
 pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source};
 pub use output::{Difference, EARLY, Reference, difference, known, of_law, preset, respond};
 pub use parameter::{Parameter, Scale, Selection, Target};
-pub use problem::Point;
+pub use problem::Physical;
 pub use rank::{APART, Rank, rank};
 pub use response::Ports;
 pub use search::{Method, Searches, Watch};
@@ -64,7 +64,7 @@ pub use strut::{StrutFriction, strut_friction};
 pub use uncertainty::{DETERMINED, Residuals, Verdict, digits, digits_within};
 pub use validation::{Validation, held_out};
 
-use interval::Ended;
+use interval::Optimum;
 use loss::Loss;
 use parameter::{OF_RIG, refused};
 use problem::{Found, Problem};
@@ -157,7 +157,7 @@ pub struct Fit {
     /// Whether each sample of each experiment was fitted.
     pub fitted: Vec<Vec<bool>>,
     /// Values of law and rig.
-    pub point: Point,
+    pub physical: Physical,
     /// The columns of the law among them that were held.
     pub held: Vec<(usize, f64)>,
     /// Normal force of an axis, N, whose coefficient of friction is a force if that is 1 N.
@@ -365,7 +365,7 @@ fn fit_from(
     let problem = problem(law, prepared.as_deref().unwrap_or(experiments), task)?;
     let (mut fitter, found) = Fitter::of(problem, task, watch, first)?;
     let mut best = fitter.refine(found);
-    if let Some(experiments) = at_rest_anew(&fitter.problem, &best.found.places) {
+    if let Some(experiments) = at_rest_anew(&fitter.problem, &best.found.point) {
         fitter.problem.experiments = anew.get_or_init(|| experiments);
         let found = fitter.problem.judge(best.found);
         best = fitter.follow(&found);
@@ -392,13 +392,13 @@ fn prepared(law: &ModelType, experiments: &[Experiment], task: &Settings) -> Opt
     (differs || is_weighed).then(|| experiments.iter().map(prepare).collect())
 }
 
-/// How often a fit goes on from a better place that is found while it is judged (chosen): the searches see fewer samples
-/// and intervals that are not divided, and may agree on another place.
+/// How often a fit goes on from a better point that is found while it is judged (chosen): the searches see fewer samples
+/// and intervals that are not divided, and may agree on another point.
 const RETURNS: usize = 3;
 
 /// The experiments with the samples left out that are at rest with the delay that was found; None if they are the same.
-fn at_rest_anew(problem: &Problem, places: &[f64]) -> Option<Vec<Experiment>> {
-    let delay = problem.point(places).delay?;
+fn at_rest_anew(problem: &Problem, point: &[f64]) -> Option<Vec<Experiment>> {
+    let delay = problem.physical(point).delay?;
     let doubted = |one: &Experiment| if one.delay_range.is_some() { one.at_delay(delay) } else { one.clone() };
     let anew: Vec<Experiment> = problem.experiments.iter().map(doubted).collect();
     let are_others = anew.iter().zip(problem.experiments).any(|(anew, before)| anew.left_out != before.left_out);
@@ -459,23 +459,23 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Se
         loss: if task.is_robust { Loss::robust(experiments) } else { Loss::SQUARES },
         parts: 1,
         pinned: vec![None; parameters.len()],
-        instead: None,
+        substitute: None,
         parameters,
     })
 }
 
-/// A best place with what is left there, and how far it can be trusted.
+/// A best point with what is left there, and how far it can be trusted.
 struct Judged {
-    seen: Residuals,
+    residuals: Residuals,
     trust: Uncertainty,
 }
 
 impl Judged {
-    /// A place that explains the force better, by more than the noise of a sample.
+    /// A point that explains the force better, by more than the noise of a sample.
     fn better(&self, best: &Found) -> Option<&Found> {
-        let ends = self.trust.elsewhere.iter().map(|place| &place.end);
+        let ends = self.trust.alternatives.iter().map(|other| &other.end);
         let least = ends.min_by(|a, b| a.cost.total_cmp(&b.cost))?;
-        (2.0 * (best.cost - least.cost) > self.seen.rise()).then_some(least)
+        (2.0 * (best.cost - least.cost) > self.residuals.rise()).then_some(least)
     }
 }
 
@@ -485,12 +485,12 @@ struct Fitter<'a> {
     task: &'a Settings,
     watch: Watch<'a>,
     searches: Searches,
-    /// Places at which the two best searches ended.
+    /// Points at which the two best searches ended.
     ends: Vec<Vec<f64>>,
 }
 
 impl<'a> Fitter<'a> {
-    /// Searches the whole range; the best place too.
+    /// Searches the whole range; the best point too.
     fn of(problem: Problem<'a>, task: &'a Settings, watch: Watch<'a>, first: First) -> Result<(Self, Found), Fault> {
         let best = best(&problem, task, watch, first);
         if !best.found.cost.is_finite() {
@@ -501,18 +501,18 @@ impl<'a> Fitter<'a> {
         Ok((Fitter { problem, task, watch, searches: best.searches, ends }, best.found))
     }
 
-    /// Divides the intervals between samples as far as that shifts a place.
+    /// Divides the intervals between samples as far as that shifts a point.
     fn refine(&mut self, found: Found) -> Refined {
         refine(&mut self.problem, found, self.task, self.watch)
     }
 
-    /// The same for where the slopes lead from a place.
+    /// The same for where the slopes lead from a point.
     fn follow(&mut self, from: &Found) -> Refined {
         let found = polish(&self.problem, from);
         self.refine(found)
     }
 
-    /// Judges the best place, and goes on from better ones that are found so.
+    /// Judges the best point, and goes on from better ones that are found so.
     fn settle(&mut self, mut best: Refined) -> Result<(Refined, Judged), Fault> {
         let mut judged = self.judge(&best.found)?;
         // A genetic algorithm alone stays where it ended.
@@ -525,47 +525,47 @@ impl<'a> Fitter<'a> {
         Ok((best, judged))
     }
 
-    /// Judges a best place.
+    /// Judges a best point.
     fn judge(&self, best: &Found) -> Result<Judged, Fault> {
-        let left = self.problem.residuals(&best.places);
+        let left = self.problem.residuals(&best.point);
         let left = left.ok_or_else(|| refused(self.problem.law, "the law is refused at the best place"))?;
-        let seen = Residuals::of_fit(&self.problem, &left);
+        let residuals = Residuals::of_fit(&self.problem, &left);
         let profiles = self.task.profiles && !self.watch.is_cancelled();
-        let mut trust = self.trust(best, &seen, profiles);
+        let mut trust = self.trust(best, &residuals, profiles);
         // Residuals that are correlated are warned of: there the law is wrong, and not a few samples.
-        if seen.correlation <= SYSTEMATIC {
+        if residuals.correlation <= SYSTEMATIC {
             trust.doubt_outliers(&self.problem.loss.influence(&left).0, Loss::noise(self.problem.experiments));
         }
-        Ok(Judged { seen, trust })
+        Ok(Judged { residuals, trust })
     }
 
     /// Uncertainty by the sensitivities, less what they do not see.
-    fn trust(&self, best: &Found, seen: &Residuals, profiles: bool) -> Uncertainty {
-        let mut trust = uncertainty(&self.problem, &best.places, seen);
+    fn trust(&self, best: &Found, residuals: &Residuals, profiles: bool) -> Uncertainty {
+        let mut trust = uncertainty(&self.problem, &best.point, residuals);
         if let Some(reason) = self.searches.believed(self.task.method).doubt() {
             trust.verdicts.fill(Verdict::Undetermined(reason.to_owned()));
         } else if profiles {
-            doubt_straight_lines(&self.problem, best, seen, &mut trust);
+            doubt_straight_lines(&self.problem, best, residuals, &mut trust);
         }
         if let [first, second] = &self.ends[..] {
-            trust.doubt_ends([first, second].map(|places| self.problem.values(places)));
+            trust.doubt_ends([first, second].map(|point| self.problem.values(point)));
         }
         trust
     }
 
-    /// Everything about a best place.
+    /// Everything about a best point.
     fn finish(&self, best: &Refined, judged: &Judged) -> Result<Fit, Fault> {
-        let (problem, Judged { seen, trust }) = (&self.problem, judged);
+        let (problem, Judged { residuals, trust }) = (&self.problem, judged);
         let (estimates, is_cancelled) = self.estimates(&best.found, judged);
-        let point = problem.point(&best.found.places);
-        let predicted = problem.predicted(&mut Instance::new(problem.law), &point, problem.parts);
+        let physical = problem.physical(&best.found.point);
+        let predicted = problem.predicted(&mut Instance::new(problem.law), &physical, problem.parts);
         let mut predicted = predicted.map_err(|reason| refused(problem.law, reason))?.into_iter();
         let part = |one: &Experiment| predicted.by_ref().take(one.time.len()).collect();
         Ok(Fit {
             law: problem.law,
             correlation: trust.correlation.row_iter().map(|row| row.iter().copied().collect()).collect(),
             condition: trust.condition,
-            residuals: *seen,
+            residuals: *residuals,
             samples: problem.samples(),
             level: problem.measured().iter().fold(0.0, |most: f64, force| most.max(force.abs())),
             evaluations: best.found.evaluations,
@@ -574,35 +574,35 @@ impl<'a> Fitter<'a> {
             is_exact: problem.exact.is_some(),
             predicted: problem.experiments.iter().map(part).collect(),
             fitted: problem.experiments.iter().map(Experiment::fitted).collect(),
-            point,
+            physical,
             held: problem.held.clone(),
             axis_load: axis::load(problem.experiments),
             parts: problem.parts,
             validation: Vec::new(),
-            warnings: warnings(problem, seen, &estimates, self.searches, best.shift),
+            warnings: warnings(problem, residuals, &estimates, self.searches, best.shift),
             estimates,
         })
     }
 
-    /// The parameters at a best place, and whether the fit was ended before all intervals were found.
-    fn estimates(&self, best: &Found, Judged { seen, trust }: &Judged) -> (Vec<Estimate>, bool) {
-        let undivided = if self.problem.parts > 1 { self.problem.undivided(&best.places) } else { None };
+    /// The parameters at a best point, and whether the fit was ended before all intervals were found.
+    fn estimates(&self, best: &Found, Judged { residuals, trust }: &Judged) -> (Vec<Estimate>, bool) {
+        let undivided = if self.problem.parts > 1 { self.problem.undivided(&best.point) } else { None };
         let problem = undivided.as_ref().unwrap_or(&self.problem);
-        let ended = Ended { problem, best: &problem.judge(best.clone()), seen, trust };
-        let repeated = ended.repetitions(self.task.repetitions, self.task.seed, self.watch);
+        let optimum = Optimum { problem, best: &problem.judge(best.clone()), residuals, trust };
+        let repeated = optimum.repetitions(self.task.repetitions, self.task.seed, self.watch);
         let is_cancelled = self.watch.is_cancelled();
-        (ended.estimates(self.task.profiles && !is_cancelled, &repeated), is_cancelled)
+        (optimum.estimates(self.task.profiles && !is_cancelled, &repeated), is_cancelled)
     }
 }
 
-/// Calls not determined what depends on more than straight lines around the best place show.
-fn doubt_straight_lines(problem: &Problem, best: &Found, seen: &Residuals, trust: &mut Uncertainty) {
-    for (number, end) in (Ended { problem, best, seen, trust }).without_effect() {
+/// Calls not determined what depends on more than straight lines around the best point show.
+fn doubt_straight_lines(problem: &Problem, best: &Found, residuals: &Residuals, trust: &mut Uncertainty) {
+    for (number, end) in (Optimum { problem, best, residuals, trust }).without_effect() {
         let reason = format!("at {}, an end of its range, the force is predicted almost as well", digits(end));
         trust.verdicts[number] = Verdict::Undetermined(reason);
     }
-    trust.elsewhere = Ended { problem, best, seen, trust }.elsewhere();
-    for (number, other) in (Ended { problem, best, seen, trust }).dependent() {
+    trust.alternatives = Optimum { problem, best, residuals, trust }.alternatives();
+    for (number, other) in (Optimum { problem, best, residuals, trust }).dependent() {
         let name = &problem.parameters[other].name;
         trust.verdicts[number] = Verdict::Undetermined(format!("it depends on {name}, which is not determined"));
     }

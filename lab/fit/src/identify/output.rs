@@ -78,8 +78,8 @@ impl Fit {
     /// inertia and the offset, that were found.
     pub fn seen(&self, record: &Record) -> Record {
         let as_is = Experiment::new("record", record);
-        let by = self.point.delay.filter(|_| as_is.delay_range.is_some()).map_or(0.0, |delay| delay - as_is.delay);
-        let moved = as_is.with_delay(self.point.delay).into_owned();
+        let by = self.physical.delay.filter(|_| as_is.delay_range.is_some()).map_or(0.0, |delay| delay - as_is.delay);
+        let moved = as_is.with_delay(self.physical.delay).into_owned();
         let friction_force = self.without_inertia(&record.force, &moved.acceleration);
         let displacement = record.displacement.iter().zip(&record.velocity).map(|(x, v)| x + by * v).collect();
         let (velocity, acceleration) = (moved.velocity, moved.acceleration);
@@ -95,7 +95,11 @@ impl Fit {
 
     /// Friction in forces of the load cell.
     fn without_inertia(&self, forces: &[f64], acceleration: &[f64]) -> Vec<f64> {
-        forces.iter().zip(acceleration).map(|(force, a)| force - (self.point.mass * a + self.point.offset)).collect()
+        forces
+            .iter()
+            .zip(acceleration)
+            .map(|(force, a)| force - (self.physical.mass * a + self.physical.offset))
+            .collect()
     }
 
     /// Name of a column of the law.
@@ -160,7 +164,7 @@ impl Fit {
     fn axis(&self) -> Vec<(&'static str, f64)> {
         let Some(load) = self.axis_load else { return Vec::new() };
         let is_known = |name: &str| self.undetermined().all(|open| open != name);
-        let all = [("mass", self.point.mass), ("offset", self.point.offset), ("guide_force", load)];
+        let all = [("mass", self.physical.mass), ("offset", self.physical.offset), ("guide_force", load)];
         all.into_iter().filter(|(name, _)| is_known(name)).collect()
     }
 

@@ -52,12 +52,12 @@ impl Scale {
     }
 
     /// Value and its derivative.
-    fn back(self, place: f64) -> [f64; 2] {
+    fn back(self, coordinate: f64) -> [f64; 2] {
         match self {
-            Scale::Linear => [place, 1.0],
-            Scale::Logarithmic => [Real::exp(place); 2],
+            Scale::Linear => [coordinate, 1.0],
+            Scale::Logarithmic => [Real::exp(coordinate); 2],
             Scale::Mixed(small) => {
-                let [up, down] = [Real::exp(place), Real::exp(-place)];
+                let [up, down] = [Real::exp(coordinate), Real::exp(-coordinate)];
                 [0.5 * small * (up - down), 0.5 * small * (up + down)]
             }
         }
@@ -82,16 +82,16 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// Value at a place from 0 to 1 in the range, and its derivative.
-    pub(super) fn value(&self, place: f64) -> [f64; 2] {
+    /// Value at a coordinate from 0 to 1 in the range, and its derivative.
+    pub(super) fn value(&self, coordinate: f64) -> [f64; 2] {
         let [low, high] = self.range.map(|end| self.scale.forth(end));
-        let [value, slope] = self.scale.back(low + (high - low) * place);
+        let [value, slope] = self.scale.back(low + (high - low) * coordinate);
         // Rounding must not lead out of the range.
         [value.clamp(self.range[0], self.range[1]), slope * (high - low)]
     }
 
-    /// Place of a value, from 0 to 1 in the range.
-    pub(super) fn place(&self, value: f64) -> f64 {
+    /// Coordinate of a value, from 0 to 1 in the range.
+    pub(super) fn coordinate(&self, value: f64) -> f64 {
         let [low, high] = self.range.map(|end| self.scale.forth(end));
         ((self.scale.forth(value.clamp(self.range[0], self.range[1])) - low) / (high - low)).clamp(0.0, 1.0)
     }
@@ -122,7 +122,7 @@ impl Parameter {
     }
 
     /// Change of the value that is large: half the range on a linear scale, the value itself on a logarithmic one.
-    pub(super) fn large(&self, value: f64) -> f64 {
+    pub(super) fn large_change(&self, value: f64) -> f64 {
         match self.scale {
             Scale::Linear => 0.5 * (self.range[1] - self.range[0]),
             Scale::Logarithmic => value,
@@ -311,11 +311,11 @@ fn of_law(law: &ModelType, column: usize, variable: &Variable, magnitudes: &Magn
 
 /// The range in which a delay is looked for; None if none is. Each record with clocks of its own has another one; the
 /// controller of an axis has one.
-fn doubted(experiments: &[Experiment]) -> Result<Option<[f64; 2]>, Fault> {
+fn delay_range(experiments: &[Experiment]) -> Result<Option<[f64; 2]>, Fault> {
     let mut ranges = experiments.iter().filter(|one| one.delay_range.is_some());
     let Some(first) = ranges.next() else { return Ok(None) };
     for other in ranges {
-        if first.alike.is_none() || other.alike.is_none() {
+        if first.matched_filter.is_none() || other.matched_filter.is_none() {
             return Err(Fault::value(format_args!(
                 "{}: its delay is another one than that of {}: look for delays in one record at a time, and give them",
                 other.name, first.name
@@ -346,7 +346,7 @@ fn of_rig(experiments: &[Experiment], selection: &Selection, magnitudes: &Magnit
         let range = [-magnitudes.force, magnitudes.force];
         list.push(one("offset", "N", Target::Offset, range, Scale::Linear));
     }
-    match (doubted(experiments)?, selection.fixed("delay")) {
+    match (delay_range(experiments)?, selection.fixed("delay")) {
         (None, Some(_)) => Err("delay: is held only where it is looked for; otherwise give it with the record"),
         (Some(range), None) => {
             list.push(one("delay", "s", Target::Delay, range, Scale::Linear));

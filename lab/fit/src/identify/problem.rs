@@ -32,25 +32,25 @@ pub(super) struct Problem<'a> {
     pub loss: Loss,
     /// Parts into which the intervals between samples are divided.
     pub parts: usize,
-    /// Unknowns that are held at a place, for profiles.
+    /// Coordinates that are held, for profiles.
     pub pinned: Vec<Option<f64>>,
     /// Forces that are fitted instead of the measured ones.
-    pub instead: Option<Vec<f64>>,
+    pub substitute: Option<Vec<f64>>,
 }
 
-/// Residual of a place at which the law is refused: larger than any force that is measured.
+/// Residual of a point at which the law is refused: larger than any force that is measured.
 const REFUSED: f64 = 1e9;
 
-/// Step of central differences of a place: about a hundredth of a value on a logarithmic scale (chosen), so that a law
+/// Step of central differences of a coordinate: about a hundredth of a value on a logarithmic scale (chosen), so that a law
 /// whose memory has the steps of the samples moves by more than one of them.
 const STEP: f64 = 1e-3;
 
 /// Part of values that columns cannot explain; None if the columns do not differ from each other.
-fn beyond(columns: &[Vec<f64>], mut values: Vec<f64>) -> Option<Vec<f64>> {
+fn residual_after_projection(columns: &[Vec<f64>], mut values: Vec<f64>) -> Option<Vec<f64>> {
     let sizes: Vec<f64> = columns.iter().map(|column| dot(column, column).sqrt().max(f64::MIN_POSITIVE)).collect();
     let count = columns.len();
-    let alike = DMatrix::from_fn(count, count, |a, b| dot(&columns[a], &columns[b]) / (sizes[a] * sizes[b]));
-    let known = alike.cholesky()?.inverse();
+    let gram = DMatrix::from_fn(count, count, |a, b| dot(&columns[a], &columns[b]) / (sizes[a] * sizes[b]));
+    let known = gram.cholesky()?.inverse();
     let pulls: Vec<f64> = columns.iter().zip(&sizes).map(|(column, size)| dot(column, &values) / size).collect();
     let parts: Vec<f64> = (0..count).map(|a| (0..count).map(|b| known[(a, b)] * pulls[b]).sum()).collect();
     for (column, (part, size)) in columns.iter().zip(parts.iter().zip(&sizes)) {
@@ -64,9 +64,9 @@ pub(super) fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
-/// Places with one of them moved as far as its range admits.
-pub(super) fn moved(places: &[f64], number: usize, by: f64) -> Vec<f64> {
-    let mut moved = places.to_vec();
+/// A point with one coordinate moved as far as its range admits.
+pub(super) fn moved(point: &[f64], number: usize, by: f64) -> Vec<f64> {
+    let mut moved = point.to_vec();
     moved[number] = (moved[number] + by).clamp(0.0, 1.0);
     moved
 }
@@ -77,7 +77,7 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 /// Values of the parameters as a law and a rig take them.
 #[derive(Clone, Debug)]
-pub struct Point {
+pub struct Physical {
     /// Values of the columns of the law.
     pub columns: Vec<(usize, f64)>,
     /// Mass of the rig, as given or fitted, kg.
@@ -117,15 +117,15 @@ impl Problem<'_> {
         all.into_iter().zip(counts).filter(|(_, counts)| *counts).map(|(value, _)| value).collect()
     }
 
-    /// The places of all parameters, from those that are free.
+    /// The coordinates of all parameters, from those that are free.
     pub fn whole(&self, free: &[f64]) -> Vec<f64> {
         let mut free = free.iter();
         self.pinned.iter().map(|pin| pin.or_else(|| free.next().copied()).unwrap_or(0.5)).collect()
     }
 
-    /// Values of the parameters at places.
-    pub fn values(&self, places: &[f64]) -> Vec<f64> {
-        self.parameters.iter().zip(places).map(|(parameter, place)| parameter.value(*place)[0]).collect()
+    /// Values of the parameters at a point.
+    pub fn values(&self, point: &[f64]) -> Vec<f64> {
+        self.parameters.iter().zip(point).map(|(parameter, coordinate)| parameter.value(*coordinate)[0]).collect()
     }
 
     /// Numbers of the parameters that are not held.
@@ -133,33 +133,34 @@ impl Problem<'_> {
         (0..self.parameters.len()).filter(|number| self.pinned[*number].is_none())
     }
 
-    /// Holds a parameter at a place.
-    pub fn pin(&mut self, number: usize, place: f64) {
-        self.pinned[number] = Some(place.clamp(0.0, 1.0));
+    /// Holds a parameter at a coordinate.
+    pub fn pin(&mut self, number: usize, coordinate: f64) {
+        self.pinned[number] = Some(coordinate.clamp(0.0, 1.0));
     }
 
     /// Changes of the parameters that are large.
-    pub fn large(&self, values: &[f64]) -> Vec<f64> {
-        self.parameters.iter().zip(values).map(|(parameter, value)| parameter.large(*value)).collect()
+    pub fn large_changes(&self, values: &[f64]) -> Vec<f64> {
+        self.parameters.iter().zip(values).map(|(parameter, value)| parameter.large_change(*value)).collect()
     }
 
-    pub fn point(&self, places: &[f64]) -> Point {
-        let mut point = Point { columns: self.held.clone(), mass: self.mass, offset: self.offset, delay: self.delay };
+    pub fn physical(&self, point: &[f64]) -> Physical {
+        let mut physical =
+            Physical { columns: self.held.clone(), mass: self.mass, offset: self.offset, delay: self.delay };
         let mut excess = None;
-        for (parameter, value) in self.parameters.iter().zip(self.values(places)) {
+        for (parameter, value) in self.parameters.iter().zip(self.values(point)) {
             match parameter.target {
-                Target::Column(column) => point.columns.push((column, value)),
+                Target::Column(column) => physical.columns.push((column, value)),
                 Target::Excess { of, over } => excess = Some((of, over, value)),
-                Target::Mass => point.mass = value,
-                Target::Offset => point.offset = value,
-                Target::Delay => point.delay = Some(value),
+                Target::Mass => physical.mass = value,
+                Target::Offset => physical.offset = value,
+                Target::Delay => physical.delay = Some(value),
             }
         }
         if let Some((of, over, value)) = excess {
-            let kinetic = point.columns.iter().rev().find(|(column, _)| *column == over).map(|(_, value)| *value);
-            point.columns.push((of, kinetic.unwrap_or_else(|| self.kinetic(over)) + value));
+            let kinetic = physical.columns.iter().rev().find(|(column, _)| *column == over).map(|(_, value)| *value);
+            physical.columns.push((of, kinetic.unwrap_or_else(|| self.kinetic(over)) + value));
         }
-        point
+        physical
     }
 
     /// The kinetic level where it is not parameter: as it is held, or its start value.
@@ -169,79 +170,81 @@ impl Problem<'_> {
     }
 
     /// Forces of the load cell that the law explains.
-    pub fn predicted(&self, instance: &mut Instance, point: &Point, parts: usize) -> Result<Vec<f64>, Refused> {
+    pub fn predicted(&self, instance: &mut Instance, physical: &Physical, parts: usize) -> Result<Vec<f64>, Refused> {
         let mut all = Vec::with_capacity(self.samples());
-        for experiment in self.seen(point) {
+        for experiment in self.delayed(physical) {
             let experiment = &*experiment;
-            let friction = forces(instance, self.ports, &point.columns, experiment, parts)?;
-            let inertia = experiment.acceleration.iter().map(|a| point.mass * a + point.offset);
+            let friction = forces(instance, self.ports, &physical.columns, experiment, parts)?;
+            let inertia = experiment.acceleration.iter().map(|a| physical.mass * a + physical.offset);
             all.extend(friction.iter().zip(inertia).map(|(friction, rest)| friction + rest));
         }
         Ok(all)
     }
 
     /// The experiments with the motion at its delay.
-    fn seen(&self, point: &Point) -> impl Iterator<Item = Cow<'_, Experiment>> {
-        let delay = point.delay;
+    fn delayed(&self, physical: &Physical) -> impl Iterator<Item = Cow<'_, Experiment>> {
+        let delay = physical.delay;
         self.experiments.iter().map(move |one| one.with_delay(delay))
     }
 
-    /// Gives a place that was found on fewer samples its cost on all of them.
+    /// Gives a point that was found on fewer samples its cost on all of them.
     pub fn judge(&self, found: Found) -> Found {
-        let cost = self.residuals(&found.places).map_or(f64::INFINITY, |all| self.loss.cost(&all));
+        let cost = self.residuals(&found.point).map_or(f64::INFINITY, |all| self.loss.cost(&all));
         Found { cost, ..found }
     }
 
     /// The forces that are fitted.
     pub fn measured(&self) -> Vec<f64> {
         let all = || self.experiments.iter().flat_map(|one| one.force.iter().copied()).collect();
-        self.instead.clone().unwrap_or_else(|| self.counting(all()))
+        self.substitute.clone().unwrap_or_else(|| self.counting(all()))
     }
 
-    /// Explained minus measured forces at the places of all parameters; None where the law is refused.
-    pub fn residuals(&self, places: &[f64]) -> Option<Vec<f64>> {
+    /// Explained minus measured forces at a point; None where the law is refused.
+    pub fn residuals(&self, point: &[f64]) -> Option<Vec<f64>> {
         let mut instance = Instance::new(self.law);
-        let predicted = self.predicted(&mut instance, &self.point(places), self.parts).ok()?;
+        let predicted = self.predicted(&mut instance, &self.physical(point), self.parts).ok()?;
         Some(minus(&self.counting(predicted), &self.measured()))
     }
 
     /// The same with intervals between samples that are not divided, and with forces that leave the same residuals at a
-    /// place: near it, the error of the steps hardly changes.
-    pub fn corrected(&self, places: &[f64]) -> Option<Problem<'_>> {
-        self.leaving(places, self.residuals(places)?)
+    /// point: near it, the error of the steps hardly changes.
+    pub fn corrected(&self, point: &[f64]) -> Option<Problem<'_>> {
+        self.leaving(point, self.residuals(point)?)
     }
 
-    /// The same with forces that have their least squares at the place: the residuals are the same as far as the parameters
+    /// The same with forces that have their least squares at the point: the residuals are the same as far as the parameters
     /// cannot explain them.
-    pub fn undivided(&self, places: &[f64]) -> Option<Problem<'_>> {
+    pub fn undivided(&self, point: &[f64]) -> Option<Problem<'_>> {
         let quick = self.with_whole_intervals();
-        let inside = (0..places.len()).filter(|number| places[*number] > 0.0 && places[*number] < 1.0);
-        let columns: Vec<Vec<f64>> = inside.map(|number| quick.sensitivity(places, number)).collect();
-        self.leaving(places, beyond(&columns, self.residuals(places)?)?)
+        let inside = (0..point.len()).filter(|number| point[*number] > 0.0 && point[*number] < 1.0);
+        let columns: Vec<Vec<f64>> = inside.map(|number| quick.sensitivity(point, number)).collect();
+        self.leaving(point, residual_after_projection(&columns, self.residuals(point)?)?)
     }
 
     /// The same with intervals that are not divided.
     fn with_whole_intervals(&self) -> Problem<'_> {
-        Problem { parts: 1, instead: None, ..self.clone() }
+        Problem { parts: 1, substitute: None, ..self.clone() }
     }
 
-    /// A problem with intervals that are not divided and with forces that leave given residuals at a place.
-    fn leaving(&self, places: &[f64], left: Vec<f64>) -> Option<Problem<'_>> {
+    /// A problem with intervals that are not divided and with forces that leave given residuals at a point.
+    fn leaving(&self, point: &[f64], left: Vec<f64>) -> Option<Problem<'_>> {
         let quick = self.with_whole_intervals();
-        let coarse = quick.residuals(places)?;
+        let coarse = quick.residuals(point)?;
         let predicted: Vec<f64> = quick.measured().iter().zip(coarse).map(|(force, left)| force + left).collect();
-        Some(Problem { instead: Some(minus(&predicted, &left)), ..quick })
+        Some(Problem { substitute: Some(minus(&predicted, &left)), ..quick })
     }
 
     /// Derivatives of the residuals with respect to the value of each parameter, a column for each.
-    pub fn sensitivities(&self, places: &[f64]) -> Vec<Vec<f64>> {
-        (0..self.parameters.len()).map(|number| self.sensitivity(places, number)).collect()
+    pub fn sensitivities(&self, point: &[f64]) -> Vec<Vec<f64>> {
+        (0..self.parameters.len()).map(|number| self.sensitivity(point, number)).collect()
     }
 
-    fn sensitivity(&self, places: &[f64], number: usize) -> Vec<f64> {
-        let point = self.point(places);
+    fn sensitivity(&self, point: &[f64], number: usize) -> Vec<f64> {
+        let physical = self.physical(point);
         match (self.parameters[number].target, self.exact) {
-            (Target::Mass, _) => self.counting(self.seen(&point).flat_map(|one| one.acceleration.clone()).collect()),
+            (Target::Mass, _) => {
+                self.counting(self.delayed(&physical).flat_map(|one| one.acceleration.clone()).collect())
+            }
             (Target::Offset, _) => vec![1.0; self.samples()],
             (Target::Column(column), Some(exact)) => {
                 // The static level moves with the kinetic one.
@@ -250,28 +253,28 @@ impl Problem<'_> {
                     _ => None,
                 });
                 let seeds: Vec<(usize, f64)> = [(column, 1.0)].into_iter().chain(follows).collect();
-                self.exactly(exact, &point, &seeds)
+                self.exactly(exact, &physical, &seeds)
             }
-            (Target::Excess { of, .. }, Some(exact)) => self.exactly(exact, &point, &[(of, 1.0)]),
-            (Target::Delay, _) | (_, None) => self.differences(places, number, STEP),
+            (Target::Excess { of, .. }, Some(exact)) => self.exactly(exact, &physical, &[(of, 1.0)]),
+            (Target::Delay, _) | (_, None) => self.differences(point, number, STEP),
         }
     }
 
-    fn exactly(&self, exact: Exact, point: &Point, seeds: &[(usize, f64)]) -> Vec<f64> {
+    fn exactly(&self, exact: Exact, physical: &Physical, seeds: &[(usize, f64)]) -> Vec<f64> {
         let mut instance = Instance::new(self.law);
         // Refused values have led to no residuals before.
-        let _ = instance.set_all(Phase::Setup, point.columns.iter().copied());
+        let _ = instance.set_all(Phase::Setup, physical.columns.iter().copied());
         let start = instance.row().to_vec();
         let forces = |one: Cow<Experiment>| {
             exact.forces(&start, self.ports, seeds, &one, self.parts).into_iter().map(|force| force.slope)
         };
-        self.counting(self.seen(point).flat_map(forces).collect())
+        self.counting(self.delayed(physical).flat_map(forces).collect())
     }
 
     /// Central differences; one-sided at an end of the range.
-    pub fn differences(&self, places: &[f64], number: usize, step: f64) -> Vec<f64> {
+    pub fn differences(&self, point: &[f64], number: usize, step: f64) -> Vec<f64> {
         let at = |shift: f64| {
-            let moved = moved(places, number, shift);
+            let moved = moved(point, number, shift);
             (self.parameters[number].value(moved[number])[0], self.residuals(&moved))
         };
         let [(low, before), (high, after)] = [at(-step), at(step)];
@@ -284,7 +287,7 @@ impl Problem<'_> {
     }
 }
 
-/// Over the places of the free parameters.
+/// Over the coordinates of the free parameters.
 impl LeastSquares for Problem<'_> {
     fn count(&self) -> usize {
         self.free().count()
@@ -300,13 +303,13 @@ impl LeastSquares for Problem<'_> {
     }
 
     fn slopes(&self, free: &[f64]) -> Vec<Vec<f64>> {
-        let places = self.whole(free);
-        // A refused place has no residuals and is never a place to go on from.
-        let residuals = self.residuals(&places).unwrap_or_else(|| vec![0.0; self.samples()]);
+        let point = self.whole(free);
+        // A refused point has no residuals and is never a point to go on from.
+        let residuals = self.residuals(&point).unwrap_or_else(|| vec![0.0; self.samples()]);
         let weights: Vec<f64> = residuals.into_iter().map(|one| self.loss.slope_of_root(one)).collect();
         let column = |number: usize| {
-            let [_, slope] = self.parameters[number].value(places[number]);
-            let column = self.sensitivity(&places, number);
+            let [_, slope] = self.parameters[number].value(point[number]);
+            let column = self.sensitivity(&point, number);
             column.iter().zip(&weights).map(|(value, weight)| weight * (value * slope)).collect()
         };
         self.free().map(column).collect()

@@ -9,7 +9,7 @@ use super::uncertainty::{Residuals, uncertainty};
 const MOST_PARTS: usize = 16;
 pub(super) const SHIFT: f64 = 0.2;
 
-/// A place after [`refine`].
+/// A point after [`refine`].
 pub(super) struct Refined {
     pub found: Found,
     /// Shift of the parameters if the intervals were divided once more, in standard deviations.
@@ -21,10 +21,10 @@ pub(super) fn refine(problem: &mut Problem, mut found: Found, task: &Settings, w
     let is_polished = task.method == Method::Evolution;
     loop {
         let finer = Problem { parts: 2 * problem.parts, ..problem.clone() };
-        let both = problem.residuals(&found.places).zip(finer.residuals(&found.places));
+        let both = problem.residuals(&found.point).zip(finer.residuals(&found.point));
         let Some((here, there)) = both else { return Refined { found, shift: f64::INFINITY } };
-        let seen = Residuals::of_fit(problem, &here);
-        let shift = uncertainty(problem, &found.places, &seen).shift(&minus(&here, &there));
+        let residuals = Residuals::of_fit(problem, &here);
+        let shift = uncertainty(problem, &found.point, &residuals).shift(&minus(&here, &there));
         let is_ended = watch.is_cancelled();
         if shift <= SHIFT || finer.parts > MOST_PARTS || is_ended {
             let is_corrected = is_polished && problem.parts > 1 && !is_ended;
@@ -38,11 +38,11 @@ pub(super) fn refine(problem: &mut Problem, mut found: Found, task: &Settings, w
     }
 }
 
-/// Follows the slopes with intervals that are not divided, and with what that makes wrong at the best place taken from the
-/// forces, until that place no longer gets better.
+/// Follows the slopes with intervals that are not divided, and with what that makes wrong at the best point taken from the
+/// forces, until that point no longer gets better.
 fn polish_by_corrections(problem: &Problem, mut best: Found) -> Found {
     for _ in 0..MOST_CORRECTIONS {
-        let Some(quick) = problem.corrected(&best.places) else { break };
+        let Some(quick) = problem.corrected(&best.point) else { break };
         let moved = problem.judge(polish(&quick, &quick.judge(best.clone())));
         if moved.cost >= (1.0 - CORRECTED) * best.cost {
             break;
@@ -69,7 +69,7 @@ mod tests {
     fn corrections_lead_to_the_least_squares_of_divided_intervals() {
         let data = [measured("MaxwellSlip", &[], &standard(600), 0.01, 3)];
         let mut problem = whole_problem("MaxwellSlip", &data);
-        let middle = Found { places: vec![0.4; problem.parameters.len()], cost: f64::INFINITY, evaluations: 0 };
+        let middle = Found { point: vec![0.4; problem.parameters.len()], cost: f64::INFINITY, evaluations: 0 };
         let whole = polish(&problem, &middle);
         let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
         let Refined { found: refined, shift } = refine(&mut problem, whole.clone(), &Settings::default(), watch);

@@ -28,7 +28,7 @@ pub enum Method {
 pub struct Watch<'a> {
     /// Ends the search early; the best so far is kept.
     pub cancel: &'a AtomicBool,
-    /// Root mean square of the residuals at the best place so far, N, and the evaluations that led there. It is called
+    /// Root mean square of the residuals at the best point so far, N, and the evaluations that led there. It is called
     /// after each generation and each repetition.
     pub progress: &'a (dyn Fn(f64, u64) + Sync),
 }
@@ -115,26 +115,27 @@ fn coarse<'a>(problem: &Problem<'a>, coarser: Option<&'a [Experiment]>) -> Probl
 
 /// Outcome of the searches over the whole range.
 pub(super) struct Best {
-    /// The best place.
+    /// The best point.
     pub found: Found,
     /// Whether two searches with different seeds have found it: it is then hardly one of several.
     pub searches: Searches,
-    /// Places at which the two best searches ended.
+    /// Points at which the two best searches ended.
     pub ends: Vec<Vec<f64>>,
 }
 
-/// Searches the whole range; for a fit with intervals again, if the residuals of the best place are not noise: two
+/// Searches the whole range; for a fit with intervals again, if the residuals of the best point are not noise: two
 /// searches may agree on a local minimum. Many laws are ranked although they do not fit.
 pub(super) fn best(problem: &Problem, task: &Settings, watch: Watch, first: First) -> Best {
     let is_once = !task.profiles || task.method != Method::Evolution || first.is_far;
     let best = once(problem, task, watch, first);
-    let left = if is_once || watch.is_cancelled() { None } else { problem.residuals(&best.found.places) };
-    let Some(seen) = left.map(|left| Residuals::of_fit(problem, &left)).filter(|seen| seen.correlation > SYSTEMATIC)
+    let left = if is_once || watch.is_cancelled() { None } else { problem.residuals(&best.found.point) };
+    let Some(residuals) =
+        left.map(|left| Residuals::of_fit(problem, &left)).filter(|residuals| residuals.correlation > SYSTEMATIC)
     else {
         return best;
     };
     let other = once(problem, &Settings { seed: !task.seed, ..task.clone() }, watch, First::default());
-    if 2.0 * (best.found.cost - other.found.cost) > seen.rise() { other } else { best }
+    if 2.0 * (best.found.cost - other.found.cost) > residuals.rise() { other } else { best }
 }
 
 /// The searches go over fewer samples; only the best of their ends is followed on all of them.
@@ -147,7 +148,7 @@ fn once(problem: &Problem, task: &Settings, watch: Watch, First { found, is_far 
         first => several(&coarse, task, watch, first),
     };
     let compared = if searches == Searches::Ended { 0 } else { 2 };
-    let places = ends.iter().take(compared).map(|found| found.places.clone()).collect();
+    let point = ends.iter().take(compared).map(|found| found.point.clone()).collect();
     let evaluations = ends.iter().map(|found| found.evaluations).sum();
     let mut found = Found { evaluations, ..ends.swap_remove(0) };
     if fewer.is_some() {
@@ -156,7 +157,7 @@ fn once(problem: &Problem, task: &Settings, watch: Watch, First { found, is_far 
             found = polish(problem, &found);
         }
     }
-    Best { found, searches, ends: places }
+    Best { found, searches, ends: point }
 }
 
 /// Ends of searches, the best first, made until two of them agree.
@@ -237,8 +238,8 @@ where
 {
     let executor = Executor::new(Bounded::new(problem), solver, PopulationProgress::empty());
     let Ok(mut stepper) = executor.max_iter(generations).into_stepper() else {
-        let places = vec![0.5; problem.parameters.len()];
-        return Found { places, cost: f64::INFINITY, evaluations: 0 };
+        let point = vec![0.5; problem.parameters.len()];
+        return Found { point, cost: f64::INFINITY, evaluations: 0 };
     };
     // A method with many small generations waits longer.
     let patience = PATIENCE * generations.div_ceil(GENERATIONS);
@@ -254,7 +255,7 @@ where
     }
     let evaluations = stepper.counts().cost_evals;
     let state = stepper.state();
-    Found { places: problem.whole(state.param()), cost: state.cost(), evaluations }
+    Found { point: problem.whole(state.param()), cost: state.cost(), evaluations }
 }
 
 /// Steps of least squares (chosen).
@@ -263,7 +264,7 @@ const MOST_STEPS: u64 = 60;
 /// Part of the cost that a step of least squares must gain for another one to follow (chosen).
 const GAIN: f64 = 1e-8;
 
-/// Follows the slopes from a place; the free parameters of the problem only.
+/// Follows the slopes from a point; the free parameters of the problem only.
 pub(super) fn polish(problem: &Problem, from: &Found) -> Found {
     polish_until(problem, from, GAIN)
 }
@@ -274,7 +275,7 @@ pub(super) fn polish(problem: &Problem, from: &Found) -> Found {
 pub(super) fn polish_until(problem: &Problem, from: &Found, gain: f64) -> Found {
     let mut found = follow(problem, from, gain);
     for _ in 0..DETOURS {
-        let Some(inside) = without_ends(problem, &found.places) else { break };
+        let Some(inside) = without_ends(problem, &found.point) else { break };
         let moved = follow(&inside, &found, gain);
         let is_better = moved.cost < (1.0 - gain) * found.cost;
         found = moved;
@@ -293,23 +294,23 @@ const DETOURS: usize = 4;
 const EDGE: f64 = 1e-4;
 
 /// A problem in which the parameters at ends of their ranges are held; None if there are none.
-fn without_ends<'a>(problem: &Problem<'a>, places: &[f64]) -> Option<Problem<'a>> {
+fn without_ends<'a>(problem: &Problem<'a>, point: &[f64]) -> Option<Problem<'a>> {
     let mut inside = problem.clone();
-    let at_ends = problem.free().filter(|number| !(EDGE..=1.0 - EDGE).contains(&places[*number]));
-    at_ends.for_each(|number| inside.pin(number, places[number]));
+    let at_ends = problem.free().filter(|number| !(EDGE..=1.0 - EDGE).contains(&point[*number]));
+    at_ends.for_each(|number| inside.pin(number, point[number]));
     (inside.pinned != problem.pinned).then_some(inside)
 }
 
 /// Steps of least squares until one gains less than a part of the cost.
 fn follow(problem: &Problem, from: &Found, gain: f64) -> Found {
-    let start: Vec<f64> = problem.free().map(|number| from.places[number]).collect();
+    let start: Vec<f64> = problem.free().map(|number| from.point[number]).collect();
     if start.is_empty() {
         return from.clone();
     }
     let Some(end) = Bounded::new(problem).solve(start, gain, MOST_STEPS) else { return from.clone() };
     let evaluations = from.evaluations + end.evaluations;
     if end.cost < from.cost {
-        Found { places: problem.whole(&end.places), cost: end.cost, evaluations }
+        Found { point: problem.whole(&end.point), cost: end.cost, evaluations }
     } else {
         Found { evaluations, ..from.clone() }
     }
@@ -326,7 +327,7 @@ mod tests {
     use crate::rig::{Faults, VirtualRig};
     use crate::sheet::Sheet;
 
-    /// From places without viscous friction: to hold it at 0 does not lead farther down.
+    /// From points without viscous friction: to hold it at 0 does not lead farther down.
     #[test]
     fn an_unknown_at_an_end_of_its_range_does_not_stop_the_others() {
         for (law, seed) in [("Andersson", 2), ("LuGre", 5), ("MaxwellSlip", 6), ("SpeckerDynamic", 7)] {
@@ -334,14 +335,14 @@ mod tests {
             let problem = whole_problem(law, &data);
             let mut random = fastrand::Rng::with_seed(seed);
             let viscous = problem.parameters.iter().position(|one| one.name == "viscous_coefficient").unwrap();
-            let place = |number: usize| if number == viscous { 0.0 } else { 0.3 + 0.4 * random.f64() };
-            let places = (0..problem.parameters.len()).map(place).collect();
-            let start = Found { places, cost: f64::INFINITY, evaluations: 0 };
+            let coordinate = |number: usize| if number == viscous { 0.0 } else { 0.3 + 0.4 * random.f64() };
+            let point = (0..problem.parameters.len()).map(coordinate).collect();
+            let start = Found { point, cost: f64::INFINITY, evaluations: 0 };
             let end = polish(&problem, &start);
             let mut without = problem.clone();
             without.pin(viscous, 0.0);
             let mut held = end.clone();
-            held.places[viscous] = 0.0;
+            held.point[viscous] = 0.0;
             let held = polish(&without, &Found { cost: f64::INFINITY, ..held });
             assert!(end.cost < (1.0 + 1e-6) * held.cost, "{law} {seed}: {} {}", end.cost, held.cost);
         }

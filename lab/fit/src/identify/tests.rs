@@ -100,17 +100,17 @@ fn sensitivities_are_those_of_differences() {
         let Some(exact) = problem.exact else { continue };
         exact_laws += 1;
         let mut random = fastrand::Rng::with_seed(5);
-        let place = || 0.3 + 0.4 * random.f64();
-        let places: Vec<f64> = std::iter::repeat_with(place).take(problem.parameters.len()).collect();
+        let coordinate = || 0.3 + 0.4 * random.f64();
+        let point: Vec<f64> = std::iter::repeat_with(coordinate).take(problem.parameters.len()).collect();
         let mut instance = Instance::new(law);
-        let point = problem.point(&places);
-        let Ok(values) = problem.predicted(&mut instance, &point, 1) else { continue };
+        let physical = problem.physical(&point);
+        let Ok(values) = problem.predicted(&mut instance, &physical, 1) else { continue };
         instance.reset();
-        instance.set_all(stribeck::instance::Phase::Setup, point.columns.into_iter()).unwrap();
+        instance.set_all(stribeck::instance::Phase::Setup, physical.columns.into_iter()).unwrap();
         let duals = exact.forces(instance.row(), problem.ports, &[], &experiments[0], 1);
         assert!(duals.iter().zip(&values).all(|(dual, value)| dual.value == *value), "{}", law.name);
-        for (number, exactly) in problem.sensitivities(&places).into_iter().enumerate() {
-            let differences = problem.differences(&places, number, 1e-6);
+        for (number, exactly) in problem.sensitivities(&point).into_iter().enumerate() {
+            let differences = problem.differences(&point, number, 1e-6);
             let size = |values: &[f64]| values.iter().map(|one| one * one).sum::<f64>().sqrt();
             let apart: Vec<f64> = exactly.iter().zip(&differences).map(|(a, b)| a - b).collect();
             let part = size(&apart) / size(&exactly).max(1e-6 * size(&values));
@@ -248,8 +248,8 @@ fn correlated_residuals_count_as_fewer_samples() {
     let best = best(&problem, &quick(), quiet(), First::default()).found;
     let plain = white_noise(0.02);
     let [narrow, wide] =
-        [plain, Residuals { correlation: 9.0, ..plain }].map(|seen| uncertainty(&problem, &best.places, &seen));
-    for (narrow, wide) in narrow.deviations.iter().zip(&wide.deviations) {
+        [plain, Residuals { correlation: 9.0, ..plain }].map(|seen| uncertainty(&problem, &best.point, &seen));
+    for (narrow, wide) in narrow.standard_deviations.iter().zip(&wide.standard_deviations) {
         assert!((wide / narrow - 3.0).abs() < 0.01, "{narrow} {wide}");
     }
 }
@@ -259,11 +259,11 @@ fn correlated_residuals_count_as_fewer_samples() {
 fn a_force_that_changes_in_jumps_has_no_interval() {
     let data = [measured("Bristle", &[], &standard(500), 0.0, 1)];
     let problem = whole_problem("Bristle", &data);
-    let places = vec![0.5; problem.parameters.len()];
+    let point = vec![0.5; problem.parameters.len()];
     let seen = white_noise(1e-4);
     let jumps =
-        uncertainty(&problem, &places, &seen).verdicts.iter().any(|verdict| verdict.to_string().contains("in jumps"));
-    assert!(jumps, "{:?}", uncertainty(&problem, &places, &seen).verdicts);
+        uncertainty(&problem, &point, &seen).verdicts.iter().any(|verdict| verdict.to_string().contains("in jumps"));
+    assert!(jumps, "{:?}", uncertainty(&problem, &point, &seen).verdicts);
     let smooth = [measured("Dahl", &[], &standard(500), 0.0, 1)];
     let problem = whole_problem("Dahl", &smooth);
     let told = uncertainty(&problem, &[0.25, 0.6], &seen).verdicts;
@@ -290,12 +290,12 @@ fn searches_that_disagree_leave_no_number() {
     let verdicts = |searches, ends: &[Vec<f64>]| {
         Fitter { searches, ends: ends.to_vec(), ..fitter(&problem) }.trust(&found, &white_noise(0.02), false).verdicts
     };
-    let told = verdicts(Searches::Agree, &[found.places.clone(), found.places.clone()]);
+    let told = verdicts(Searches::Agree, &[found.point.clone(), found.point.clone()]);
     assert!(told.iter().all(|verdict| *verdict == Verdict::Determined), "{told:?}");
     // Alike in cost, but elsewhere in the stiffness.
-    let mut elsewhere = found.places.clone();
+    let mut elsewhere = found.point.clone();
     elsewhere[1] += 0.1;
-    let told = verdicts(Searches::Agree, &[found.places.clone(), elsewhere]);
+    let told = verdicts(Searches::Agree, &[found.point.clone(), elsewhere]);
     assert!(told[0] == Verdict::Determined && matches!(told[1], Verdict::Undetermined(_)), "{told:?}");
     assert!(verdicts(Searches::Disagree, &[]).iter().all(|verdict| matches!(verdict, Verdict::Undetermined(_))));
 }
@@ -311,16 +311,10 @@ fn differences_have_both_definitions() {
 fn a_start_at_an_end_of_the_range_does_not_stop_the_search() {
     let data = [measured("LuGre", &SLIDER, &standard(1000), 0.01, 4)];
     let problem = whole_problem("LuGre", &data);
-    let floor = problem
-        .judge(Found {
-            places: best(&problem, &quick(), quiet(), First::default()).found.places,
-            cost: 0.0,
-            evaluations: 0,
-        })
-        .cost;
+    let floor = problem.judge(best(&problem, &quick(), quiet(), First::default()).found).cost;
     let count = problem.parameters.len();
     for ends in [vec![0.0; count], vec![1.0; count]] {
-        let start = problem.judge(Found { places: ends, cost: 0.0, evaluations: 0 });
+        let start = problem.judge(Found { point: ends, cost: 0.0, evaluations: 0 });
         let end = polish(&problem, &start);
         assert!(end.cost < 0.5 * start.cost, "{} of {}", end.cost, start.cost);
         assert!(end.cost >= 0.999 * floor);
@@ -598,7 +592,8 @@ fn a_law_that_is_far_behind_is_searched_once_and_has_no_number() {
     assert!(far.warnings.iter().all(|text| !text.contains("raise the budget")), "{:?}", far.warnings);
     for fit in [ranking.best(), close] {
         let alone = fitted(fit.law.name, &data, &quick());
-        assert_eq!((&fit.point.columns, fit.searches), (&alone.point.columns, alone.searches), "{}", fit.law.name);
+        assert_eq!(fit.physical.columns, alone.physical.columns, "{}", fit.law.name);
+        assert_eq!(fit.searches, alone.searches, "{}", fit.law.name);
     }
 }
 

@@ -147,7 +147,7 @@ impl Known {
             dot(&columns[a], &columns[b]) * large[a] * large[b] / variance
         });
         let scaled = spread(&information, is_certain);
-        Known { parts: deviations(&scaled), information, scaled }
+        Known { parts: standard_deviations(&scaled), information, scaled }
     }
 
     /// Standard deviation as a part of a large change, if the other parameters were known.
@@ -159,7 +159,7 @@ impl Known {
 /// Knowledge of the parameters, in the order of the problem.
 pub(super) struct Uncertainty {
     /// Standard deviations, by the noise of the force and by the error of the velocity.
-    pub deviations: Vec<f64>,
+    pub standard_deviations: Vec<f64>,
     /// The part of them by the error of the velocity.
     pub blurs: Vec<f64>,
     /// Covariance of the values, by both.
@@ -169,9 +169,9 @@ pub(super) struct Uncertainty {
     known: Known,
     pub verdicts: Vec<Verdict>,
     /// Whether the force changes in jumps with a parameter that it determines otherwise.
-    pub jumps: Vec<bool>,
-    /// Places that explain the force as well; empty unless they were looked for.
-    pub elsewhere: Vec<Elsewhere>,
+    pub is_discontinuous: Vec<bool>,
+    /// Points that explain the force as well; empty unless they were looked for.
+    pub alternatives: Vec<Alternative>,
     /// Sensitivities of the forces.
     pub columns: Vec<Vec<f64>>,
     /// Variance of the noise, as of independent samples.
@@ -182,8 +182,8 @@ pub(super) struct Uncertainty {
     pub condition: f64,
 }
 
-/// A place that explains the force about as well as the best one, with one parameter held there.
-pub(super) struct Elsewhere {
+/// A point that explains the force about as well as the best one, with one parameter held there.
+pub(super) struct Alternative {
     pub number: usize,
     pub end: Found,
     /// Rise of the sum of squares, in variances.
@@ -233,12 +233,12 @@ pub(super) fn residuals(all: &[f64], lengths: &[usize], parameters: usize, loss:
 const UNKNOWN: f64 = 10.0;
 
 /// Standard deviations.
-fn deviations(covariance: &DMatrix<f64>) -> Vec<f64> {
+fn standard_deviations(covariance: &DMatrix<f64>) -> Vec<f64> {
     covariance.diagonal().iter().map(|one| one.sqrt()).collect()
 }
 
 fn correlations(covariance: &DMatrix<f64>) -> DMatrix<f64> {
-    let all = deviations(covariance);
+    let all = standard_deviations(covariance);
     DMatrix::from_fn(all.len(), all.len(), |a, b| covariance[(a, b)] / (all[a] * all[b]))
 }
 
@@ -288,41 +288,41 @@ fn followed(covariance: &DMatrix<f64>, values: &[f64], open: &[bool], number: us
     others.max_by(|a, b| shift(*a).total_cmp(&shift(*b)))
 }
 
-/// Uncertainties of the parameters at places.
-pub(super) fn uncertainty(problem: &Problem, places: &[f64], seen: &Residuals) -> Uncertainty {
-    let mut trust = by_sensitivities(problem, places, seen);
-    let large = problem.large(&problem.values(places));
+/// Uncertainties of the parameters at a point.
+pub(super) fn uncertainty(problem: &Problem, point: &[f64], residuals: &Residuals) -> Uncertainty {
+    let mut trust = by_sensitivities(problem, point, residuals);
+    let large = problem.large_changes(&problem.values(point));
     let is_jumpy = |number: usize| {
         let deviation = trust.known.parts[number] * large[number];
         let slopes = &trust.columns[number];
-        !trust.is_open(number) && !is_smooth(problem, places, seen.noise, number, deviation, slopes)
+        !trust.is_open(number) && !is_smooth(problem, point, residuals.noise, number, deviation, slopes)
     };
-    trust.jumps = (0..large.len()).map(is_jumpy).collect();
-    trust.verdicts = (0..large.len()).map(|number| trust.verdict(problem, places, number)).collect();
+    trust.is_discontinuous = (0..large.len()).map(is_jumpy).collect();
+    trust.verdicts = (0..large.len()).map(|number| trust.verdict(problem, point, number)).collect();
     trust
 }
 
 /// The same before verdicts.
-fn by_sensitivities(problem: &Problem, places: &[f64], seen: &Residuals) -> Uncertainty {
-    let large = problem.large(&problem.values(places));
-    let columns = problem.sensitivities(places);
-    let variance = seen.variance().max(f64::MIN_POSITIVE);
+fn by_sensitivities(problem: &Problem, point: &[f64], residuals: &Residuals) -> Uncertainty {
+    let large = problem.large_changes(&problem.values(point));
+    let columns = problem.sensitivities(point);
+    let variance = residuals.variance().max(f64::MIN_POSITIVE);
     // The delay of an axis is searched wherever it can be.
-    let is_axis = problem.experiments.iter().any(|one| one.alike.is_some());
+    let is_axis = problem.experiments.iter().any(|one| one.matched_filter.is_some());
     let is_certain = |number: usize| is_axis && problem.parameters[number].target == Target::Delay;
     let known = Known::of(&columns, &large, variance, &is_certain);
     let spectrum = known.information.clone().symmetric_eigen().eigenvalues;
     let noise_covariance =
         DMatrix::from_fn(large.len(), large.len(), |a, b| known.scaled[(a, b)] * large[a] * large[b]);
-    let blur = velocity_error::blur(problem, places, &columns, &noise_covariance.map(|one| one / variance));
+    let blur = velocity_error::blur(problem, point, &columns, &noise_covariance.map(|one| one / variance));
     let covariance = &noise_covariance + &blur;
     Uncertainty {
         verdicts: Vec::new(),
-        jumps: Vec::new(),
-        elsewhere: Vec::new(),
+        is_discontinuous: Vec::new(),
+        alternatives: Vec::new(),
         condition: (spectrum.max() / spectrum.min().max(f64::MIN_POSITIVE)).sqrt(),
-        deviations: deviations(&covariance),
-        blurs: deviations(&blur),
+        standard_deviations: standard_deviations(&covariance),
+        blurs: standard_deviations(&blur),
         covariance,
         noise_covariance,
         correlation: correlations(&known.scaled),
@@ -339,14 +339,14 @@ impl Uncertainty {
     }
 
     /// The verdict on a parameter.
-    fn verdict(&self, problem: &Problem, places: &[f64], number: usize) -> Verdict {
-        let values = problem.values(places);
-        let [value, half] = [values[number], WIDTH * self.deviations[number]];
+    fn verdict(&self, problem: &Problem, point: &[f64], number: usize) -> Verdict {
+        let values = problem.values(point);
+        let [value, half] = [values[number], WIDTH * self.standard_deviations[number]];
         if let Some(reason) = self.reason(problem, &values, number) {
             Verdict::Undetermined(reason)
         } else if problem.parameters[number].can_be_zero() && value < half {
             Verdict::AtMost(value + half)
-        } else if !(AT_END..=1.0 - AT_END).contains(&places[number]) {
+        } else if !(AT_END..=1.0 - AT_END).contains(&point[number]) {
             Verdict::AtEnd(value)
         } else {
             Verdict::Determined
@@ -358,7 +358,7 @@ impl Uncertainty {
         let parameter = &problem.parameters[number];
         let open: Vec<bool> = (0..values.len()).map(|number| self.is_open(number)).collect();
         let followed = followed(&self.noise_covariance, values, &open, number);
-        let is_blurred = self.deviations[number] > DETERMINED * parameter.large(values[number]);
+        let is_blurred = self.standard_deviations[number] > DETERMINED * parameter.large_change(values[number]);
         if open[number] || followed.is_some() {
             let why = match partner(&self.correlation, number).or(followed) {
                 _ if self.known.alone(number) > DETERMINED => "it hardly changes the force".to_owned(),
@@ -369,7 +369,7 @@ impl Uncertainty {
         } else if is_blurred || is_lost(problem, values, number) {
             Some("the velocity is not known well enough; measure it, or sample the motion faster".to_owned())
         } else {
-            self.jumps[number]
+            self.is_discontinuous[number]
                 .then(|| "the force changes with it in jumps, so that no interval can be given".to_owned())
         }
     }
@@ -394,7 +394,7 @@ impl Uncertainty {
         let pull = |column: &Vec<f64>| dot(column, error) / self.variance;
         let pull = DVector::from_iterator(self.columns.len(), self.columns.iter().map(pull));
         let shifts = &self.noise_covariance * pull;
-        shifts.iter().zip(&self.deviations).map(|(shift, deviation)| (shift / deviation).abs()).collect()
+        shifts.iter().zip(&self.standard_deviations).map(|(shift, deviation)| (shift / deviation).abs()).collect()
     }
 
     /// Marks as not determined each parameter for which two searches end at different values, although they explain the
@@ -402,7 +402,8 @@ impl Uncertainty {
     /// know the others.
     pub fn doubt_ends(&mut self, [first, second]: [Vec<f64>; 2]) {
         let ends = first.iter().zip(&second);
-        for ((verdict, deviation), (first, second)) in self.verdicts.iter_mut().zip(&self.deviations).zip(ends) {
+        for ((verdict, deviation), (first, second)) in self.verdicts.iter_mut().zip(&self.standard_deviations).zip(ends)
+        {
             if verdict.is_told() && (first - second).abs() > deviation.max(ROUNDING * first.abs()) {
                 *verdict = Verdict::Undetermined(format!(
                     "two searches end at {} and at {}, which explain the force alike",
@@ -472,23 +473,23 @@ const ASTRAY: f64 = 1.0;
 /// has local minima everywhere.
 pub(super) fn is_smooth(
     problem: &Problem,
-    places: &[f64],
+    point: &[f64],
     noise: f64,
     number: usize,
     deviation: f64,
     slopes: &[f64],
 ) -> bool {
-    let [value, slope] = problem.parameters[number].value(places[number]);
+    let [value, slope] = problem.parameters[number].value(point[number]);
     let step = (deviation / slope.abs().max(f64::MIN_POSITIVE)).min(0.1);
-    let Some(here) = problem.residuals(places) else { return false };
+    let Some(here) = problem.residuals(point) else { return false };
     let agrees = |direction: f64| {
-        let moved = moved(places, number, direction * step);
+        let moved = moved(point, number, direction * step);
         let distance = problem.parameters[number].value(moved[number])[0] - value;
         let foreseen: Vec<f64> = slopes.iter().map(|slope| slope * distance).collect();
         problem.residuals(&moved).is_some_and(|there| is_foreseen(&minus(&there, &here), &foreseen, noise))
     };
     // At an end of the range one side is enough.
-    [-1.0, 1.0].into_iter().filter(|side| (0.0..=1.0).contains(&(places[number] + side * step))).all(agrees)
+    [-1.0, 1.0].into_iter().filter(|side| (0.0..=1.0).contains(&(point[number] + side * step))).all(agrees)
 }
 
 /// Whether a change of the force is about the foreseen one. Less than the noise does not matter.
@@ -548,8 +549,8 @@ mod tests {
             })
             .collect();
         all.extend([1.0; 8]);
-        let seen = residuals(&all, &[8000, 8], 2, Loss::SQUARES);
-        assert!((seen.correlation / 9.0 - 1.0).abs() < 0.2, "{}", seen.correlation);
+        let residuals = residuals(&all, &[8000, 8], 2, Loss::SQUARES);
+        assert!((residuals.correlation / 9.0 - 1.0).abs() < 0.2, "{}", residuals.correlation);
     }
 
     /// The second parameter is known up to ten of its values; the first follows it, or has a deviation of its own.

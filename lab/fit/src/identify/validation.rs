@@ -48,10 +48,10 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Validation>
         let name = &experiment.name;
         let ports = Ports::of(fit.law).ok_or_else(|| refused(name, "slides in more than one direction".into()))?;
         let experiment = &as_fitted(fit, ports, experiment);
-        let friction = forces(&mut Instance::new(fit.law), ports, &fit.point.columns, experiment, fit.parts);
+        let friction = forces(&mut Instance::new(fit.law), ports, &fit.physical.columns, experiment, fit.parts);
         let friction = friction.map_err(|reason| refused(name, reason.to_string()))?;
         let left = |at: usize| {
-            friction[at] + fit.point.mass * experiment.acceleration[at] + fit.point.offset - experiment.force[at]
+            friction[at] + fit.physical.mass * experiment.acceleration[at] + fit.physical.offset - experiment.force[at]
         };
         let counting: Vec<f64> = (0..friction.len()).filter(|at| experiment.counts(*at)).map(left).collect();
         if counting.is_empty() {
@@ -67,9 +67,9 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Validation>
 /// A record as those that were fitted: with the delay that was found, if its own is not known; for a law with two
 /// branches without samples whose branch is not known, and for a mass that was found with all of the acceleration.
 fn as_fitted(fit: &Fit, ports: Ports, experiment: &Experiment) -> Experiment {
-    let found = match fit.point.delay {
+    let found = match fit.physical.delay {
         Some(delay) if experiment.delay_range.is_some() => {
-            experiment.at_delay(delay).with_delay(fit.point.delay).into_owned()
+            experiment.at_delay(delay).with_delay(fit.physical.delay).into_owned()
         }
         _ => experiment.clone(),
     };
@@ -127,7 +127,7 @@ mod tests {
         let force = clean.force.clone();
         let late = Experiment { force, ..early };
         let fit = fitted("Coulomb", std::slice::from_ref(&late), &quick());
-        assert!((fit.point.delay.unwrap() - 5e-3).abs() < 1e-3, "{:?}", fit.point.delay);
+        assert!((fit.physical.delay.unwrap() - 5e-3).abs() < 1e-3, "{:?}", fit.physical.delay);
         let validation = held_out(&fit, std::slice::from_ref(&late)).unwrap().swap_remove(0);
         assert!((validation.rms / fit.residuals.rms - 1.0).abs() < 0.05, "{validation:?} {}", fit.residuals.rms);
     }

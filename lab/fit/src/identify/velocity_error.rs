@@ -38,9 +38,9 @@ pub(super) fn speed_of_fall(problem: &Problem, known: impl Fn(Target) -> Option<
 
 /// Covariance of the parameters by the error of the velocity. `columns` are the sensitivities of the force, and `gain` times
 /// them the shift of the parameters by a force.
-pub(super) fn blur(problem: &Problem, places: &[f64], columns: &[Vec<f64>], gain: &DMatrix<f64>) -> DMatrix<f64> {
+pub(super) fn blur(problem: &Problem, point: &[f64], columns: &[Vec<f64>], gain: &DMatrix<f64>) -> DMatrix<f64> {
     let count = columns.len();
-    let Some(changes) = changes(problem, places) else { return DMatrix::zeros(count, count) };
+    let Some(changes) = changes(problem, point) else { return DMatrix::zeros(count, count) };
     let pulls = |column: &Vec<f64>| column.iter().zip(&changes).map(|(slope, change)| slope * change).collect();
     let pulls: Vec<Vec<f64>> = columns.iter().map(pulls).collect();
     let passed: Vec<Vec<f64>> = pulls.iter().map(|pull| correlated(problem.experiments, pull)).collect();
@@ -65,12 +65,12 @@ fn correlated(experiments: &[Experiment], pull: &[f64]) -> Vec<f64> {
 
 /// Error of the velocity; 0 if none is known. An axis has none: its force and its motion are smoothed alike.
 pub(super) fn error(experiment: &Experiment) -> f64 {
-    let is_known = experiment.alike.is_none() && experiment.velocity_error.is_finite();
+    let is_known = experiment.matched_filter.is_none() && experiment.velocity_error.is_finite();
     if is_known { experiment.velocity_error } else { 0.0 }
 }
 
 /// Change of the force by a change of the velocity by its error, at the samples that count; None if no error is known.
-fn changes(problem: &Problem, places: &[f64]) -> Option<Vec<f64>> {
+fn changes(problem: &Problem, point: &[f64]) -> Option<Vec<f64>> {
     if problem.experiments.iter().all(|one| error(one) == 0.0) {
         return None;
     }
@@ -80,7 +80,7 @@ fn changes(problem: &Problem, places: &[f64]) -> Option<Vec<f64>> {
             Experiment { velocity, ..one.clone() }
         };
         let experiments: Vec<Experiment> = problem.experiments.iter().map(faster).collect();
-        Problem { experiments: &experiments, ..problem.clone() }.residuals(places)
+        Problem { experiments: &experiments, ..problem.clone() }.residuals(point)
     };
     let half = |slower: &[f64], faster: &[f64], part: f64| {
         slower.iter().zip(faster).map(|(slower, faster)| part * (faster - slower)).collect()
@@ -88,8 +88,8 @@ fn changes(problem: &Problem, places: &[f64]) -> Option<Vec<f64>> {
     // Where the law is refused on one side, the other one must do.
     match (moved(-1.0), moved(1.0)) {
         (Some(slower), Some(faster)) => Some(half(&slower, &faster, 0.5)),
-        (Some(slower), None) => Some(half(&slower, &problem.residuals(places)?, 1.0)),
-        (None, Some(faster)) => Some(half(&problem.residuals(places)?, &faster, 1.0)),
+        (Some(slower), None) => Some(half(&slower, &problem.residuals(point)?, 1.0)),
+        (None, Some(faster)) => Some(half(&problem.residuals(point)?, &faster, 1.0)),
         (None, None) => None,
     }
 }
@@ -113,12 +113,12 @@ mod tests {
         let found = |window: f64| {
             let data = [Experiment { window, ..data[0].clone() }];
             let problem = whole_problem("CoulombViscous", &data);
-            let places = values
-                .map(|(name, value)| problem.parameters.iter().find(|one| one.name == name).unwrap().place(value));
-            let trust = uncertainty(&problem, &places, &white_noise(1e-3));
+            let point = values
+                .map(|(name, value)| problem.parameters.iter().find(|one| one.name == name).unwrap().coordinate(value));
+            let trust = uncertainty(&problem, &point, &white_noise(1e-3));
             assert_eq!(trust.verdicts, [Verdict::Determined, Verdict::Determined]);
             assert_relative_eq!(
-                trust.deviations[0].powi(2),
+                trust.standard_deviations[0].powi(2),
                 trust.by_noise(0).powi(2) + trust.blurs[0].powi(2),
                 max_relative = 1e-9
             );
@@ -141,15 +141,15 @@ mod tests {
             let data = [Experiment { velocity_error, window: 0.02, ..data.clone() }];
             let problem = whole_problem("Threlfall", &data);
             let number = problem.parameters.iter().position(|one| one.name == "transition_velocity").unwrap();
-            let places: Vec<f64> = problem
+            let point: Vec<f64> = problem
                 .parameters
                 .iter()
                 .map(|one| {
                     let column = problem.law.find(&one.name).unwrap();
-                    one.place(problem.law.table.at(column).start)
+                    one.coordinate(problem.law.table.at(column).start)
                 })
                 .collect();
-            uncertainty(&problem, &places, &white_noise(0.05)).verdicts.swap_remove(number)
+            uncertainty(&problem, &point, &white_noise(0.05)).verdicts.swap_remove(number)
         };
         assert_eq!(verdict(1e-6), Verdict::Determined);
         assert!(verdict(3e-3).to_string().contains("the velocity is not known well enough"), "{:?}", verdict(3e-3));

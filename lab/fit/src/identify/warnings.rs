@@ -17,14 +17,14 @@ const ALIKE: f64 = 0.3;
 /// Everything to warn of in a fit; `shift` is that of [`super::refine`].
 pub(super) fn warnings(
     problem: &Problem,
-    seen: &Residuals,
+    residuals: &Residuals,
     estimates: &[Estimate],
     searches: Searches,
     shift: f64,
 ) -> Vec<String> {
-    let of_fit = [not_found(searches), too_coarse(shift), not_noise(seen)].into_iter().flatten();
+    let of_fit = [not_found(searches), too_coarse(shift), not_noise(residuals)].into_iter().flatten();
     let experiments = || problem.experiments.iter();
-    let systematic = experiments().filter(|_| seen.correlation > SYSTEMATIC);
+    let systematic = experiments().filter(|_| residuals.correlation > SYSTEMATIC);
     let relaxed = systematic.filter_map(|one| relaxed(one, estimates));
     let blurred = experiments().filter_map(|one| blurred(problem, one, estimates));
     of_fit.chain(relaxed).chain(estimates.iter().filter_map(at_end)).chain(blurred).collect()

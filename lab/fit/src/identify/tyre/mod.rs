@@ -344,8 +344,8 @@ impl Fitter<'_> {
         let deviations = known.parts.iter().zip(large(problem)).map(|(part, large)| part * large);
         let kept = self.kept.iter().zip(deviations).map(|(one, deviation)| {
             let value = row[column(one.name)];
-            let place = (value - one.range[0]) / (one.range[1] - one.range[0]);
-            let is_inside = (AT_END..=1.0 - AT_END).contains(&place);
+            let coordinate = (value - one.range[0]) / (one.range[1] - one.range[0]);
+            let is_inside = (AT_END..=1.0 - AT_END).contains(&coordinate);
             estimate(one.name, value, if is_inside { Told::Within(WIDTH * deviation) } else { Told::AtEnd })
         });
         let fixed = self.task.fixed.iter().map(|(key, value)| estimate(key, *value, Told::Held));

@@ -100,22 +100,22 @@ impl<'a> TyreProblem<'a> {
         TyreProblem { test, formula, parameters, rows, anchor: vec![0.0; count], pull: 0.0 }
     }
 
-    /// The places of the parameters, from 0 to 1 in their ranges.
-    pub fn places(&self) -> Vec<f64> {
+    /// The point of the parameters, from 0 to 1 in their ranges.
+    pub fn point(&self) -> Vec<f64> {
         let row = row_of(&self.formula);
-        let place = |one: &&Coefficient| {
+        let coordinate = |one: &&Coefficient| {
             ((row[column(one.name)] - one.range[0]) / (one.range[1] - one.range[0])).clamp(0.0, 1.0)
         };
-        self.parameters.iter().map(place).collect()
+        self.parameters.iter().map(coordinate).collect()
     }
 
-    /// The formula with the parameters at places.
-    pub fn at(&self, places: &[f64]) -> MagicFormula {
+    /// The formula with the parameters at a point.
+    pub fn at(&self, point: &[f64]) -> MagicFormula {
         let mut formula = self.formula;
         let row = row_of_mut(&mut formula);
-        for (one, place) in self.parameters.iter().zip(places) {
+        for (one, coordinate) in self.parameters.iter().zip(point) {
             row[column(one.name)] =
-                (one.range[0] + (one.range[1] - one.range[0]) * place).clamp(one.range[0], one.range[1]);
+                (one.range[0] + (one.range[1] - one.range[0]) * coordinate).clamp(one.range[0], one.range[1]);
         }
         formula
     }
@@ -179,10 +179,10 @@ impl<'a> TyreProblem<'a> {
         if self.parameters.is_empty() {
             return before;
         }
-        self.anchor = self.places();
+        self.anchor = self.point();
         self.pull = PULL * self.size();
-        let Some(end) = Bounded::new(self).solve(self.places(), 1e-7, MOST_STEPS) else { return before };
-        let found = self.at(&end.places);
+        let Some(end) = Bounded::new(self).solve(self.point(), 1e-7, MOST_STEPS) else { return before };
+        let found = self.at(&end.point);
         let cost = self.half_square(&found);
         if cost < before {
             self.formula = found;
@@ -216,15 +216,15 @@ impl LeastSquares for TyreProblem<'_> {
         self.parameters.len() as u64
     }
 
-    fn weighted(&self, places: &[f64]) -> Vec<f64> {
-        let mut all = self.residuals(&self.at(places));
-        let moved = places.iter().zip(&self.anchor).enumerate();
-        all.extend(moved.map(|(number, (place, anchor))| self.pulled(number) * (place - anchor)));
+    fn weighted(&self, point: &[f64]) -> Vec<f64> {
+        let mut all = self.residuals(&self.at(point));
+        let moved = point.iter().zip(&self.anchor).enumerate();
+        all.extend(moved.map(|(number, (coordinate, anchor))| self.pulled(number) * (coordinate - anchor)));
         all
     }
 
-    fn slopes(&self, places: &[f64]) -> Vec<Vec<f64>> {
-        let formula = self.at(places);
+    fn slopes(&self, point: &[f64]) -> Vec<Vec<f64>> {
+        let formula = self.at(point);
         let column = |number: usize| {
             let range = self.parameters[number].range;
             let slopes = self.sensitivity(&formula, number).into_iter().map(|slope| slope * (range[1] - range[0]));
@@ -234,7 +234,7 @@ impl LeastSquares for TyreProblem<'_> {
         (0..self.count()).map(column).collect()
     }
 
-    fn cost(&self, places: &[f64]) -> f64 {
-        self.half_square(&self.at(places))
+    fn cost(&self, point: &[f64]) -> f64 {
+        self.half_square(&self.at(point))
     }
 }
