@@ -264,7 +264,7 @@ impl Reduction<'_> {
         let motion = time.iter().map(|t| self.motion.at(windows, clocks.of_motion(*t)));
         let (displacement, (velocity, acceleration)): (Vec<f64>, (Vec<f64>, Vec<f64>)) =
             motion.map(|[x, v, a]| (x, (v, a))).unzip();
-        let mut record = Record {
+        Ok(self.assessed(Record {
             friction_force: force.iter().zip(&acceleration).map(|(force, a)| force - self.setup.mass * a).collect(),
             normal_force,
             is_differentiated: self.motion.velocity.is_none(),
@@ -284,10 +284,14 @@ impl Reduction<'_> {
             velocity,
             acceleration,
             clocks,
-        };
+        }))
+    }
+
+    /// A record with its quality, and with what the filter takes away.
+    fn assessed(&self, mut record: Record) -> Record {
         record.quality = quality(&record, self.setup);
         record.acceleration_lost = self.acceleration_lost(&record);
-        Ok(record)
+        record
     }
 
     /// Samples of the force at which the motion is known too.
