@@ -1,12 +1,11 @@
 //! The workbench's systems and solvers.
 
-use clap::ValueEnum;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stribeck_solve::run::{Configuration, Outcome, Settings, Solver, run};
-use stribeck_solve::solve::End;
-use stribeck_solve::system::{BUILT_IN, Description, System};
+use stribeck_solve::run::{Column, Configuration, Outcome, Settings, Solver, run, words};
+use stribeck_solve::solve::Statistics;
+use stribeck_solve::system::{BUILT_IN, Description, Fault, System};
 
 use crate::entries::described;
 use crate::refused;
@@ -22,9 +21,8 @@ pub fn systems() -> PyResult<Vec<(&'static str, String)>> {
 /// Names of the solvers, with one line on each.
 #[pyfunction]
 pub fn solvers() -> Vec<(String, String)> {
-    let values = Solver::value_variants().iter().filter_map(ValueEnum::to_possible_value);
-    values
-        .map(|value| (value.get_name().to_owned(), value.get_help().map_or(String::new(), ToString::to_string)))
+    words::<Solver>()
+        .map(|word| (word.get_name().to_owned(), word.get_help().map_or(String::new(), ToString::to_string)))
         .collect()
 }
 
@@ -37,20 +35,13 @@ pub fn solve<'py>(py: Python<'py>, entries: &Bound<'py, PyDict>) -> PyResult<Vec
         return Err(refused("vary: use stribeck.study"));
     }
     let outcomes = interruptible(py, |cancel| {
-        let source = chosen.source()?;
-        let laws: Vec<Option<&str>> =
-            if chosen.law.is_empty() { vec![None] } else { chosen.law.iter().map(|law| Some(law.as_str())).collect() };
-        let values = chosen.values();
-        let assembled = laws.iter().map(|law| System::assemble(&source, *law, &values));
-        let systems = assembled.collect::<Result<Vec<System>, _>>()?;
-        System::refuse_unused(&systems)?;
+        let (systems, source) = chosen.systems()?;
         let results = chosen.results(&source);
-        let mut outcomes = Vec::new();
-        for system in &systems {
+        let outcome = |system: &System| {
             let settings = Settings { cancel: Some(cancel), ..chosen.settings(system)? };
-            outcomes.push(run(system, &settings, &results)?);
-        }
-        Ok::<_, stribeck_solve::system::Fault>(outcomes)
+            run(system, &settings, &results)
+        };
+        systems.iter().map(outcome).collect::<Result<Vec<Outcome>, Fault>>()
     })?;
     outcomes.map_err(refused)?.into_iter().map(|outcome| as_dict(py, outcome)).collect()
 }
@@ -60,26 +51,19 @@ fn as_dict<'py>(py: Python<'py>, outcome: Outcome) -> PyResult<Bound<'py, PyDict
     dict.set_item("law", outcome.law.map(|law| law.name))?;
     dict.set_item("solver", outcome.solver.to_string())?;
     dict.set_item("end", outcome.end.to_string())?;
-    dict.set_item("reached", outcome.end == End::Reached)?;
+    dict.set_item("reached", outcome.is_reached())?;
     dict.set_item("seconds", outcome.elapsed.as_secs_f64())?;
     let statistics = PyDict::new(py);
-    for (name, count) in [
-        ("steps", outcome.statistics.steps),
-        ("rejected", outcome.statistics.rejected),
-        ("evaluations", outcome.statistics.evaluations),
-        ("jacobians", outcome.statistics.jacobians),
-    ] {
-        statistics.set_item(name, count)?;
-    }
+    let Statistics { steps, rejected, evaluations, jacobians, .. } = outcome.statistics;
+    statistics.set_item("steps", steps)?;
+    statistics.set_item("rejected", rejected)?;
+    statistics.set_item("evaluations", evaluations)?;
+    statistics.set_item("jacobians", jacobians)?;
     dict.set_item("statistics", statistics)?;
     let events: Vec<(f64, String)> = outcome.events.into_iter().map(|event| (event.time, event.part)).collect();
     dict.set_item("events", events)?;
     dict.set_item("time", PyArray1::from_vec(py, outcome.time))?;
-    let columns: Vec<_> = outcome
-        .columns
-        .into_iter()
-        .map(|column| (column.name, column.unit, PyArray1::from_vec(py, column.values)))
-        .collect();
-    dict.set_item("columns", columns)?;
+    let column = |column: Column| (column.name, column.unit, PyArray1::from_vec(py, column.values));
+    dict.set_item("columns", outcome.columns.into_iter().map(column).collect::<Vec<_>>())?;
     Ok(dict)
 }

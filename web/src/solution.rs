@@ -1,7 +1,8 @@
 //! Runs of systems.
 
 use serde::Serialize;
-use stribeck_solve::run::{Configuration, Outcome, run};
+use stribeck_solve::run::{self, Configuration, Outcome, run};
+use stribeck_solve::solve;
 use stribeck_solve::system::{Fault, Source, System};
 use ts_rs::TS;
 
@@ -41,20 +42,11 @@ pub fn assembled(chosen: &Configuration, law: Option<&str>) -> Result<(System, S
     if chosen.vary.is_some() {
         return Err(Fault::value("vary: the page has no studies; use `stribeck run`"));
     }
-    let source = chosen.source()?;
-    let values = chosen.values();
-    let mut laws: Vec<Option<&str>> = chosen.law.iter().map(|law| Some(law.as_str())).collect();
-    if laws.is_empty() {
-        laws.push(None);
-    }
-    let assembled = laws.iter().map(|law| System::assemble(&source, *law, &values));
-    let systems = assembled.collect::<Result<Vec<System>, _>>()?;
-    System::refuse_unused(&systems)?;
-    let one = systems.into_iter().zip(laws).find(|(_, other)| *other == law);
-    let (system, _) = one.ok_or_else(|| {
-        Fault::unknown("law of the run", law.unwrap_or_default(), chosen.law.iter().map(String::as_str))
-    })?;
-    Ok((system, source))
+    let (mut systems, source) = chosen.systems()?;
+    let known = || chosen.law.iter().map(String::as_str);
+    let place = if known().len() == 0 && law.is_none() { Some(0) } else { known().position(|one| Some(one) == law) };
+    let place = place.ok_or_else(|| Fault::unknown("law of the run", law.unwrap_or_default(), known()))?;
+    Ok((systems.swap_remove(place), source))
 }
 
 /// Runs a system with one law of those that are chosen.
@@ -66,22 +58,15 @@ fn outcome(chosen: &Configuration, law: Option<&str>) -> Result<Outcome, Fault> 
 /// Times, results, events and what they have cost.
 pub fn solve(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault> {
     let outcome = outcome(chosen, law)?;
+    let solve::Statistics { steps, rejected, evaluations, jacobians, .. } = outcome.statistics;
+    let column = |column: &run::Column| Column { name: column.name.clone(), unit: column.unit.clone() };
     let described = Solved {
         law: outcome.law.map(|law| law.name),
         solver: outcome.solver.to_string(),
         reached: outcome.is_reached(),
         end: outcome.end.to_string(),
-        statistics: Statistics {
-            steps: outcome.statistics.steps,
-            rejected: outcome.statistics.rejected,
-            evaluations: outcome.statistics.evaluations,
-            jacobians: outcome.statistics.jacobians,
-        },
-        columns: outcome
-            .columns
-            .iter()
-            .map(|column| Column { name: column.name.clone(), unit: column.unit.to_string() })
-            .collect(),
+        statistics: Statistics { steps, rejected, evaluations, jacobians },
+        columns: outcome.columns.iter().map(column).collect(),
         events: outcome.events.iter().map(|event| event.part.clone()).collect(),
     };
     let mut arrays = vec![outcome.time];
@@ -100,10 +85,6 @@ pub fn csv(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault> {
 
 /// The file for the command line, if it can be run.
 pub fn toml(chosen: &Configuration) -> Result<Answer, Fault> {
-    let source = chosen.source()?;
-    let values = chosen.values();
-    let laws = chosen.law.iter().map(|law| Some(law.as_str()));
-    let assembled = laws.map(|law| System::assemble(&source, law, &values)).collect::<Result<Vec<_>, _>>()?;
-    System::refuse_unused(&assembled)?;
+    chosen.systems()?;
     Ok(Answer::plain(Text { text: chosen.text() }))
 }

@@ -1,224 +1,247 @@
-//! Arguments that choose system, laws, values and solver.
+//! Runs that the user chooses by arguments: system, laws, values and solver.
 
 use std::path::PathBuf;
-use std::str::FromStr;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use serde_json::{Map, Value, json};
 use stribeck_plot::picture::{self, Options, Theme};
 use stribeck_plot::report::{self, Facts};
-use stribeck_solve::couple::Exchange;
-use stribeck_solve::run::{Configuration, Outcome, Settings, Solver};
+use stribeck_solve::job;
+use stribeck_solve::run::{Column, Configuration, Outcome, Settings, Vary, run};
+use stribeck_solve::solve::{End, Statistics};
 use stribeck_solve::system::{Fault, Setting, Source, System, read};
 
-use super::Failure;
-
-/// Width of PNG pictures (chosen: a column of 85 mm at 600 dots per inch).
-const PIXELS: u32 = 2000;
+use super::watch::{Bar, CANCELLED};
+use super::{Failure, Verdict};
 
 /// System, laws, values and solver of a run, and the files for its results.
 #[derive(Args, Clone, Debug)]
 pub struct Arguments {
-    /// Built-in system (see `stribeck systems`) or path of a system file (.toml)
-    #[arg(long)]
-    system: Option<String>,
-    /// Friction law; several for `compare`
-    #[arg(long, num_args = 1.., value_delimiter = ',')]
-    law: Vec<String>,
+    #[command(flatten)]
+    run: Configuration,
     /// Value of a variable: mass=2, or of one part: rig.mass=2
-    #[arg(long, value_name = "NAME=VALUE")]
+    #[arg(long, value_name = "NAME=VALUE", display_order = 1)]
     set: Vec<Setting>,
-    /// One run for each of n values of a variable
-    #[arg(long, value_name = "NAME=FROM:TO:N")]
-    vary: Option<Vary>,
-    /// Solver
-    #[arg(long, value_enum)]
-    solver: Option<Solver>,
-    /// Relative and absolute tolerance (default 1e-8)
-    #[arg(long)]
-    tol: Option<f64>,
-    /// End of the run in s
-    #[arg(long)]
-    until: Option<f64>,
-    /// Interval of the results in s
-    #[arg(long)]
-    every: Option<f64>,
-    /// Communication step of co-simulation in s (default 1e-3)
-    #[arg(long)]
-    step: Option<f64>,
-    /// Order of exchange in co-simulation
-    #[arg(long, value_enum)]
-    exchange: Option<Exchange>,
-    /// Largest random part by which a communication step differs from the others
-    #[arg(long)]
-    jitter: Option<f64>,
-    /// Let steps extend across events instead of locating them
-    #[arg(long)]
-    no_events: bool,
-    /// Results to record, such as rig.position or der(rig.block_velocity)
-    #[arg(long, num_args = 1.., value_delimiter = ',')]
-    record: Vec<String>,
     /// File for the results (.csv)
     #[arg(long, short)]
-    pub out: Option<PathBuf>,
+    out: Option<PathBuf>,
     /// Folder for the pictures (SVG and PNG)
     #[arg(long, value_name = "FOLDER")]
-    pub pictures: Option<PathBuf>,
+    pictures: Option<PathBuf>,
     /// Dark pictures
     #[arg(long)]
-    pub dark: bool,
+    dark: bool,
     /// File for a report (.html)
     #[arg(long, value_name = "FILE")]
-    pub report: Option<PathBuf>,
+    report: Option<PathBuf>,
     /// Print the outcome as JSON
     #[arg(long)]
-    pub json: bool,
+    json: bool,
     /// Read all this from a TOML file; arguments take precedence
     #[arg(long, value_name = "FILE")]
     config: Option<PathBuf>,
     /// Write what is run as a TOML file for --config
     #[arg(long, value_name = "FILE")]
-    pub save_config: Option<PathBuf>,
-}
-
-/// A variable and the values it takes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Vary {
-    /// The variable.
-    pub name: String,
-    /// Its values.
-    pub values: Vec<f64>,
-    text: String,
-}
-
-/// Largest number of runs of one command (chosen).
-const MOST_RUNS: usize = 100_000;
-
-impl FromStr for Vary {
-    type Err = Fault;
-
-    fn from_str(text: &str) -> Result<Vary, Fault> {
-        let wrong = || Fault::value(format_args!("'{text}': must be name=from:to:n, with n from 2 to {MOST_RUNS}"));
-        let (name, range) = text.split_once('=').ok_or_else(wrong)?;
-        let parts: Vec<&str> = range.split(':').collect();
-        let [from, to, count] = parts.as_slice() else { return Err(wrong()) };
-        let number = |text: &str| text.trim().parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(wrong);
-        let (from, to) = (number(from)?, number(to)?);
-        let count: usize = count.trim().parse().map_err(|_| wrong())?;
-        if !(2..=MOST_RUNS).contains(&count) {
-            return Err(wrong());
-        }
-        let last = (count - 1) as f64;
-        let values = (0..count).map(|at| from + (to - from) * at as f64 / last).collect();
-        Ok(Vary { name: name.trim().to_owned(), values, text: text.to_owned() })
-    }
-}
-
-/// Choice of the user, from the command line and the file.
-pub struct Choice {
-    pub source: Source,
-    pub laws: Vec<String>,
-    pub settings: Vec<Setting>,
-    pub vary: Option<Vary>,
-    pub configuration: Configuration,
+    save_config: Option<PathBuf>,
 }
 
 impl Arguments {
     /// The configuration: that of the file, with the arguments in it.
     fn configuration(&self) -> Result<Configuration, Failure> {
-        let mut all = self.config.as_deref().map(read::<Configuration>).transpose()?.unwrap_or_default();
-        let name = |value: &dyn ToString| Some(value.to_string());
-        all.system = self.system.clone().or(all.system);
-        all.solver = self.solver.as_ref().map_or(all.solver, |solver| name(solver));
-        all.exchange = self
-            .exchange
-            .as_ref()
-            .map_or(all.exchange, |exchange| exchange.to_possible_value().map(|value| value.get_name().to_owned()));
-        all.vary = self.vary.as_ref().map_or(all.vary, |vary| Some(vary.text.clone()));
-        all.tol = self.tol.or(all.tol);
-        all.until = self.until.or(all.until);
-        all.every = self.every.or(all.every);
-        all.step = self.step.or(all.step);
-        all.jitter = self.jitter.or(all.jitter);
-        all.no_events |= self.no_events;
-        if !self.law.is_empty() {
-            all.law = self.law.clone();
-        }
-        if !self.record.is_empty() {
-            all.record = self.record.clone();
-        }
+        let mut given = self.run.clone();
         for Setting { name, value } in &self.set {
-            let number = value.parse::<f64>().map(toml::Value::Float);
-            all.set.insert(name.clone(), number.unwrap_or_else(|_| toml::Value::String(value.clone())));
+            let number = value.parse().map(toml::Value::Float);
+            given.set.insert(name.clone(), number.unwrap_or_else(|_| value.as_str().into()));
         }
-        Ok(all)
+        match &self.config {
+            Some(path) => Ok(job::given_over(&given, &read(path)?)?),
+            None => Ok(given),
+        }
     }
 
     /// The choice; writes it to a file if the user wants one.
-    pub fn choice(&self) -> Result<Choice, Failure> {
-        let configuration = self.configuration()?;
+    pub fn choice(&self) -> Result<Choice<'_>, Failure> {
+        let run = self.configuration()?;
         if let Some(path) = &self.save_config {
-            super::write(path, configuration.text())?;
+            super::write(path, run.text())?;
         }
-        Ok(Choice {
-            source: configuration.source()?,
-            laws: configuration.law.clone(),
-            settings: configuration.values(),
-            vary: configuration.vary.as_deref().map(Vary::from_str).transpose()?,
-            configuration,
-        })
+        let vary = run.vary.as_deref().map(str::parse).transpose()?;
+        Ok(Choice { source: run.source()?, settings: run.values(), vary, run, arguments: self })
     }
 }
 
-impl Choice {
-    /// Name of the system.
-    pub fn name(&self) -> &str {
-        self.configuration.name()
-    }
+/// Choice of the user, from the command line and the file.
+pub struct Choice<'a> {
+    source: Source,
+    settings: Vec<Setting>,
+    arguments: &'a Arguments,
+    pub vary: Option<Vary>,
+    pub run: Configuration,
+}
 
+/// A run and what came of it, with the value of the variable that varies.
+struct Ran {
+    value: Option<f64>,
+    system: System,
+    outcome: Outcome,
+}
+
+impl Choice<'_> {
     /// The system with a law, or with its own, and with a value of the variable that varies.
-    pub fn system(&self, law: Option<&str>, varied: Option<f64>) -> Result<System, Failure> {
+    pub fn system(&self, law: Option<&str>, varied: Option<f64>) -> Result<System, Fault> {
         let mut settings = self.settings.clone();
         if let (Some(vary), Some(value)) = (&self.vary, varied) {
             settings.push(Setting { name: vary.name.clone(), value: value.to_string() });
         }
-        Ok(System::assemble(&self.source, law, &settings)?)
+        System::assemble(&self.source, law, &settings)
     }
 
-    /// How it is run.
-    pub fn run_settings(&self, system: &System) -> Result<Settings<'static>, Failure> {
-        Ok(self.configuration.settings(system)?)
+    /// Runs the systems until the user ends it, and writes and prints the results. What differs from one run to the next
+    /// has a column of this name.
+    pub fn conclude(&self, systems: Vec<System>, column: Option<&str>) -> Result<Verdict, Failure> {
+        let all = self.outcomes(systems)?;
+        if let Some(path) = &self.arguments.out {
+            let failed = |source| Failure::File { path: path.clone(), source };
+            let file = std::fs::File::create(path).map_err(failed)?;
+            table(&all, column, std::io::BufWriter::new(file)).map_err(failed)?;
+        }
+        if self.arguments.json {
+            let runs: Vec<Value> = all.iter().map(|one| self.as_json(one)).collect();
+            println!("{}", json!({ "runs": runs }));
+        } else {
+            all.iter().for_each(|one| println!("{}", self.line(one)));
+        }
+        let verdict = all.iter().map(Ran::verdict).max().unwrap_or(Verdict::Done);
+        self.illustrate(all)?;
+        Ok(verdict)
     }
 
-    /// The results to record.
-    pub fn results(&self) -> Vec<String> {
-        self.configuration.results(&self.source)
+    fn outcomes(&self, systems: Vec<System>) -> Result<Vec<Ran>, Failure> {
+        let results = self.run.results(&self.source);
+        let (runs, mut all, mut bar) = (systems.len(), Vec::new(), None);
+        for (number, system) in systems.into_iter().enumerate() {
+            let settings = self.run.settings(&system)?;
+            let bar = bar.get_or_insert_with(|| Bar::new(runs, settings.until));
+            bar.begin(number, system.law.map_or("", |law| law.name));
+            let settings = Settings { cancel: Some(&CANCELLED), progress: Some(&*bar), ..settings };
+            let outcome = run(&system, &settings, &results)?;
+            let value = self.vary.as_ref().map(|vary| vary.values[number]);
+            all.push(Ran { value, system, outcome });
+            if all.last().is_some_and(|one| one.verdict() == Verdict::Cancelled) {
+                break;
+            }
+        }
+        bar.iter().for_each(Bar::finish);
+        Ok(all)
     }
 
-    /// Pictures and report of the outcomes, each with its label and system.
-    pub fn illustrate(&self, arguments: &Arguments, runs: Vec<(String, System, Outcome)>) -> Result<(), Failure> {
-        let Some((_, system, _)) = runs.first() else { return Ok(()) };
-        if (arguments.pictures.is_some() || arguments.report.is_some()) && !self.configuration.record.is_empty() {
+    /// The value of the variable that varies.
+    fn varied(&self, one: &Ran) -> Option<(&str, f64)> {
+        Some((self.vary.as_ref()?.name.as_str(), one.value?))
+    }
+
+    /// The law of a run; the system, if that has none to choose.
+    fn law(&self, outcome: &Outcome) -> &str {
+        outcome.law.map_or_else(|| self.run.name(), |law| law.name)
+    }
+
+    /// One line on a run.
+    fn line(&self, one: &Ran) -> String {
+        let Outcome { end, solver, events, elapsed, .. } = &one.outcome;
+        let Statistics { steps, rejected, evaluations, .. } = &one.outcome.statistics;
+        let varied = self.varied(one).map_or(String::new(), |(name, value)| format!(" {name} = {value}"));
+        format!(
+            "{}{varied}: {end}; {solver}, steps: {steps}, rejected: {rejected}, evaluations: {evaluations}, events: {}, \
+             {:.3} s",
+            self.law(&one.outcome),
+            events.len(),
+            elapsed.as_secs_f64()
+        )
+    }
+
+    /// A run as JSON; the results are arrays.
+    fn as_json(&self, one: &Ran) -> Value {
+        let varied = self.varied(one).map(|(name, value)| json!({ "name": name, "value": value }));
+        let Outcome { law, solver, time, columns, end, statistics, events, elapsed } = &one.outcome;
+        let result = |column: &Column| (column.name.clone(), json!({ "unit": column.unit, "values": column.values }));
+        json!({
+            "law": law.map(|law| law.name),
+            "varied": varied,
+            "solver": solver.to_string(),
+            "end": end.to_string(),
+            "reached": end.is_reached(),
+            "steps": statistics.steps,
+            "rejected": statistics.rejected,
+            "evaluations": statistics.evaluations,
+            "jacobians": statistics.jacobians,
+            "events": events,
+            "seconds": elapsed.as_secs_f64(),
+            "time": time,
+            "results": columns.iter().map(result).collect::<Map<String, Value>>(),
+        })
+    }
+
+    /// Pictures and report of the runs.
+    fn illustrate(&self, runs: Vec<Ran>) -> Result<(), Failure> {
+        let Arguments { pictures, report, dark, .. } = self.arguments;
+        if (pictures.is_some() || report.is_some()) && !self.run.record.is_empty() {
             let text = "--record: pictures and reports show the results of the system; leave it out";
             return Err(Fault::value(text).into());
         }
-        let (system, tolerance) = (system.clone(), self.configuration.tol.unwrap_or(1e-8));
-        let (systems, outcomes): (Vec<System>, Vec<(String, Outcome)>) =
-            runs.into_iter().map(|(label, system, outcome)| (system, (label, outcome))).unzip();
-        if let Some(folder) = &arguments.pictures {
-            let theme = if arguments.dark { Theme::Dark } else { Theme::Light };
-            std::fs::create_dir_all(folder).map_err(|source| Failure::File { path: folder.clone(), source })?;
-            for picture in picture::all(&system, &outcomes, &Options { theme, zoom: None }) {
-                super::write(&folder.join(format!("{}.svg", picture.name())), &picture.svg)?;
-                super::write(&folder.join(format!("{}.png", picture.name())), picture.png(PIXELS)?)?;
+        let label = |one: &Ran| {
+            let varied = self.varied(one).map(|(name, value)| format!("{name} = {value}"));
+            varied.unwrap_or_else(|| self.law(&one.outcome).to_owned())
+        };
+        let (systems, outcomes): (Vec<System>, Vec<(String, Outcome)>) = runs
+            .into_iter()
+            .map(|one| (label(&one), one))
+            .map(|(label, one)| (one.system, (label, one.outcome)))
+            .unzip();
+        if let Some(folder) = pictures {
+            let theme = if *dark { Theme::Dark } else { Theme::Light };
+            super::folder(folder)?;
+            for picture in picture::all(&systems[0], &outcomes, &Options { theme, zoom: None }) {
+                super::draw(&picture, &folder.join(picture.name()))?;
             }
         }
-        if let Some(path) = &arguments.report {
-            let toml = self.configuration.text();
-            let command = if outcomes.len() > 1 { "stribeck compare" } else { "stribeck run" };
-            let command = format!("{command} --config run.toml      # with this in run.toml:");
-            let facts = Facts { systems: &systems, tolerance, command: &command, toml: &toml, ..Facts::default() };
-            super::write(path, report::html(&system, &outcomes, &facts))?;
-        }
-        Ok(())
+        report.as_ref().map_or(Ok(()), |path| super::write(path, self.report(&systems, &outcomes)))
     }
+
+    fn report(&self, systems: &[System], outcomes: &[(String, Outcome)]) -> String {
+        let command = if outcomes.len() > 1 { "stribeck compare" } else { "stribeck run" };
+        let command = format!("{command} --config run.toml      # with this in run.toml:");
+        let (tolerance, toml) = (self.run.tol.unwrap_or(1e-8), self.run.text());
+        let facts = Facts { systems, tolerance, command: &command, toml: &toml, ..Facts::default() };
+        report::html(&systems[0], outcomes, &facts)
+    }
+}
+
+impl Ran {
+    fn verdict(&self) -> Verdict {
+        match self.outcome.end {
+            End::Reached => Verdict::Done,
+            End::Failed { .. } => Verdict::Diverged,
+            End::Cancelled { .. } => Verdict::Cancelled,
+        }
+    }
+
+    /// What differs from one run to the next.
+    fn what(&self) -> String {
+        self.value.map_or_else(|| self.outcome.law.map_or("", |law| law.name).to_owned(), |value| value.to_string())
+    }
+}
+
+/// The results of all runs, one below the other, with what differs between them in the first column if that has a name.
+fn table(runs: &[Ran], column: Option<&str>, to: impl std::io::Write) -> std::io::Result<()> {
+    let mut to = csv::Writer::from_writer(to);
+    for (number, one) in runs.iter().enumerate() {
+        if number == 0 {
+            to.write_record(column.map(str::to_owned).into_iter().chain(one.outcome.headings()))?;
+        }
+        let first = column.map(|_| one.what());
+        for row in 0..one.outcome.time.len() {
+            to.write_record(first.clone().into_iter().chain(one.outcome.row(row)))?;
+        }
+    }
+    to.flush()
 }

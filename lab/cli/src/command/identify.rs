@@ -163,7 +163,7 @@ fn tell(arguments: &Arguments, facts: &Identification, data: &Data) -> Result<En
         print!("{}{}", table(ranking), best.table(reference));
     }
     if let Some(folder) = &arguments.curves {
-        std::fs::create_dir_all(folder).map_err(|source| Failure::File { path: folder.clone(), source })?;
+        super::folder(folder)?;
         curves(folder, records, facts)?;
     }
     if let Some(path) = &arguments.report {
@@ -292,9 +292,6 @@ fn save(arguments: &Arguments, best: &Fit) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Width of PNG pictures (chosen: a column of 85 mm at 600 dots per inch).
-const PIXELS: u32 = 2000;
-
 fn curves(folder: &Path, records: &[(String, Record)], facts: &Identification) -> Result<(), Failure> {
     for (number, (name, record)) in records.iter().enumerate() {
         let record = &facts.ranking.best().seen(record);
@@ -303,9 +300,7 @@ fn curves(folder: &Path, records: &[(String, Record)], facts: &Identification) -
             write(&folder.join(format!("{name}-cycle.csv")), cycle.csv().map_err(Fault::value)?)?;
         }
         for picture in identification::pictures(facts, number)? {
-            let path = folder.join(format!("{name}-{}", picture.name()));
-            write(&path.with_extension("svg"), &picture.svg)?;
-            write(&path.with_extension("png"), picture.png(PIXELS)?)?;
+            super::draw(&picture, &folder.join(format!("{name}-{}", picture.name())))?;
         }
     }
     Ok(())

@@ -14,6 +14,8 @@ mod watch;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use stribeck::catalogue::{Family, documented};
+use stribeck_plot::picture::Picture;
 use stribeck_solve::system::Fault;
 
 pub use bench::{Arguments as BenchArguments, bench};
@@ -74,4 +76,24 @@ impl From<Verdict> for ExitCode {
 /// Writes a file.
 pub fn write(path: &Path, text: impl AsRef<[u8]>) -> Result<(), Failure> {
     std::fs::write(path, text).map_err(|source| Failure::File { path: path.into(), source })
+}
+
+/// Makes a folder.
+pub fn folder(path: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(path).map_err(|source| Failure::File { path: path.into(), source })
+}
+
+/// Width of PNG pictures (chosen: a column of 85 mm at 600 dots per inch).
+const PIXELS: u32 = 2000;
+
+/// Writes a picture as SVG and as PNG.
+fn draw(picture: &Picture, path: &Path) -> Result<(), Failure> {
+    write(&path.with_extension("svg"), &picture.svg)?;
+    write(&path.with_extension("png"), picture.png(PIXELS)?)
+}
+
+/// The chosen laws, or all.
+fn laws(chosen: &[String]) -> Vec<String> {
+    let all = || documented(Family::Friction).map(|(law, _)| law.name.to_owned()).collect();
+    if chosen.is_empty() { all() } else { chosen.to_vec() }
 }

@@ -58,7 +58,7 @@ pub fn rig(arguments: &Arguments) -> Result<Verdict, Failure> {
     };
     let files = rig.record()?;
     let folder = arguments.out.as_path();
-    std::fs::create_dir_all(folder).map_err(|source| Failure::File { path: folder.into(), source })?;
+    super::folder(folder)?;
     write(&folder.join("force.csv"), files.force)?;
     if let Some(camera) = files.camera {
         write(&folder.join("camera.csv"), camera)?;

@@ -1,60 +1,106 @@
 //! A run as a user writes it: in a TOML file, on the command line, in Python.
 
 use std::collections::BTreeMap;
+use std::str::FromStr;
 
-use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::{Args, ValueEnum};
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-use super::Settings;
+use super::{Settings, Solver};
+use crate::couple::Exchange;
 use crate::job;
 use crate::system::{Fault, Setting, Source, System};
 
 /// Settings of a run. All are optional; the system provides those that are missing.
-#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize, TS)]
+#[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize, TS)]
 #[ts(rename = "Run", optional_fields)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct Configuration {
-    /// Name of a built-in system, or path of a system file.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Built-in system (see `stribeck systems`) or path of a system file (.toml)
+    #[arg(long)]
     pub system: Option<String>,
-    /// Friction laws.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    /// Friction law; several for `compare`
+    #[arg(long, num_args = 1.., value_delimiter = ',')]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub law: Vec<String>,
-    /// Solver.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Solver
+    #[arg(long, value_parser = PossibleValuesParser::new(words::<Solver>()))]
     pub solver: Option<String>,
-    /// Relative and absolute tolerance.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Relative and absolute tolerance (default 1e-8)
+    #[arg(long)]
     pub tol: Option<f64>,
-    /// End of the run in s.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// End of the run in s
+    #[arg(long)]
     pub until: Option<f64>,
-    /// Interval of the results in s.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Interval of the results in s
+    #[arg(long)]
     pub every: Option<f64>,
-    /// Communication step in s.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Communication step of co-simulation in s (default 1e-3)
+    #[arg(long)]
     pub step: Option<f64>,
-    /// Order of exchange.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Order of exchange in co-simulation
+    #[arg(long, value_parser = PossibleValuesParser::new(words::<Exchange>()))]
     pub exchange: Option<String>,
-    /// Random part of the communication step.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Largest random part by which a communication step differs from the others
+    #[arg(long)]
     pub jitter: Option<f64>,
-    /// Whether steps extend across events.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    /// Let steps extend across events instead of locating them
+    #[arg(long)]
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub no_events: bool,
-    /// Results.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    /// Results to record, such as rig.position or der(rig.block_velocity)
+    #[arg(long, num_args = 1.., value_delimiter = ',')]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub record: Vec<String>,
-    /// A variable and its values.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// One run for each of n values of a variable
+    #[arg(long, value_name = "NAME=FROM:TO:N", value_parser = Vary::checked, display_order = 1)]
     pub vary: Option<String>,
-    /// Values of variables.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    /// Values of variables; the command line gives them one by one.
+    #[arg(skip)]
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     #[ts(type = "Record<string, Value>")]
     pub set: BTreeMap<String, toml::Value>,
+}
+
+/// Largest number of runs of one command (chosen).
+const MOST_RUNS: usize = 100_000;
+
+/// A variable and the values it takes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vary {
+    /// The variable.
+    pub name: String,
+    /// Its values.
+    pub values: Vec<f64>,
+}
+
+impl Vary {
+    /// A text that can be read as one.
+    fn checked(text: &str) -> Result<String, Fault> {
+        text.parse::<Vary>().map(|_| text.to_owned())
+    }
+}
+
+impl FromStr for Vary {
+    type Err = Fault;
+
+    fn from_str(text: &str) -> Result<Vary, Fault> {
+        let wrong = || Fault::value(format_args!("'{text}': must be name=from:to:n, with n from 2 to {MOST_RUNS}"));
+        let (name, range) = text.split_once('=').ok_or_else(wrong)?;
+        let parts: Vec<&str> = range.split(':').collect();
+        let [from, to, count] = parts.as_slice() else { return Err(wrong()) };
+        let number = |text: &str| text.trim().parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(wrong);
+        let (from, to) = (number(from)?, number(to)?);
+        let count: usize = count.trim().parse().map_err(|_| wrong())?;
+        if !(2..=MOST_RUNS).contains(&count) {
+            return Err(wrong());
+        }
+        let last = (count - 1) as f64;
+        let values = (0..count).map(|at| from + (to - from) * at as f64 / last).collect();
+        Ok(Vary { name: name.trim().to_owned(), values })
+    }
 }
 
 impl Configuration {
@@ -104,6 +150,19 @@ impl Configuration {
         self.set.iter().map(|(name, value)| Setting { name: name.clone(), value: plain(value) }).collect()
     }
 
+    /// The system with each of the laws, or with its own, and its description. An error if a value is for none of them.
+    pub fn systems(&self) -> Result<(Vec<System>, Source), Fault> {
+        let (source, values) = (self.source()?, self.values());
+        let assembled = |law| System::assemble(&source, law, &values);
+        let systems = if self.law.is_empty() {
+            vec![assembled(None)?]
+        } else {
+            self.law.iter().map(|law| assembled(Some(law))).collect::<Result<_, Fault>>()?
+        };
+        System::refuse_unused(&systems)?;
+        Ok((systems, source))
+    }
+
     /// How a system is run.
     pub fn settings(&self, system: &System) -> Result<Settings<'static>, Fault> {
         let mut settings = Settings::of(system);
@@ -129,15 +188,16 @@ impl Configuration {
 }
 
 /// The choice of this name.
-fn named<T: ValueEnum>(what: &str, name: &str) -> Result<T, Fault> {
+fn named<T: ValueEnum + 'static>(what: &str, name: &str) -> Result<T, Fault> {
     T::from_str(name, false).map_err(|_| {
-        let known: Vec<String> = T::value_variants()
-            .iter()
-            .filter_map(|value| value.to_possible_value())
-            .map(|value| value.get_name().to_owned())
-            .collect();
-        Fault::unknown(what, name, known.iter().map(String::as_str))
+        let known: Vec<PossibleValue> = words::<T>().collect();
+        Fault::unknown(what, name, known.iter().map(PossibleValue::get_name))
     })
+}
+
+/// Names of the choices, with one line on each.
+pub fn words<T: ValueEnum + 'static>() -> impl Iterator<Item = PossibleValue> {
+    T::value_variants().iter().filter_map(T::to_possible_value)
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use stribeck::model::Brief;
 
-pub use configuration::Configuration;
+pub use configuration::{Configuration, Vary, words};
 pub use outcome::{Column, Outcome, Passed};
 pub use solver::{Kind, Solver};
 

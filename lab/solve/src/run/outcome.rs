@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::time::Duration;
 
+use serde::Serialize;
 use stribeck::model::ModelType;
 
 use super::Solver;
@@ -20,7 +21,7 @@ pub struct Column {
 }
 
 /// An event of a run.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Passed {
     /// When it occurred, in s.
     pub time: f64,
