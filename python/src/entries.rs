@@ -42,15 +42,20 @@ fn as_toml(value: &Bound<PyAny>, levels: usize) -> PyResult<toml::Value> {
         let items = value.try_iter()?.map(|item| as_toml(&item?, levels));
         return Ok(toml::Value::Array(items.collect::<PyResult<_>>()?));
     }
+    // Numbers and arrays of numpy.
+    match value.getattr_opt("tolist")? {
+        Some(plain) => as_toml(&plain.call0()?, levels),
+        None => one_as_toml(value),
+    }
+}
+
+/// A value that is neither a dictionary nor a list.
+fn one_as_toml(value: &Bound<PyAny>) -> PyResult<toml::Value> {
     if value.is_instance_of::<PyBool>() {
         return Ok(toml::Value::Boolean(value.extract()?));
     }
     if value.is_instance_of::<PyInt>() {
         return Ok(toml::Value::Integer(value.extract()?));
-    }
-    // Numbers and arrays of numpy.
-    if let Some(plain) = value.getattr_opt("tolist")? {
-        return as_toml(&plain.call0()?, levels);
     }
     match value.extract::<String>() {
         Ok(text) => Ok(toml::Value::String(text)),

@@ -73,6 +73,21 @@ type Make<'a> =
     dyn FnMut(Range<usize>, &mut Instance, &mut [&mut [f64]], &AtomicBool) -> Result<(), (usize, Ended)> + 'a;
 
 impl Common<'_> {
+    /// The settings of a call; one sample each, and each in a call of its own.
+    fn of<'a>(
+        model: &'static ModelType,
+        preset: Option<&'a str>,
+        parameters: Named,
+        results: &[String],
+        (each, count): (&'static str, usize),
+        asked: Option<usize>,
+    ) -> PyResult<Common<'a>> {
+        let preset = known_preset(model, preset)?;
+        let (parameters, results) = (rows(model, parameters)?, columns(model, results)?);
+        let threads = threads(asked)?.get();
+        Ok(Common { model, preset, parameters, results, each, count, samples: 1, together: 1, threads })
+    }
+
     /// Makes every run once, with an instance per thread; the first error ends them all. The slots hold what belongs to
     /// the runs that are made in one call.
     fn make<'a>(
@@ -105,6 +120,21 @@ impl Common<'_> {
         };
         share(slots.len(), self.threads, goes_on, worker);
         failed.into_inner().ok().flatten().map_or(Ok(()), Err)
+    }
+
+    /// The settled results at a point.
+    fn settled(
+        &self,
+        point: usize,
+        instance: &mut Instance,
+        inputs: &[Rows],
+        cancel: &AtomicBool,
+    ) -> Result<Vec<f64>, Ended> {
+        self.begin(point, instance)?;
+        let held: Vec<(usize, f64)> = inputs.iter().map(|rows| (rows.column, rows.row(point)[0])).collect();
+        let mut values = vec![0.0; self.results.len()];
+        stribeck::series::settle(instance, &held, &self.results, &mut values, cancel)?;
+        Ok(values)
     }
 
     fn begin(&self, run: usize, instance: &mut Instance) -> Result<(), Ended> {
@@ -178,20 +208,10 @@ pub fn follow<'py>(
     let inputs = rows(model, inputs)?;
     let times: Option<Vec<f64>> = times.map(|times| times.as_array().iter().copied().collect());
     let between = if held { Between::Held } else { Between::Linear };
-    let threads = threads(threads_asked)?.get();
+    let mut common = Common::of(model, preset.as_deref(), parameters, &results, ("run", runs), threads_asked)?;
     // All threads have something to do.
-    let together = Worker::together(model).min(runs.div_ceil(threads)).max(1);
-    let common = Common {
-        model,
-        preset: known_preset(model, preset.as_deref())?,
-        parameters: rows(model, parameters)?,
-        results: columns(model, &results)?,
-        each: "run",
-        count: runs,
-        samples,
-        together,
-        threads: threads.min(runs.div_ceil(together)),
-    };
+    common.together = Worker::together(model).min(runs.div_ceil(common.threads)).max(1);
+    (common.samples, common.threads) = (samples, common.threads.min(runs.div_ceil(common.together)));
     let inputs = of_core(&inputs);
     let times = times.as_deref().map_or(Times::Every(dt), Times::At);
     let all = Runs { inputs: &inputs, times, samples, between, results: &common.results };
@@ -221,17 +241,8 @@ pub fn settle<'py>(
 ) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
     let model = find(model)?;
     let inputs = rows(model, inputs)?;
-    let common = Common {
-        model,
-        preset: known_preset(model, preset.as_deref())?,
-        parameters: rows(model, parameters)?,
-        results: columns(model, &results)?,
-        each: "point",
-        count: points,
-        samples: 1,
-        together: 1,
-        threads: threads(threads_asked)?.get().min(points),
-    };
+    let mut common = Common::of(model, preset.as_deref(), parameters, &results, ("point", points), threads_asked)?;
+    common.threads = common.threads.min(points);
     if let Some(arrays) = outputs(py, &common, &inputs)? {
         return Ok(arrays);
     }
@@ -239,14 +250,8 @@ pub fn settle<'py>(
         let (common, inputs) = (&common, &inputs);
         Box::new(move |some, instance, arrays, cancel| {
             for (place, point) in some.enumerate() {
-                let settled = common.begin(point, instance).and_then(|()| {
-                    let held: Vec<(usize, f64)> = inputs.iter().map(|rows| (rows.column, rows.row(point)[0])).collect();
-                    let mut values = vec![0.0; arrays.len()];
-                    stribeck::series::settle(instance, &held, &common.results, &mut values, cancel)?;
-                    arrays.iter_mut().zip(values).for_each(|(array, value)| array[place] = value);
-                    Ok(())
-                });
-                settled.map_err(|ended| (point, ended))?;
+                let values = common.settled(point, instance, inputs, cancel).map_err(|ended| (point, ended))?;
+                arrays.iter_mut().zip(values).for_each(|(array, value)| array[place] = value);
             }
             Ok(())
         })

@@ -2,7 +2,7 @@
 
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
@@ -30,30 +30,37 @@ pub fn watched<T: Send>(
                 // The receiver lives until it has received this.
                 let _ = sender.send(work(cancel));
             });
-            let mut interrupt = None;
-            let done = loop {
-                match receiver.recv_timeout(PATIENCE) {
-                    Ok(done) => break Some(done),
-                    Err(RecvTimeoutError::Disconnected) => break None,
-                    Err(RecvTimeoutError::Timeout) if interrupt.is_some() => {}
-                    Err(RecvTimeoutError::Timeout) => {
-                        if let Err(error) = Python::attach(|py| py.check_signals().and_then(|()| look(py))) {
-                            cancel.store(true, Ordering::Relaxed);
-                            interrupt = Some(error);
-                        }
-                    }
-                }
-            };
-            if let Err(panic) = worker.join() {
-                std::panic::resume_unwind(panic);
-            }
-            (done, interrupt)
+            let ended = wait(&receiver, cancel, &look);
+            worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            ended
         })
     });
     match (done, interrupt) {
         (_, Some(error)) => Err(error),
         (Some(done), None) => look(py).map(|()| done),
         (None, None) => Err(crate::refused("the work ended without a result")),
+    }
+}
+
+/// Waits for the result of the work, and for an interrupt.
+fn wait<T>(
+    receiver: &Receiver<T>,
+    cancel: &AtomicBool,
+    look: impl Fn(Python) -> PyResult<()>,
+) -> (Option<T>, Option<PyErr>) {
+    let mut interrupt = None;
+    loop {
+        match receiver.recv_timeout(PATIENCE) {
+            Ok(done) => return (Some(done), interrupt),
+            Err(RecvTimeoutError::Disconnected) => return (None, interrupt),
+            Err(RecvTimeoutError::Timeout) if interrupt.is_some() => {}
+            Err(RecvTimeoutError::Timeout) => {
+                if let Err(error) = Python::attach(|py| py.check_signals().and_then(|()| look(py))) {
+                    cancel.store(true, Ordering::Relaxed);
+                    interrupt = Some(error);
+                }
+            }
+        }
     }
 }
 

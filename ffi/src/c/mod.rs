@@ -416,23 +416,14 @@ pub unsafe extern "C" fn stribeck_describe(
     let body = |model: &mut stribeck_instance| {
         let column = model.instance.column(reference)?;
         let known = &model.instance.model().table.at(column);
+        let [min, max] = [known.bound.min(), known.bound.max()];
         // Without events no other value is accepted: see `check_for_steps`.
-        let (min, max) = match known.is_settled_by_events() {
-            true => (known.start, known.start),
-            false => (known.bound.min(), known.bound.max()),
-        };
+        let [min, max] = if known.is_settled_by_events() { [known.start; 2] } else { [min, max] };
         let [name, unit, help] = model.texts[column].each_ref().map(|text| text.as_ptr());
         // SAFETY: the caller's promise.
-        *unsafe { place(variable, "variable") }? = stribeck_variable {
-            name,
-            unit,
-            help,
-            role: role(known.role),
-            kind: kind(known.kind),
-            start: known.start,
-            min,
-            max,
-        };
+        let place = unsafe { place(variable, "variable") }?;
+        let (role, kind, start) = (role(known.role), kind(known.kind), known.start);
+        *place = stribeck_variable { name, unit, help, role, kind, start, min, max };
         Ok(())
     };
     // SAFETY: the caller's promise.
@@ -651,9 +642,7 @@ pub unsafe extern "C" fn stribeck_derivative(
             let text = format_args!("{} cannot be differentiated with respect to {}", result.path, varied.path);
             return refuse(STRIBECK_UNKNOWN_VARIABLE, text);
         }
-        if let Err(fault) = result.check_derivatives() {
-            return refuse(STRIBECK_UNKNOWN_VARIABLE, format_args!("{fault}"));
-        }
+        result.check_derivatives().map_err(fault(STRIBECK_UNKNOWN_VARIABLE))?;
         // SAFETY: the caller's promise.
         let place = unsafe { place(value, "value") }?;
         let slope = model.instance.derivative([(input, 1.0)].into_iter())[output].slope;

@@ -1,6 +1,7 @@
 //! Many steps in one call.
 
 use std::cell::RefCell;
+use std::ptr::null;
 use std::sync::atomic::AtomicBool;
 
 use libc::c_int;
@@ -78,6 +79,21 @@ impl<T> Arrays<T> {
     }
 }
 
+/// The arrays behind pointers. `at` makes an array of a pointer.
+///
+/// # Safety
+/// The pointers must be NULL or lead to `count` references and pointers.
+unsafe fn arrays<P: Copy, T>(
+    instance: &Instance,
+    (references, pointers, count): (*const u32, *const P, usize),
+    at: impl Fn(P) -> Result<T, Null>,
+) -> Result<Arrays<T>, Refusal> {
+    // SAFETY: the caller's promise.
+    let (references, pointers) =
+        unsafe { (array(references, count, "references")?, array(pointers, count, "values")?) };
+    Arrays::of(instance, references, |number| at(pointers[number]))
+}
+
 impl stribeck_samples {
     /// The arrays, each with `length` values.
     ///
@@ -85,13 +101,10 @@ impl stribeck_samples {
     /// The pointers must be NULL or lead to what the documentation of their owner says, and not be written to.
     unsafe fn arrays<'a>(this: *const Self, instance: &Instance, length: usize) -> Result<Arrays<&'a [f64]>, Refusal> {
         // SAFETY: the caller's promise.
-        let Some(this) = (unsafe { this.as_ref() }) else { return Arrays::of(instance, &[], |_| Ok(&[][..])) };
+        let of =
+            unsafe { this.as_ref() }.map_or((null(), null(), 0), |this| (this.references, this.values, this.count));
         // SAFETY: the caller's promise.
-        let references = unsafe { array(this.references, this.count, "references") }?;
-        // SAFETY: the caller's promise.
-        let pointers = unsafe { array(this.values, this.count, "values") }?;
-        // SAFETY: the caller's promise.
-        Arrays::of(instance, references, |number| unsafe { array(pointers[number], length, "values") })
+        unsafe { arrays(instance, of, |values| array(values, length, "values")) }
     }
 }
 
@@ -106,13 +119,10 @@ impl stribeck_results {
         length: usize,
     ) -> Result<Arrays<&'a mut [f64]>, Refusal> {
         // SAFETY: the caller's promise.
-        let Some(this) = (unsafe { this.as_ref() }) else { return Arrays::of(instance, &[], |_| Ok(&mut [][..])) };
+        let of =
+            unsafe { this.as_ref() }.map_or((null(), null(), 0), |this| (this.references, this.values, this.count));
         // SAFETY: the caller's promise.
-        let references = unsafe { array(this.references, this.count, "references") }?;
-        // SAFETY: the caller's promise.
-        let pointers = unsafe { array(this.values, this.count, "values") }?;
-        // SAFETY: the caller's promise.
-        Arrays::of(instance, references, |number| unsafe { array_mut(pointers[number], length, "values") })
+        unsafe { arrays(instance, of, |values| array_mut(values, length, "values")) }
     }
 }
 
@@ -141,7 +151,33 @@ impl Way {
         Ok(Way { dt, samples, runs, between })
     }
 
-    /// Makes all runs from the present state. Only the first allocations are before them.
+    /// Makes all runs from the present state, to which the model returns after an error, or anyway if it `returns`.
+    ///
+    /// # Safety
+    /// As the module says of pointers.
+    unsafe fn lead(
+        self,
+        instance: &mut Instance,
+        [parameters, inputs]: [*const stribeck_samples; 2],
+        results: *const stribeck_results,
+        returns: bool,
+    ) -> Outcome {
+        let length = self.samples * self.runs;
+        // SAFETY: the caller's promises.
+        let chosen = unsafe { stribeck_samples::arrays(parameters, instance, self.runs) }?;
+        // SAFETY: the caller's promises.
+        let given = unsafe { stribeck_samples::arrays(inputs, instance, length) }?;
+        // SAFETY: the caller's promises.
+        let found = unsafe { stribeck_results::arrays(results, instance, length) }?;
+        let before = instance.try_save()?;
+        let done = self.go(instance, &chosen, &given, found, &before);
+        if returns || done.is_err() {
+            instance.restore(&before);
+        }
+        done
+    }
+
+    /// Makes all runs from a state. Only the first allocations are before them.
     fn go(
         self,
         instance: &mut Instance,
@@ -201,18 +237,8 @@ pub unsafe extern "C" fn stribeck_run(
 ) -> stribeck_status {
     let body = |model: &mut stribeck_instance| {
         let way = Way::of(model, dt, samples, 1, held)?;
-        let instance = &mut model.instance;
-        let none = Arrays::of(instance, &[], |_| Ok(&[][..]))?;
         // SAFETY: the caller's promises.
-        let given = unsafe { stribeck_samples::arrays(inputs, instance, samples) }?;
-        // SAFETY: the caller's promises.
-        let found = unsafe { stribeck_results::arrays(results, instance, samples) }?;
-        let before = instance.try_save()?;
-        let done = way.go(instance, &none, &given, found, &before);
-        if done.is_err() {
-            instance.restore(&before);
-        }
-        done
+        unsafe { way.lead(&mut model.instance, [null(), inputs], results, false) }
     };
     // SAFETY: the caller's promise.
     unsafe { enter(model, body) }
@@ -238,17 +264,8 @@ pub unsafe extern "C" fn stribeck_run_many(
 ) -> stribeck_status {
     let body = |model: &mut stribeck_instance| {
         let way = Way::of(model, dt, samples, runs, held)?;
-        let instance = &mut model.instance;
         // SAFETY: the caller's promises.
-        let chosen = unsafe { stribeck_samples::arrays(parameters, instance, runs) }?;
-        // SAFETY: the caller's promises.
-        let given = unsafe { stribeck_samples::arrays(inputs, instance, samples * runs) }?;
-        // SAFETY: the caller's promises.
-        let found = unsafe { stribeck_results::arrays(results, instance, samples * runs) }?;
-        let before = instance.try_save()?;
-        let done = way.go(instance, &chosen, &given, found, &before);
-        instance.restore(&before);
-        done
+        unsafe { way.lead(&mut model.instance, [parameters, inputs], results, true) }
     };
     // SAFETY: the caller's promise.
     unsafe { enter(model, body) }

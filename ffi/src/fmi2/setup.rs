@@ -4,7 +4,7 @@ use std::ffi::CStr;
 use std::fmt;
 use std::ptr::null_mut;
 
-use super::component::{self, Component, Experiment, enter, refuse};
+use super::component::{self, Component, Experiment, Refusal, enter, refuse};
 use super::lifecycle::{Call, Purpose, State};
 use super::log::{self, Line, Log};
 use super::types::*;
@@ -111,19 +111,23 @@ fn instantiate(
     if name.to_bytes().trim_ascii().is_empty() {
         return Err(NoInstance::because("instanceName is NULL or blank"));
     }
-    let guid = pointer::name(guid.ok_or_else(|| NoInstance::because("fmuGUID is NULL"))?);
-    let model = models::by_guid(guid).ok_or_else(|| {
-        NoInstance::because(format_args!(
-            "guid {guid} does not belong to a model of stribeck {}: modelDescription.xml and library differ in version",
-            env!("CARGO_PKG_VERSION")
-        ))
-    })?;
+    let model = model(guid)?;
     let purpose = purpose(kind, model)?;
     let instance = match purpose {
         Purpose::CoSimulation => Instance::try_new(model)?,
         Purpose::ModelExchange => Instance::try_for_model_exchange(model)?,
     };
     Ok(memory::boxed(Component::new(instance, purpose, Log::new(callbacks, name, debug)?))?)
+}
+
+fn model(guid: Option<&CStr>) -> Result<&'static ModelType, NoInstance> {
+    let guid = pointer::name(guid.ok_or_else(|| NoInstance::because("fmuGUID is NULL"))?);
+    models::by_guid(guid).ok_or_else(|| {
+        NoInstance::because(format_args!(
+            "guid {guid} does not belong to a model of stribeck {}: modelDescription.xml and library differ in version",
+            env!("CARGO_PKG_VERSION")
+        ))
+    })
 }
 
 fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, NoInstance> {
@@ -200,19 +204,24 @@ pub unsafe extern "C-unwind" fn fmi2SetupExperiment(
         if toleranceDefined != fmi2False && !(tolerance > 0.0 && tolerance.is_finite()) {
             return refuse(format_args!("tolerance = {tolerance}: must be > 0 and finite"));
         }
-        if !startTime.is_finite() {
-            return refuse(format_args!("startTime = {startTime}: must be finite"));
-        }
-        if stopTimeDefined != fmi2False && !(stopTime.is_finite() && stopTime >= startTime) {
-            return refuse(format_args!("stopTime = {stopTime}: must be finite and >= startTime = {startTime}"));
-        }
-        let stop = if stopTimeDefined != fmi2False { stopTime } else { f64::INFINITY };
-        component.experiment = Experiment { is_set_up: true, start: startTime, stop };
+        component.experiment = experiment(startTime, (stopTimeDefined != fmi2False).then_some(stopTime))?;
         component.instance.set_time(startTime);
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::SetupExperiment, body) }
+}
+
+fn experiment(start: f64, stop: Option<f64>) -> Result<Experiment, Refusal> {
+    if !start.is_finite() {
+        return refuse(format_args!("startTime = {start}: must be finite"));
+    }
+    match stop {
+        Some(stop) if !(stop.is_finite() && stop >= start) => {
+            refuse(format_args!("stopTime = {stop}: must be finite and >= startTime = {start}"))
+        }
+        _ => Ok(Experiment { is_set_up: true, start, stop: stop.unwrap_or(f64::INFINITY) }),
+    }
 }
 
 /// Enters initialization mode, in which inputs are set and outputs read at the start time.

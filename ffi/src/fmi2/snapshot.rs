@@ -40,6 +40,26 @@ impl Saved {
         component.instance.save_into(&mut self.snapshot);
     }
 
+    fn put_back(&self, component: &mut Component) -> Outcome {
+        if !self.state.is_for(component.purpose) {
+            let text =
+                format_args!("FMUstate is in state {:?}, which {:?} does not have", self.state, component.purpose);
+            return refuse(text);
+        }
+        if component.purpose == Purpose::CoSimulation {
+            component.instance.check_without_events(&self.snapshot)?;
+        }
+        component.instance.restore(&self.snapshot);
+        if self.state == State::ContinuousTimeMode {
+            component.instance.continue_between_events();
+        }
+        // Whether an event was reported is not saved; reading the states again is never wrong.
+        component.has_jumped = self.state == State::EventMode;
+        component.state = self.state;
+        component.experiment = self.experiment;
+        Ok(())
+    }
+
     /// The numbers that the FMI layer adds to a serialised instance.
     fn owners(&self) -> [f64; serial::OWNERS] {
         let Experiment { is_set_up, start, stop } = self.experiment;
@@ -121,25 +141,7 @@ pub unsafe extern "C-unwind" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut
 pub unsafe extern "C-unwind" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstate) -> fmi2Status {
     let body = |component: &mut Component| {
         // SAFETY: the caller's promise.
-        let saved = unsafe { saved(component, FMUstate) }?;
-        if !saved.state.is_for(component.purpose) {
-            return refuse(format_args!(
-                "FMUstate is in state {:?}, which {:?} does not have",
-                saved.state, component.purpose
-            ));
-        }
-        if component.purpose == Purpose::CoSimulation {
-            component.instance.check_without_events(&saved.snapshot)?;
-        }
-        component.instance.restore(&saved.snapshot);
-        if saved.state == State::ContinuousTimeMode {
-            component.instance.continue_between_events();
-        }
-        // Whether an event was reported is not saved; reading the states again is never wrong.
-        component.has_jumped = saved.state == State::EventMode;
-        component.state = saved.state;
-        component.experiment = saved.experiment;
-        Ok(())
+        unsafe { saved(component, FMUstate) }?.put_back(component)
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::SetFMUstate, body) }

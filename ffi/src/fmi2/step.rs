@@ -99,13 +99,8 @@ unsafe fn status<T>(
     let body = |component: &mut Component| {
         // SAFETY: the caller promises NULL or a writable value.
         let Some(value) = (unsafe { value.as_mut() }) else { return refuse("value is NULL") };
-        match answer(component) {
-            Some(found) => *value = found,
-            None => {
-                let text = format_args!("status kind {kind} is not available: steps are synchronous");
-                return Err(Refusal::Trial(memory::text(text)));
-            }
-        }
+        let text = || memory::text(format_args!("status kind {kind} is not available: steps are synchronous"));
+        *value = answer(component).ok_or_else(|| Refusal::Trial(text()))?;
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.

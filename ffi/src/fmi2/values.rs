@@ -130,26 +130,29 @@ unsafe fn get<B: Base>(
     let body = |component: &mut Component| {
         // SAFETY: the importer promises `n` value references and room for `n` values.
         let (references, values) = unsafe { (array(vr, n, "vr")?, array_mut(value, n, "value")?) };
+        let is_real = B::TYPE == BaseType::Real;
         for reference in references {
-            match component.place(*reference) {
-                Some(Place::Time | Place::Derivative(_)) if B::TYPE == BaseType::Real => {}
-                _ => {
-                    component.column::<B>(*reference)?;
-                }
+            if !(is_real && matches!(component.place(*reference), Some(Place::Time | Place::Derivative(_)))) {
+                component.column::<B>(*reference)?;
             }
         }
-        let needed = component.needs(references);
-        let refreshed = match component.state {
-            // After an error the last results are read, for debugging; advice may not be among them yet.
-            State::Error if needed == Computed::All => component.instance.compute_advice(),
-            State::Error => Ok(()),
-            _ => component.instance.refresh_to(needed),
-        };
-        refreshed.map_err(|fault| component.out_of_domain(fault))?;
+        refresh(component, references)?;
         read::<B>(component, references, values)
     };
     // SAFETY: the importer's promise about `c`.
     unsafe { enter(c, call, body) }
+}
+
+/// Computes what the references need.
+fn refresh(component: &mut Component, references: &[fmi2ValueReference]) -> Outcome {
+    let needed = component.needs(references);
+    let refreshed = match component.state {
+        // After an error the last results are read, for debugging; advice may not be among them yet.
+        State::Error if needed == Computed::All => component.instance.compute_advice(),
+        State::Error => Ok(()),
+        _ => component.instance.refresh_to(needed),
+    };
+    refreshed.map_err(|fault| component.out_of_domain(fault))
 }
 
 /// Reads variables whose results have been computed.
@@ -373,6 +376,22 @@ fn no_strings(vr: *const fmi2ValueReference, n: usize) -> Outcome {
     }
 }
 
+fn set_slopes(component: &mut Component, references: &[fmi2ValueReference], orders: &[i32], values: &[f64]) -> Outcome {
+    for ((reference, order), value) in references.iter().zip(orders).zip(values) {
+        let column = component.column::<Real>(*reference)?;
+        component.instance.check_slope(column, *value).map_err(|refused| component.refusal(refused))?;
+        if *order != 1 {
+            let path = component.variable(column).path;
+            return refuse(format_args!("order {order} of {path}: only order 1 is supported"));
+        }
+    }
+    for (reference, value) in references.iter().zip(values) {
+        let column = component.column::<Real>(*reference)?;
+        component.instance.set_slope(column, *value).map_err(|refused| component.refusal(refused))?;
+    }
+    Ok(())
+}
+
 /// Gives inputs a slope over the next step (order 1 only). It is used for that step, and then forgotten.
 ///
 /// # Safety
@@ -389,19 +408,7 @@ pub unsafe extern "C-unwind" fn fmi2SetRealInputDerivatives(
         // SAFETY: the caller promises `nvr` elements in each array.
         let (references, orders, values) =
             unsafe { (array(vr, nvr, "vr")?, array(order, nvr, "order")?, array(value, nvr, "value")?) };
-        for ((reference, order), value) in references.iter().zip(orders).zip(values) {
-            let column = component.column::<Real>(*reference)?;
-            component.instance.check_slope(column, *value).map_err(|refused| component.refusal(refused))?;
-            if *order != 1 {
-                let path = component.variable(column).path;
-                return refuse(format_args!("order {order} of {path}: only order 1 is supported"));
-            }
-        }
-        for (reference, value) in references.iter().zip(values) {
-            let column = component.column::<Real>(*reference)?;
-            component.instance.set_slope(column, *value).map_err(|refused| component.refusal(refused))?;
-        }
-        Ok(())
+        set_slopes(component, references, orders, values)
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::SetRealInputDerivatives, body) }
@@ -424,39 +431,51 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
         let (references, orders, values) =
             unsafe { (array(vr, nvr, "vr")?, array(order, nvr, "order")?, array_mut(value, nvr, "value")?) };
         for (reference, order) in references.iter().zip(orders) {
-            let variable = component.variable(component.column::<Real>(*reference)?);
-            if !variable.role.is_output() {
-                return refuse(format_args!("{} is not an output", variable.path));
-            }
-            variable.check_derivatives().map_err(|fault| Refusal::Discard(fault.0))?;
+            let variable = differentiated(component, *reference, "is not an output")?;
             if *order < 1 {
                 return refuse(format_args!("order {order} of {}: must be >= 1", variable.path));
             }
         }
         component.instance.refresh_to(Computed::Main)?;
-        let model = component.instance.model();
-        let derivative = component.instance.time_derivative();
-        let columns = || references.iter().filter_map(|reference| column_of(model, *reference));
-        if let Some(column) = columns().find(|column| !derivative[*column].slope.is_finite()) {
-            return refuse(format_args!("the derivative of {} is not finite", model.table.at(column).path));
-        }
-        for ((column, order), value) in columns().zip(orders).zip(values) {
-            *value = if *order == 1 { derivative[column].slope } else { 0.0 };
-        }
-        Ok(())
+        write_slopes(component, references, orders, values)
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::GetRealOutputDerivatives, body) }
 }
 
+/// An output that has derivatives; `otherwise` says why another variable is refused.
+fn differentiated(component: &Component, reference: fmi2ValueReference, otherwise: &str) -> Result<Variable, Refusal> {
+    let variable = component.variable(component.column::<Real>(reference)?);
+    if !variable.role.is_output() {
+        return refuse(format_args!("{} {otherwise}", variable.path));
+    }
+    variable.check_derivatives().map_err(|fault| Refusal::Discard(fault.0))?;
+    Ok(variable)
+}
+
+/// Writes the time derivatives of outputs.
+fn write_slopes(
+    component: &mut Component,
+    references: &[fmi2ValueReference],
+    orders: &[fmi2Integer],
+    values: &mut [fmi2Real],
+) -> Outcome {
+    let model = component.instance.model();
+    let derivative = component.instance.time_derivative();
+    let columns = || references.iter().filter_map(|reference| column_of(model, *reference));
+    if let Some(column) = columns().find(|column| !derivative[*column].slope.is_finite()) {
+        return refuse(format_args!("the derivative of {} is not finite", model.table.at(column).path));
+    }
+    for ((column, order), value) in columns().zip(orders).zip(values) {
+        *value = if *order == 1 { derivative[column].slope } else { 0.0 };
+    }
+    Ok(())
+}
+
 /// Refuses derivatives that do not exist.
 fn check_directions(component: &Component, unknowns: &[fmi2ValueReference], knowns: &[fmi2ValueReference]) -> Outcome {
     for reference in unknowns.iter().filter(|reference| !component.is_derivative(**reference)) {
-        let variable = component.variable(component.column::<Real>(*reference)?);
-        if !variable.role.is_output() {
-            return refuse(format_args!("{} is neither an output nor a derivative", variable.path));
-        }
-        variable.check_derivatives().map_err(|fault| Refusal::Discard(fault.0))?;
+        differentiated(component, *reference, "is neither an output nor a derivative")?;
     }
     for reference in knowns {
         let variable = component.variable(component.column::<Real>(*reference)?);

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use stribeck_fit::dyno::{Damper, DynoError, Friction, Test};
+use stribeck_fit::identify::StrutFriction;
 use stribeck_fit::identify::damper::{Answer, DamperError, Inquiry};
 
 use crate::command::{Description, Failure};
@@ -28,13 +29,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let path = inquiry.file()?;
     let refused = |error: DamperError| Failure::of_file(path, &error);
     let Answer { test, damper, friction } = inquiry.answer().map_err(refused)?;
-    print!("{}", report(&test, &damper));
-    if let Some(friction) = &friction {
-        print!("\nslow strokes, at a mean normal force of {:.1} N:\n{}", friction.load, friction.fit.table(None));
-        if !friction.left.is_empty() {
-            println!("not determined, the strut keeps its defaults: {}", friction.left.join(", "));
-        }
-    }
+    print!("{}{}", report(&test, &damper), friction.as_ref().map_or(String::new(), strokes));
     if let Some(out) = &arguments.out {
         let name = out.file_stem().unwrap_or_default().to_string_lossy();
         let instead = friction.map_or_else(Vec::new, |friction| friction.values);
@@ -43,6 +38,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         println!("\n{}", out.display());
     }
     Ok(())
+}
+
+fn strokes(friction: &StrutFriction) -> String {
+    let mut text =
+        format!("\nslow strokes, at a mean normal force of {:.1} N:\n{}", friction.load, friction.fit.table(None));
+    if !friction.left.is_empty() {
+        text += &format!("not determined, the strut keeps its defaults: {}\n", friction.left.join(", "));
+    }
+    text
 }
 
 /// Report of the results.

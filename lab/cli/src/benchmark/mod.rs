@@ -88,51 +88,41 @@ impl Measurement {
 
 /// Runs a law with a solver several times. What is refused is a result as well. The reference of a law that steps
 /// itself is not run again: its error is then its uncertainty.
-pub fn measure(
-    system: &System,
-    reference: &Reference,
-    trial: Trial,
-    settings: &Settings,
-    repeats: usize,
-) -> Measurement {
-    if trial.solver == Solver::Steps && trial.tolerance == reference.tolerance {
-        return Measurement::of_reference(law(system), trial, reference);
+pub fn measure(system: &System, known: &Reference, trial: Trial, settings: &Settings, repeats: usize) -> Measurement {
+    if trial.solver == Solver::Steps && trial.tolerance == known.tolerance {
+        return Measurement::of_reference(law(system), trial, known);
     }
-    let measured = try_to_measure(system, reference, trial, settings, repeats);
-    measured.unwrap_or_else(|fault| Measurement::refused(law(system), trial, &fault))
+    let Trial { solver, tolerance, events } = trial;
+    let outcome = run_often(system, &Settings { solver, tolerance, events, ..*settings }, repeats);
+    outcome.map_or_else(
+        |fault| Measurement::refused(law(system), trial, &fault),
+        |(outcome, time)| Measurement {
+            law: law(system),
+            trial,
+            counts: counts(&outcome),
+            time,
+            error: outcome.is_reached().then(|| known.error(position(&outcome))),
+            switching: known.switching(&outcome.events),
+            end: Ok(outcome.end),
+        },
+    )
 }
 
 fn law(system: &System) -> String {
     system.law.map_or(String::new(), |law| law.name.to_owned())
 }
 
-fn try_to_measure(
-    system: &System,
-    reference: &Reference,
-    trial: Trial,
-    settings: &Settings,
-    repeats: usize,
-) -> Result<Measurement, Fault> {
-    let Trial { solver, tolerance, events } = trial;
-    let settings = Settings { solver, tolerance, events, ..*settings };
-    let results = [POSITION.to_owned()];
-    let mut times = Vec::new();
-    let mut outcome = run(system, &settings, &results)?;
-    times.push(outcome.elapsed);
+/// The outcome of several equal runs, and their median time.
+fn run_often(system: &System, settings: &Settings, repeats: usize) -> Result<(Outcome, Duration), Fault> {
+    let run = || run(system, settings, &[POSITION.to_owned()]);
+    let mut outcome = run()?;
+    let mut times = vec![outcome.elapsed];
     for _ in 1..repeats {
-        outcome = run(system, &settings, &results)?;
+        outcome = run()?;
         times.push(outcome.elapsed);
     }
     times.sort();
-    Ok(Measurement {
-        law: law(system),
-        trial,
-        counts: counts(&outcome),
-        time: times[times.len() / 2],
-        error: outcome.is_reached().then(|| reference.error(position(&outcome))),
-        switching: reference.switching(&outcome.events),
-        end: Ok(outcome.end),
-    })
+    Ok((outcome, times[times.len() / 2]))
 }
 
 /// Steps, rejected steps, evaluations, Jacobians, events.

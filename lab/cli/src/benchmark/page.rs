@@ -30,25 +30,19 @@ pub fn page(
     printed: &str,
     pictures: &[(String, Vec<String>)],
 ) -> String {
-    let mut text = format!(
+    let pictures = if pictures.is_empty() { String::new() } else { precise(measurements, pictures) };
+    let (head, printed, sensitive) = (head(tolerance), printed.to_owned(), SENSITIVE.to_owned());
+    let (table, failures) = (table(measurements, tolerance), failures(measurements, tolerance));
+    [head, table, thesis(), failures, printed, uncertain(references), sensitive, pictures].concat()
+}
+
+fn head(tolerance: f64) -> String {
+    format!(
         "# Benchmark\n\nEvery law of the catalogue on the belt of Table 6.1 (40 s, 400,001 results, relative and \
-         absolute tolerance {tolerance:e}), with\n{HEAD}\n"
-    );
-    text += &format!(
-        "A motion is *right* if its position is never off by more than {} mm; *DNC* means that the solver did not \
-         come\nto the end.\n\n",
+         absolute tolerance {tolerance:e}), with\n{HEAD}\nA motion is *right* if its position is never off by more \
+         than {} mm; *DNC* means that the solver did not come\nto the end.\n\n",
         RIGHT * 1e3
-    );
-    text += &table(measurements, tolerance);
-    text += &thesis();
-    text += &failures(measurements, tolerance);
-    text += printed;
-    text += &uncertain(references);
-    text += SENSITIVE;
-    if !pictures.is_empty() {
-        text += &precise(measurements, pictures);
-    }
-    text
+    )
 }
 
 /// Error of the position, in m, for which the price is listed (chosen).
@@ -66,14 +60,7 @@ fn precise(measurements: &[Measurement], pictures: &[(String, Vec<String>)]) -> 
         "---|".repeat(names.len())
     );
     for (law, _) in pictures {
-        let fewest = |solver: &Solver| {
-            let is_precise = |one: &&Measurement| {
-                one.law == *law && one.trial.solver == *solver && one.error.is_some_and(|error| error <= PRECISE)
-            };
-            let counts = measurements.iter().filter(is_precise).map(|one| one.counts[2]);
-            counts.min().map_or_else(|| "-".to_owned(), |count| count.to_string())
-        };
-        let counts: Vec<String> = solvers.iter().map(fewest).collect();
+        let counts: Vec<String> = solvers.iter().map(|solver| fewest(measurements, law, *solver)).collect();
         text += &format!("| {law} | {} |\n", counts.join(" | "));
     }
     for (law, files) in pictures.iter().filter(|(_, files)| !files.is_empty()) {
@@ -82,6 +69,14 @@ fn precise(measurements: &[Measurement], pictures: &[(String, Vec<String>)]) -> 
         text += "\n</details>\n";
     }
     text
+}
+
+fn fewest(measurements: &[Measurement], law: &str, solver: Solver) -> String {
+    let is_precise = |one: &&Measurement| {
+        one.law == law && one.trial.solver == solver && one.error.is_some_and(|error| error <= PRECISE)
+    };
+    let counts = measurements.iter().filter(is_precise).map(|one| one.counts[2]);
+    counts.min().map_or_else(|| "-".to_owned(), |count| count.to_string())
 }
 
 const HEAD: &str = "the solver classes of F. Novais (2024), Tables 6.3, 6.5 and 7.2, and with ours. `stribeck bench \
@@ -139,10 +134,7 @@ fn table(measurements: &[Measurement], tolerance: f64) -> String {
          solver can do so. For laws made of straight lines rodas5p is exact, as is what it is compared with (0e0): what \
          both are worth is in the last column of the references.\n\n| law |",
     );
-    for solver in &solvers {
-        let class = SOLVERS.iter().position(|one| one == solver).map(|at| CLASSES[at]);
-        text += &class.map_or_else(|| format!(" {solver} |"), |class| format!(" {solver} ({class}) |"));
-    }
+    solvers.iter().for_each(|solver| text += &heading(*solver));
     text += &format!("\n|---|{}\n", "---|".repeat(solvers.len()));
     for law in laws(measurements) {
         text += &format!("| {law} |");
@@ -152,6 +144,12 @@ fn table(measurements: &[Measurement], tolerance: f64) -> String {
         text += "\n";
     }
     text + "\n"
+}
+
+/// Heading of a solver's column, with its class.
+fn heading(solver: Solver) -> String {
+    let class = SOLVERS.iter().position(|one| *one == solver).map(|at| CLASSES[at]);
+    class.map_or_else(|| format!(" {solver} |"), |class| format!(" {solver} ({class}) |"))
 }
 
 fn cell(one: &Measurement) -> String {
@@ -184,10 +182,8 @@ fn failures(measurements: &[Measurement], tolerance: f64) -> String {
     // One row for all solvers that ended in the same way.
     let mut rows: Vec<(&Measurement, Vec<String>)> = Vec::new();
     for one in measurements.iter().filter(|one| one.trial.tolerance == tolerance && one.verdict() != "right") {
-        let is_same = |(other, _): &&mut (&Measurement, Vec<String>)| {
-            (&one.law, one.trial.events, &one.end) == (&other.law, other.trial.events, &other.end)
-        };
-        match rows.iter_mut().find(is_same) {
+        let what = |one: &Measurement| (one.law.clone(), one.trial.events, one.end.clone());
+        match rows.iter_mut().find(|(other, _)| what(other) == what(one)) {
             Some((_, solvers)) => solvers.push(one.trial.solver.to_string()),
             None => rows.push((one, vec![one.trial.solver.to_string()])),
         }
@@ -202,24 +198,20 @@ fn failures(measurements: &[Measurement], tolerance: f64) -> String {
 
 /// Laws whose reference is uncertain.
 fn uncertain(references: &[(String, Result<Reference, String>)]) -> String {
-    let mut text = String::from(
-        "## References\n\nEach motion is compared with a run at the tolerance named here; the uncertainty is its \
-         largest difference from a\nrun at ten times that tolerance. ",
-    );
     let (other, tolerance) = Reference::OTHER;
-    text += &format!(
-        "The last column is its largest difference from a run of another code, {other} at {tolerance:e}.\n\n| law | \
-         tolerance | uncertainty in m | difference in m |\n|---|---|---|---|\n"
+    let head = format!(
+        "## References\n\nEach motion is compared with a run at the tolerance named here; the uncertainty is its \
+         largest difference from a\nrun at ten times that tolerance. The last column is its largest difference from a run \
+         of another code, {other} at {tolerance:e}.\n\n| law | tolerance | uncertainty in m | difference in m \
+         |\n|---|---|---|---|\n"
     );
-    for (law, reference) in references {
-        text += &match reference {
-            Ok(Reference { tolerance, uncertainty, other, .. }) => {
-                let other =
-                    other.as_ref().map_or_else(|reason| format!("none: {reason}"), |other| format!("{other:.0e}"));
-                format!("| {law} | {tolerance:e} | {uncertainty:.0e} | {other} |\n")
-            }
-            Err(reason) => format!("| {law} | - | not measured, since it has no reference: {reason} | - |\n"),
-        };
-    }
-    text
+    let row = |(law, reference): &(String, Result<Reference, String>)| match reference {
+        Ok(Reference { tolerance, uncertainty, other, .. }) => {
+            let none = |reason: &String| format!("none: {reason}");
+            let other = other.as_ref().map_or_else(none, |other| format!("{other:.0e}"));
+            format!("| {law} | {tolerance:e} | {uncertainty:.0e} | {other} |\n")
+        }
+        Err(reason) => format!("| {law} | - | not measured, since it has no reference: {reason} | - |\n"),
+    };
+    head + &references.iter().map(row).collect::<String>()
 }

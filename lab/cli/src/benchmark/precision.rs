@@ -16,6 +16,24 @@ pub enum Precision {
     Switching,
 }
 
+impl Precision {
+    /// The error of a trial.
+    fn of(self, one: &Measurement) -> Option<f64> {
+        match self {
+            Precision::Motion => one.error,
+            Precision::Switching => one.switching,
+        }
+    }
+
+    /// Quantity, unit and title.
+    fn shown(self) -> (Quantity, &'static str, &'static str) {
+        match self {
+            Precision::Motion => (Quantity::Error, "m", "Error of the motion"),
+            Precision::Switching => (Quantity::SwitchingError, "s", "Error of the switching"),
+        }
+    }
+}
+
 /// Least error that is shown, in SI units (chosen): below it the rounding of the reference decides.
 const LEAST: f64 = 1e-15;
 
@@ -34,34 +52,25 @@ pub fn work_precision(
     let compared = solvers(measurements).into_iter().filter(|solver| *solver != Solver::Steps);
     let all = compared.take(MOST_LAWS).enumerate().map(|(look, solver)| line(&of_law, solver, precision, look));
     let lines: Vec<Line> = all.filter(|line| line.points.len() > 1).collect();
-    let points = || lines.iter().flat_map(|line| &line.points);
-    let range = |axis: usize| {
-        let ends = (f64::INFINITY, f64::NEG_INFINITY);
-        let (low, high) = points().fold(ends, |(low, high), point| (low.min(point[axis]), high.max(point[axis])));
-        [low, high]
-    };
-    points().next()?;
-    let (quantity, unit, what) = match precision {
-        Precision::Motion => (Quantity::Error, "m", "Error of the motion"),
-        Precision::Switching => (Quantity::SwitchingError, "s", "Error of the switching"),
-    };
+    lines.first()?;
+    let (quantity, unit, what) = precision.shown();
     let quantities = [Quantity::Evaluations, quantity];
-    let axes = [Axis::powers("1", range(0)), Axis::powers(unit, range(1))];
+    let axes = [Axis::powers("1", range(&lines, 0)), Axis::powers(unit, range(&lines, 1))];
     let title = format!("{law}: {what}, events {}", if events { "located" } else { "stepped over" });
     Some(Drawing { title: &title, quantities, axes: &axes, lines: &lines, theme }.svg())
+}
+
+/// The least and the largest value on an axis.
+fn range(lines: &[Line], axis: usize) -> [f64; 2] {
+    let points = lines.iter().flat_map(|line| &line.points);
+    points.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| [low.min(point[axis]), high.max(point[axis])])
 }
 
 /// The trials of a solver, from the loosest tolerance on.
 fn line(measurements: &[&Measurement], solver: Solver, precision: Precision, look: usize) -> Line {
     let mut trials: Vec<&&Measurement> = measurements.iter().filter(|one| one.trial.solver == solver).collect();
     trials.sort_by(|a, b| b.trial.tolerance.total_cmp(&a.trial.tolerance));
-    let point = |one: &&Measurement| {
-        let error = match precision {
-            Precision::Motion => one.error,
-            Precision::Switching => one.switching,
-        };
-        Some([one.counts[2] as f64, error?.max(LEAST)])
-    };
+    let point = |one: &&Measurement| Some([one.counts[2] as f64, precision.of(one)?.max(LEAST)]);
     let points = trials.into_iter().filter_map(point).collect();
     Line { name: solver.to_string(), points, is_cut: false, look: Some(look) }
 }

@@ -123,27 +123,34 @@ pub fn section(
     let system = belt(LAW)?;
     let mut printed = Printed::of(&system)?;
     let grid = Grid { begin: 0.0, end: settings.until, intervals: (settings.until / EVERY).round() as usize };
-    let mut text = format!(
-        "## Karnopp's law as it is printed\n\nInside its band the printed law carries whatever acts on the block; \
-         where the velocity enters or leaves the band\nthe force jumps, and no event says so. The same solvers at \
-         {tolerance:e}, with Jacobians by differences where they need\none:\n\n| solver | steps | evaluations | \
-         seconds | largest error in m | thesis, seconds |\n|---|---|---|---|---|---|\n"
-    );
+    let mut text = format!("{}{tolerance:e}{}", HEAD[0], HEAD[1]);
     for (solver, class, seconds) in in_thesis(LAW) {
         let begin = Instant::now();
-        let (end, statistics, position) = attempt(&mut printed, solver, tolerance, grid, settings.cancel);
+        let (end, Statistics { steps, evaluations, .. }, position) =
+            attempt(&mut printed, solver, tolerance, grid, settings.cancel);
         let passed = begin.elapsed().as_secs_f64();
-        let error = reference.error(&position);
-        let result = match end {
-            End::Reached if error <= RIGHT => format!("{error:.0e}"),
-            End::Reached => format!("**{error:.0e}**"),
-            end => end.to_string(),
-        };
-        let Statistics { steps, evaluations, .. } = statistics;
+        let result = verdict(end, reference.error(&position));
         text += &format!("| {solver} ({class}) | {steps} | {evaluations} | {passed:.2} | {result} | {seconds} |\n");
     }
     Ok(text + WHY)
 }
+
+/// The error, if the run came to its end; in bold if it is large.
+fn verdict(end: End, error: f64) -> String {
+    match end {
+        End::Reached if error <= RIGHT => format!("{error:.0e}"),
+        End::Reached => format!("**{error:.0e}**"),
+        end => end.to_string(),
+    }
+}
+
+/// What stands before the table, before and after the tolerance.
+const HEAD: [&str; 2] = [
+    "## Karnopp's law as it is printed\n\nInside its band the printed law carries whatever acts on the block; where the \
+     velocity enters or leaves the band\nthe force jumps, and no event says so. The same solvers at ",
+    ", with Jacobians by differences where they need\none:\n\n| solver | steps | evaluations | seconds | largest error \
+     in m | thesis, seconds |\n|---|---|---|---|---|---|\n",
+];
 
 const WHY: &str = "
 The block enters the band with what is left of its acceleration, 0.49 m/s2, and then feels none. A step of the class of

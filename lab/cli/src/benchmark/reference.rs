@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::{POSITION, counts, position};
-use stribeck_solve::run::{Passed, Settings, Solver, run};
+use stribeck_solve::run::{Outcome, Passed, Settings, Solver, run};
 use stribeck_solve::system::{Fault, System};
 
 /// A motion computed as exactly as possible.
@@ -26,6 +26,12 @@ pub struct Reference {
 /// Tolerances of a reference: with rates, and by steps of the models.
 const TOLERANCES: [f64; 2] = [1e-12, 1e-8];
 
+/// The outcome of a run that comes to its end.
+fn reached(system: &System, settings: &Settings) -> Result<Outcome, String> {
+    let outcome = run(system, settings, &[POSITION.to_owned()]).map_err(|fault: Fault| fault.to_string())?;
+    if outcome.is_reached() { Ok(outcome) } else { Err(format!("at {:e}: {}", settings.tolerance, outcome.end)) }
+}
+
 impl Reference {
     /// Solver and tolerance of a second opinion: another method, from another library.
     pub const OTHER: (Solver, f64) = (Solver::Dopri5, 1e-11);
@@ -34,11 +40,7 @@ impl Reference {
     pub fn of(system: &System, settings: &Settings) -> Result<Reference, String> {
         let solver = Solver::Auto.for_system(system);
         let tolerance = if solver == Solver::Steps { TOLERANCES[1] } else { TOLERANCES[0] };
-        let at = |solver: Solver, tolerance: f64| {
-            let settings = Settings { solver, tolerance, events: true, ..*settings };
-            let outcome = run(system, &settings, &[POSITION.to_owned()]).map_err(|fault: Fault| fault.to_string())?;
-            if outcome.is_reached() { Ok(outcome) } else { Err(format!("at {tolerance:e}: {}", outcome.end)) }
-        };
+        let at = |solver, tolerance| reached(system, &Settings { solver, tolerance, events: true, ..*settings });
         let (coarse, fine) = (at(solver, 10.0 * tolerance)?, at(solver, tolerance)?);
         let mut reference = Reference {
             position: position(&fine).to_vec(),

@@ -7,7 +7,6 @@ use crate::benchmark::{
     EVERY, Measurement, Precision, Reference, Trial, belt, csv, karnopp_as_printed, measure, page, work_precision,
 };
 use clap::{Args, ValueEnum};
-use stribeck::catalogue::{Family, documented};
 use stribeck_plot::picture::Theme;
 use stribeck_solve::run::{Settings, Solver};
 use stribeck_solve::system::{Fault, System};
@@ -50,27 +49,21 @@ enum Benchmark {
 /// Measures all laws with all solvers.
 pub fn bench(arguments: &Arguments) -> Result<Verdict, Failure> {
     let Benchmark::Thesis = arguments.benchmark;
-    let laws: Vec<String> = if arguments.law.is_empty() {
-        documented(Family::Friction).map(|(law, _)| law.name.to_owned()).collect()
-    } else {
-        arguments.law.clone()
-    };
+    let laws = super::laws(&arguments.law);
     let systems = laws.iter().map(|law| belt(law)).collect::<Result<Vec<System>, Fault>>()?;
     let (measurements, references) = measured(arguments, &laws, &systems);
     let is_cancelled = CANCELLED.load(Ordering::Relaxed);
-    std::fs::create_dir_all(&arguments.out).map_err(|source| Failure::File { path: arguments.out.clone(), source })?;
-    write(&arguments.out.join("benchmark.csv"), csv(&measurements))?;
+    super::folder(&arguments.out)?;
+    let [text, table] = ["benchmark.md", "benchmark.csv"].map(|name| arguments.out.join(name));
+    write(&table, csv(&measurements))?;
     let pictures = if arguments.work_precision { draw(&measurements, &laws, &arguments.out)? } else { Vec::new() };
-    let printed = match systems.first() {
-        Some(system) if !is_cancelled => {
-            let settings = Settings { cancel: Some(&CANCELLED), ..Settings::of(system) };
-            karnopp_as_printed(arguments.tol, &references, &settings)?
-        }
-        _ => String::new(),
-    };
-    write(&arguments.out.join("benchmark.md"), page(&measurements, &references, arguments.tol, &printed, &pictures))?;
-    println!("{}", arguments.out.join("benchmark.md").display());
-    println!("{}", arguments.out.join("benchmark.csv").display());
+    let printed = systems.first().filter(|_| !is_cancelled).map(|system| {
+        let settings = Settings { cancel: Some(&CANCELLED), ..Settings::of(system) };
+        karnopp_as_printed(arguments.tol, &references, &settings)
+    });
+    let printed = printed.transpose()?.unwrap_or_default();
+    write(&text, page(&measurements, &references, arguments.tol, &printed, &pictures))?;
+    println!("{}\n{}", text.display(), table.display());
     Ok(if is_cancelled { Verdict::Cancelled } else { Verdict::Done })
 }
 
@@ -100,8 +93,7 @@ fn measured(arguments: &Arguments, laws: &[String], systems: &[System]) -> (Vec<
 
 /// Draws the work-precision diagrams of each law; returns the names of their files in the folder.
 fn draw(measurements: &[Measurement], laws: &[String], folder: &Path) -> Result<Vec<(String, Vec<String>)>, Failure> {
-    let place = folder.join(PICTURES);
-    std::fs::create_dir_all(&place).map_err(|source| Failure::File { path: place.clone(), source })?;
+    super::folder(&folder.join(PICTURES))?;
     let mut all = Vec::new();
     for law in laws {
         let mut files = Vec::new();

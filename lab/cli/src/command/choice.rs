@@ -145,6 +145,12 @@ impl Choice<'_> {
         outcome.law.map_or_else(|| self.run.name(), |law| law.name)
     }
 
+    /// What the pictures call a run.
+    fn label(&self, one: &Ran) -> String {
+        let varied = self.varied(one).map(|(name, value)| format!("{name} = {value}"));
+        varied.unwrap_or_else(|| self.law(&one.outcome).to_owned())
+    }
+
     /// One line on a run.
     fn line(&self, one: &Ran) -> String {
         let Outcome { end, solver, events, elapsed, .. } = &one.outcome;
@@ -188,13 +194,9 @@ impl Choice<'_> {
             let text = "--record: pictures and reports show the results of the system; leave it out";
             return Err(Fault::value(text).into());
         }
-        let label = |one: &Ran| {
-            let varied = self.varied(one).map(|(name, value)| format!("{name} = {value}"));
-            varied.unwrap_or_else(|| self.law(&one.outcome).to_owned())
-        };
         let (systems, outcomes): (Vec<System>, Vec<(String, Outcome)>) = runs
             .into_iter()
-            .map(|one| (label(&one), one))
+            .map(|one| (self.label(&one), one))
             .map(|(label, one)| (one.system, (label, one.outcome)))
             .unzip();
         if let Some(folder) = pictures {

@@ -6,10 +6,10 @@ use clap::Args;
 use ssp::parameter_set::ParameterSet;
 use stribeck::model::ModelType;
 use stribeck_fit::identify::{
-    Answer, Data, Experiment, Files, Fit, Inquiry, Ranking, Reference, Searches, Settings, Validation, Verdict, Watch,
-    fit, of_law, preset,
+    Answer, Data, Experiment, Files, Fit, Inquiry, Rank, Ranking, Reference, Searches, Settings, Validation, Verdict,
+    Watch, fit, of_law, preset,
 };
-use stribeck_fit::measured::{Record, average};
+use stribeck_fit::measured::{Quality, Record, average};
 use stribeck_plot::report::{Identification, identification};
 use stribeck_solve::run::Configuration;
 use stribeck_solve::system::{Fault, read};
@@ -54,7 +54,8 @@ impl Arguments {
     fn refuse_outputs(&self) -> Result<(), Fault> {
         self.out.as_ref().map_or(Ok(()), |path| outputs::file(path, &["toml", "csv", "ssv"]))?;
         self.report.as_ref().map_or(Ok(()), |path| outputs::file(path, &["html"]))?;
-        self.curves.as_ref().map_or(Ok(()), |path| outputs::folder(path))
+        self.curves.as_ref().map_or(Ok(()), |path| outputs::folder(path))?;
+        if self.check && self.json { Err(Fault::value("--check: writes no JSON")) } else { Ok(()) }
     }
 
     /// The reference values of each law; None for a law that has none of them. An error if no law has any.
@@ -125,32 +126,26 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     let (laws, task) = (inquiry.laws()?, inquiry.settings()?);
     let data = inquiry.data(&Files)?;
     let references = arguments.references(&laws)?;
-    if arguments.check && arguments.json {
-        return Err(Fault::value("--check: writes no JSON").into());
-    }
     heed_interrupts();
     if !arguments.json {
-        for ((name, record), experiment) in data.records.iter().zip(&data.experiments) {
-            println!("{}  {}", worth(name, record), experiment.beginning());
-        }
+        let records = data.records.iter().zip(&data.experiments);
+        records.for_each(|((name, record), one)| println!("{}  {}", worth(name, record), one.beginning()));
     }
     if arguments.check {
         return check(&laws, &data.experiments, &task);
     }
+    let ranking = search(&inquiry, &data)?;
+    let reference = arguments.of_best(ranking.best(), laws.iter().zip(references));
+    let (records, command, reference) = (&data.records, &command_line(), reference.as_ref());
+    tell(arguments, &Identification { records, task: &task, command, ranking: &ranking, reference }, &data)
+}
+
+fn search(inquiry: &Inquiry, data: &Data) -> Result<Ranking, Failure> {
     let bar = Best::new();
     let watch = Watch { cancel: &CANCELLED, progress: &|rms, _| bar.reached(rms) };
-    let ranking = inquiry.fits(&data, &mut |law| bar.begin(law.name), watch)?;
+    let ranking = inquiry.fits(data, &mut |law| bar.begin(law.name), watch)?;
     bar.finish();
-    let reference = arguments.of_best(ranking.best(), laws.iter().zip(references));
-    let command = command_line();
-    let facts = Identification {
-        records: &data.records,
-        task: &task,
-        command: &command,
-        ranking: &ranking,
-        reference: reference.as_ref(),
-    };
-    tell(arguments, &facts, &data)
+    Ok(ranking)
 }
 
 /// Prints the result and writes the requested files.
@@ -182,37 +177,40 @@ fn command_line() -> String {
 
 /// Describes the quality of a record.
 fn worth(name: &str, record: &Record) -> String {
-    let quality = &record.quality;
+    let Quality { samples, duration, reversals, fastest, noise, findings, .. } = &record.quality;
+    let plural = if *reversals == 1 { "" } else { "s" };
     let mut text = format!(
-        "{name}: {} samples over {:.3} s, {} reversal{}, up to {:.4} m/s; noise of the force {:.3e} N\n",
-        quality.samples,
-        quality.duration,
-        quality.reversals,
-        if quality.reversals == 1 { "" } else { "s" },
-        quality.fastest,
-        quality.noise
+        "{name}: {samples} samples over {duration:.3} s, {reversals} reversal{plural}, up to {fastest:.4} m/s; noise of \
+         the force {noise:.3e} N\n"
     );
+    text += &prepared(record);
+    findings.iter().for_each(|finding| text += &format!("  {finding}\n"));
+    text
+}
+
+/// How the motion was filtered, and how far it lags the force.
+fn prepared(record: &Record) -> String {
+    let Record { window, velocity_error, acceleration_window, acceleration_error, clocks, .. } = record;
+    let delay = clocks.delay;
     if record.matched_filter.is_some() {
-        text += &format!(
-            "  matched filter of force and motion, window {:.4} s; the motion lags the force by about {:.5} s\n",
-            record.window, record.clocks.delay
-        );
-    } else if record.is_differentiated {
-        text += &format!(
-            "  velocity differentiated from the displacement, window {:.4} s, error near rest {:.1e} m/s; acceleration, \
-             window {:.4} s, error {:.1e} m/s2\n",
-            record.window, record.velocity_error, record.acceleration_window, record.acceleration_error
+        return format!(
+            "  matched filter of force and motion, window {window:.4} s; the motion lags the force by about {delay:.5} s\n"
         );
     }
-    let clocks = record.clocks;
-    if clocks.deviation > 0.0 && record.matched_filter.is_none() {
+    let mut text = String::new();
+    if record.is_differentiated {
         text += &format!(
-            "  the motion lags the force by about {:.5} s, and {:.1e} s more each second; friction that builds up over a \
-             distance adds to this estimate: the fit of a law re-estimates the delay\n",
-            clocks.delay, clocks.drift
+            "  velocity differentiated from the displacement, window {window:.4} s, error near rest {velocity_error:.1e} \
+             m/s; acceleration, window {acceleration_window:.4} s, error {acceleration_error:.1e} m/s2\n"
         );
     }
-    quality.findings.iter().for_each(|finding| text += &format!("  {finding}\n"));
+    if clocks.deviation > 0.0 {
+        text += &format!(
+            "  the motion lags the force by about {delay:.5} s, and {:.1e} s more each second; friction that builds up \
+             over a distance adds to this estimate: the fit of a law re-estimates the delay\n",
+            clocks.drift
+        );
+    }
     text
 }
 
@@ -225,22 +223,23 @@ fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Setting
         bar.begin(law.name);
         let found = fit(law, experiments, &task, Watch { cancel: &CANCELLED, progress: &|rms, _| bar.reached(rms) })?;
         bar.finish();
-        println!("{}:", law.name);
-        if found.searches != Searches::Agree {
-            println!("  inconclusive after this short search: run without --check");
-            continue;
-        }
-        for one in &found.estimates {
-            let verdict = match &one.verdict {
-                Verdict::Determined => "can be determined".to_owned(),
-                Verdict::AtMost(_) => "not distinguishable from 0".to_owned(),
-                Verdict::Undetermined(reason) => format!("cannot be determined: {reason}"),
-                Verdict::AtEnd(_) => "is beyond its range".to_owned(),
-            };
-            println!("  {}: {verdict}", one.name);
-        }
+        print!("{}:\n{}", law.name, outlook(&found));
     }
     Ok(if is_ended() { Ending::Cancelled } else { Ending::Done })
+}
+
+/// Which parameters a search has shown to be determined.
+fn outlook(found: &Fit) -> String {
+    if found.searches != Searches::Agree {
+        return "  inconclusive after this short search: run without --check\n".to_owned();
+    }
+    let verdict = |verdict: &Verdict| match verdict {
+        Verdict::Determined => "can be determined".to_owned(),
+        Verdict::AtMost(_) => "not distinguishable from 0".to_owned(),
+        Verdict::Undetermined(reason) => format!("cannot be determined: {reason}"),
+        Verdict::AtEnd(_) => "is beyond its range".to_owned(),
+    };
+    found.estimates.iter().map(|one| format!("  {}: {}\n", one.name, verdict(&one.verdict))).collect()
 }
 
 /// The laws, the best first.
@@ -251,22 +250,24 @@ fn table(ranking: &Ranking) -> String {
     let mut text = "\n  law                  RMS residual parameters     dBIC".to_owned();
     let is_held_out = ranking.fits.iter().any(|fit| !fit.validation.is_empty());
     text += if is_held_out { "  validation RMS\n" } else { "\n" };
-    for (number, place) in ranking.ranks.iter().enumerate() {
-        let fit = &ranking.fits[place.fit];
-        let is_tied = place.is_tied && number > 0;
-        let note = fit.searches.note().or(is_tied.then_some("cannot be distinguished from the first"));
-        let note = note.map_or(String::new(), |note| format!("  {note}"));
-        text += &format!(
-            "  {:<20} {:>10.3e} N {:>10} {:>8.1}{}{note}\n",
-            fit.law.name,
-            fit.residuals.rms,
-            fit.parameters(),
-            place.delta_bic,
-            worst(&fit.validation).map_or(String::new(), |rms| format!("  {rms:>12.3e} N"))
-        );
-    }
+    let ranks = ranking.ranks.iter().enumerate();
+    ranks.for_each(|(number, rank)| text += &row(&ranking.fits[rank.fit], rank, number > 0));
     ranking.refused.iter().for_each(|(_, reason)| text += &format!("  {reason}\n"));
     text + "\n"
+}
+
+fn row(fit: &Fit, rank: &Rank, is_behind: bool) -> String {
+    let is_tied = rank.is_tied && is_behind;
+    let note = fit.searches.note().or(is_tied.then_some("cannot be distinguished from the first"));
+    format!(
+        "  {:<20} {:>10.3e} N {:>10} {:>8.1}{}{}\n",
+        fit.law.name,
+        fit.residuals.rms,
+        fit.parameters(),
+        rank.delta_bic,
+        worst(&fit.validation).map_or(String::new(), |rms| format!("  {rms:>12.3e} N")),
+        note.map_or(String::new(), |note| format!("  {note}"))
+    )
 }
 
 /// The largest root mean square of the validation records.

@@ -47,15 +47,9 @@ pub fn rig(arguments: &Arguments) -> Result<Verdict, Failure> {
     let law = VirtualRig::law(&arguments.law)?;
     let values = arguments.set.iter().map(Setting::number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
     let faults = if arguments.faults { Faults::ALL } else { Faults::NOISE };
-    let rig = VirtualRig {
-        law,
-        values: values.clone(),
-        mass: arguments.mass,
-        normal_force: arguments.normal_force,
-        duration: arguments.duration,
-        faults: Faults { noise: arguments.noise, ..faults },
-        seed: arguments.seed,
-    };
+    let Arguments { mass, normal_force, duration, noise, seed, .. } = *arguments;
+    let faults = Faults { noise, ..faults };
+    let rig = VirtualRig { law, values: values.clone(), mass, normal_force, duration, faults, seed };
     let files = rig.record()?;
     let folder = arguments.out.as_path();
     super::folder(folder)?;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
-use stribeck_solve::study::{Shard, Study};
+use stribeck_solve::study::{Done, Shard, Study};
 use stribeck_solve::system::read;
 
 use super::watch::{CANCELLED, Rows, heed_interrupts};
@@ -45,12 +45,7 @@ pub fn study(arguments: &Arguments) -> Result<Verdict, Failure> {
         return Ok(Verdict::Done);
     }
     heed_interrupts();
-    let processors = std::thread::available_parallelism().ok();
-    let threads = arguments.threads.or(processors).unwrap_or(NonZeroUsize::MIN);
-    let (bar, count) = (Rows::new(study.rows_of(arguments.shard)), AtomicUsize::new(0));
-    let progress = |rows: usize| bar.reached(count.fetch_add(rows, Ordering::Relaxed) + rows);
-    let done = study.make(&arguments.out, arguments.shard, threads, arguments.max_failures, &CANCELLED, &progress)?;
-    bar.finish();
+    let done = make(arguments, &study)?;
     println!("{} rows run, {} found, {} did not come to their end", done.rows, done.found, done.failed);
     if done.cancelled {
         return Ok(Verdict::Cancelled);
@@ -59,4 +54,13 @@ pub fn study(arguments: &Arguments) -> Result<Verdict, Failure> {
         println!("{}: {} rows", table.display(), study.merge(&arguments.out, &table)?);
     }
     Ok(if done.failed > 0 { Verdict::Diverged } else { Verdict::Done })
+}
+
+fn make(Arguments { out, shard, threads, max_failures, .. }: &Arguments, study: &Study) -> Result<Done, Failure> {
+    let threads = threads.or(std::thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
+    let (bar, count) = (Rows::new(study.rows_of(*shard)), AtomicUsize::new(0));
+    let progress = |rows: usize| bar.reached(count.fetch_add(rows, Ordering::Relaxed) + rows);
+    let done = study.make(out, *shard, threads, *max_failures, &CANCELLED, &progress)?;
+    bar.finish();
+    Ok(done)
 }
