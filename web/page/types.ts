@@ -74,55 +74,55 @@ job: Job, };
 
 export type Run = { 
 /**
- * Name of a built-in system, or path of a system file.
+ * Built-in system (see `stribeck systems`) or path of a system file (.toml)
  */
 system?: string, 
 /**
- * Friction laws.
+ * Friction law; several for `compare`
  */
 law: Array<string>, 
 /**
- * Solver.
+ * Solver
  */
 solver?: string, 
 /**
- * Relative and absolute tolerance.
+ * Relative and absolute tolerance (default 1e-8)
  */
 tol?: number, 
 /**
- * End of the run in s.
+ * End of the run in s
  */
 until?: number, 
 /**
- * Interval of the results in s.
+ * Interval of the results in s
  */
 every?: number, 
 /**
- * Communication step in s.
+ * Communication step of co-simulation in s (default 1e-3)
  */
 step?: number, 
 /**
- * Order of exchange.
+ * Order of exchange in co-simulation
  */
 exchange?: string, 
 /**
- * Random part of the communication step.
+ * Largest random part by which a communication step differs from the others
  */
 jitter?: number, 
 /**
- * Whether steps extend across events.
+ * Let steps extend across events instead of locating them
  */
 "no-events": boolean, 
 /**
- * Results.
+ * Results to record, such as rig.position or der(rig.block_velocity)
  */
 record: Array<string>, 
 /**
- * A variable and its values.
+ * One run for each of n values of a variable
  */
 vary?: string, 
 /**
- * Values of variables.
+ * Values of variables; the command line gives them one by one.
  */
 set?: Record<string, Value>, };
 

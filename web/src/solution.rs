@@ -85,6 +85,11 @@ pub fn csv(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault> {
 
 /// The file for the command line, if it can be run.
 pub fn toml(chosen: &Configuration) -> Result<Answer, Fault> {
-    chosen.systems()?;
+    // Without a law only what can be read is asked for.
+    if chosen.law.is_empty() {
+        chosen.source().map(|_| ())?
+    } else {
+        chosen.systems().map(|_| ())?
+    }
     Ok(Answer::plain(Text { text: chosen.text() }))
 }

@@ -59,7 +59,7 @@ pub struct Configuration {
     pub vary: Option<String>,
     /// Values of variables; the command line gives them one by one.
     #[arg(skip)]
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     #[ts(type = "Record<string, Value>")]
     pub set: BTreeMap<String, toml::Value>,
 }
