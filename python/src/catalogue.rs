@@ -3,7 +3,7 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::catalogue::{Family, documented, models};
-use stribeck::model::{Kind, ModelType, Variable};
+use stribeck::model::{ModelType, Variable};
 use stribeck_solve::system::Fault;
 
 use crate::refused;
@@ -71,12 +71,7 @@ fn as_dict<'py>(py: Python<'py>, variable: &Variable) -> PyResult<Bound<'py, PyD
     let dict = PyDict::new(py);
     dict.set_item("name", variable.path.to_string())?;
     dict.set_item("role", format!("{:?}", variable.role))?;
-    let (kind, unit) = match variable.kind {
-        Kind::Real(unit) => ("real", unit.name),
-        Kind::Integer => ("integer", ""),
-        Kind::Boolean => ("boolean", ""),
-        Kind::Enumeration(_) => ("choice", ""),
-    };
+    let [kind, unit] = variable.kind.words();
     dict.set_item("kind", kind)?;
     dict.set_item("unit", unit)?;
     dict.set_item("display_unit", variable.display)?;
@@ -85,9 +80,6 @@ fn as_dict<'py>(py: Python<'py>, variable: &Variable) -> PyResult<Bound<'py, PyD
     dict.set_item("minimum", Some(variable.bound.min()).filter(|low| *low > f64::MIN))?;
     dict.set_item("maximum", Some(variable.bound.max()).filter(|high| *high < f64::MAX))?;
     dict.set_item("help", variable.help)?;
-    let choices: Vec<(&str, &str)> = match variable.kind {
-        Kind::Enumeration(choices) => choices.items.iter().map(|item| (item.name, item.help)).collect(),
-        _ => Vec::new(),
-    };
+    let choices: Vec<(&str, &str)> = variable.kind.choices().iter().map(|item| (item.name, item.help)).collect();
     dict.set_item("choices", choices).map(|()| dict)
 }

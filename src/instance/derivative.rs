@@ -56,7 +56,7 @@ impl Instance {
     pub(super) fn find_rates(&mut self) {
         let in_use = self.model.memory_in_use(&self.row);
         let (memory, memory_rate) = (&self.memory[..in_use], &mut self.duals.memory_rate[..in_use]);
-        self.model.rate_with(&self.row, memory, &mut self.rate, memory_rate);
+        (self.model.rate_with)(&self.row, memory, &mut self.rate, memory_rate);
     }
 
     /// The values as dual numbers, without slopes.
@@ -79,7 +79,7 @@ impl Instance {
 
     fn find_dual_outputs(&mut self) -> &[Dual] {
         let in_use = self.model.memory_in_use(&self.row);
-        self.model.output_dual_with(&mut self.duals.row, &self.duals.memory[..in_use]);
+        (self.model.output_dual_with)(&mut self.duals.row, &self.duals.memory[..in_use]);
         &self.duals.row
     }
 }

@@ -96,7 +96,7 @@ impl Instance {
         for (before, column) in exchange.before.iter_mut().zip(&self.continuous) {
             *before = self.row[*column];
         }
-        if !self.model.try_at_event(&mut self.row, &mut self.memory, &mut self.room) {
+        if !(self.model.try_at_event)(&mut self.row, &mut self.memory, &mut self.room) {
             return Err(self.not_finite(format_args!("the states after an event")));
         }
         self.computed = Computed::Nothing;

@@ -211,7 +211,7 @@ impl Instance {
 
     #[inline]
     fn compute_outputs(&mut self) -> Result<(), Fault> {
-        if !self.model.try_output(&mut self.row, &mut self.memory, &mut self.room) {
+        if !(self.model.try_output)(&mut self.row, &mut self.memory, &mut self.room) {
             return Err(self.not_finite(format_args!("the outputs")));
         }
         self.computed = Computed::Main;
@@ -225,7 +225,7 @@ impl Instance {
         if self.unchecked || !self.slopes.are_none() || !(dt > 0.0 && self.time + dt < f64::INFINITY) {
             return self.step_with_care(dt);
         }
-        if !self.model.try_advance(&mut self.row, &mut self.memory, &mut self.room, dt) {
+        if !(self.model.try_advance)(&mut self.row, &mut self.memory, &mut self.room, dt) {
             return Err(self.step_not_finite(dt));
         }
         // The inputs of a held step are still those of its beginning.
@@ -253,22 +253,27 @@ impl Instance {
         self.model.warning(&self.row).or_else(of_steps)
     }
 
-    #[inline(never)]
-    fn step_with_care(&mut self, dt: f64) -> Result<(), Fault> {
+    fn check_step(&self, dt: f64) -> Result<(), Fault> {
+        let time = self.time;
         if !(dt > 0.0 && dt.is_finite()) {
             return Err(Fault::new(format_args!("a step of {} s: must be > 0 and finite", Brief(dt))));
         }
-        if !(self.time + dt).is_finite() {
-            let time = self.time;
+        if !(time + dt).is_finite() {
             return Err(Fault::new(format_args!("a step of {dt} s from {time} s: the time must stay finite")));
         }
+        Ok(())
+    }
+
+    #[inline(never)]
+    fn step_with_care(&mut self, dt: f64) -> Result<(), Fault> {
+        self.check_step(dt)?;
         self.check()?;
         let sample = self.sample(dt);
         let finite = if self.slopes.are_for_next_step() {
             self.check_ramps(dt)?;
-            self.model.try_advance_ramp(&mut self.row, &mut self.memory, &mut self.room, self.slopes.values(), dt)
+            (self.model.try_advance_ramp)(&mut self.row, &mut self.memory, &mut self.room, self.slopes.values(), dt)
         } else {
-            self.model.try_advance(&mut self.row, &mut self.memory, &mut self.room, dt)
+            (self.model.try_advance)(&mut self.row, &mut self.memory, &mut self.room, dt)
         };
         if !finite {
             return Err(self.step_not_finite(dt));
@@ -302,7 +307,7 @@ impl Instance {
     #[cold]
     fn not_finite(&self, what: fmt::Arguments) -> Fault {
         let inputs = Inputs(self);
-        match self.model.check_motion(&self.row) {
+        match (self.model.check_motion)(&self.row) {
             Ok(()) => Fault::new(format_args!("{what} would not be finite{inputs}: nothing was changed")),
             Err(limit) => Fault::new(format_args!("{what} would not be finite{inputs}: {limit}: nothing was changed")),
         }

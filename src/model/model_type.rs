@@ -43,21 +43,26 @@ pub struct ModelType {
     pub(crate) kernels: Option<Kernels>,
     guid: GuidText,
     check: fn(&[f64]) -> Result<(), Fault>,
-    check_motion: fn(&[f64]) -> Result<(), Fault>,
+    /// Names the limit of an input for which a result is not finite.
+    pub(crate) check_motion: fn(&[f64]) -> Result<(), Fault>,
     warning: fn(&[f64]) -> Option<Fault>,
     memory_in_use: fn(&[f64]) -> usize,
-    advance: fn(&mut [f64], &mut [f64], Room, f64) -> bool,
-    advance_ramp: AdvanceRamp,
-    output: fn(&mut [f64], &mut [f64], Room) -> bool,
+    /// As [`ModelType::advance`], without advice; row and memory are as they were if a result is not finite, or if the
+    /// model panics. So with the three below.
+    pub(crate) try_advance: fn(&mut [f64], &mut [f64], Room, f64) -> bool,
+    pub(crate) try_advance_ramp: AdvanceRamp,
+    pub(crate) try_output: fn(&mut [f64], &mut [f64], Room) -> bool,
+    pub(crate) try_at_event: fn(&mut [f64], &mut [f64], Room) -> bool,
     /// None for a model without advice.
     advise: Option<fn(&mut [f64], Room) -> bool>,
-    output_dual: fn(&mut [Dual], &[Dual]),
-    rate: Rate,
+    /// As [`ModelType::output_dual`], with the part of the memory that is in use.
+    pub(crate) output_dual_with: fn(&mut [Dual], &[Dual]),
+    /// As [`ModelType::rate`], with the part of the memory that is in use.
+    pub(crate) rate_with: Rate,
     rate_dual: fn(&[Dual], &mut [Dual]),
     check_model_exchange: fn(&[f64]) -> Result<(), Fault>,
     check_without_events: fn(&[f64]) -> Result<(), Fault>,
     indicate: fn(&[f64], &mut [f64]),
-    at_event: fn(&mut [f64], &mut [f64], Room) -> bool,
 }
 
 impl ModelType {
@@ -76,25 +81,21 @@ impl ModelType {
             piecewise_linear: M::PIECEWISE_LINEAR,
             memory: M::MEMORY,
             kernels: M::KERNELS,
-            guid: guid::fingerprint(
-                M::NAME,
-                M::TABLE,
-                if is_for_exchange::<M>() { Some(M::EVENT_INDICATORS) } else { None },
-            ),
+            guid: guid_of::<M>(),
             check: |row| view::<M, f64>(row).check(),
             check_motion: |row| view::<M, f64>(row).check_motion(),
             warning: |row| view::<M, f64>(row).warning(),
             memory_in_use: |row| view::<M, f64>(row).memory_in_use(),
-            advance: advance::<M>,
-            advance_ramp: advance_ramp::<M>,
-            output: |row, memory, room| {
+            try_advance: advance::<M>,
+            try_advance_ramp: advance_ramp::<M>,
+            try_output: |row, memory, room| {
                 commit::<M>(row, memory, room, const { first_result(M::TABLE) }, |model, memory| {
                     model.output_with(memory)
                 })
             },
             advise: if has_advice(M::TABLE) { Some(advise::<M>) } else { None },
-            output_dual: |row, memory| view_mut::<M::In<Dual>, Dual>(row).output_with(memory),
-            rate: |row, memory, rate, memory_rate| {
+            output_dual_with: |row, memory| view_mut::<M::In<Dual>, Dual>(row).output_with(memory),
+            rate_with: |row, memory, rate, memory_rate| {
                 rate.fill(0.0);
                 view::<M, f64>(row).rate_with(memory, view_mut(rate), memory_rate);
             },
@@ -102,7 +103,7 @@ impl ModelType {
             check_model_exchange: |row| view::<M, f64>(row).check_model_exchange(),
             check_without_events: |row| view::<M, f64>(row).check_without_events(),
             indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
-            at_event: |row, memory, room| commit::<M>(row, memory, room, 0, |model, _| model.at_event()),
+            try_at_event: |row, memory, room| commit::<M>(row, memory, room, 0, |model, _| model.at_event()),
         }
     }
 
@@ -163,11 +164,6 @@ impl ModelType {
         (self.warning)(row)
     }
 
-    /// Names the limit of an input for which a result is not finite.
-    pub(crate) fn check_motion(&self, row: &[f64]) -> Result<(), Fault> {
-        (self.check_motion)(row)
-    }
-
     /// Number of values of the memory beside the row that the parameters ask for. The functions that work on a row
     /// alone are for rows that need none.
     #[inline]
@@ -179,43 +175,18 @@ impl ModelType {
     /// used then.
     #[inline]
     pub fn advance(&self, row: &mut [f64], dt: f64) -> bool {
-        (self.advance)(row, &mut [], &mut [], dt) && self.try_advise(row, &mut [])
-    }
-
-    /// As [`ModelType::advance`], without advice; row and memory are as they were if a result is not finite, or if the
-    /// model panics.
-    #[inline(always)]
-    pub(crate) fn try_advance(&self, row: &mut [f64], memory: &mut [f64], room: Room, dt: f64) -> bool {
-        (self.advance)(row, memory, room, dt)
+        (self.try_advance)(row, &mut [], &mut [], dt) && self.try_advise(row, &mut [])
     }
 
     /// As [`ModelType::advance`], with inputs that move linearly.
     pub fn advance_ramp(&self, row: &mut [f64], slope: &[f64], dt: f64) -> bool {
-        (self.advance_ramp)(row, &mut [], &mut [], slope, dt) && self.try_advise(row, &mut [])
-    }
-
-    /// As [`ModelType::try_advance`], with inputs that move linearly.
-    pub(crate) fn try_advance_ramp(
-        &self,
-        row: &mut [f64],
-        memory: &mut [f64],
-        room: Room,
-        slope: &[f64],
-        dt: f64,
-    ) -> bool {
-        (self.advance_ramp)(row, memory, room, slope, dt)
+        (self.try_advance_ramp)(row, &mut [], &mut [], slope, dt) && self.try_advise(row, &mut [])
     }
 
     /// Computes the outputs. False if one is not finite; the row must not be used then.
     #[inline]
     pub fn output(&self, row: &mut [f64]) -> bool {
-        (self.output)(row, &mut [], &mut []) && self.try_advise(row, &mut [])
-    }
-
-    /// As [`ModelType::output`], without advice; the row is as it was if a result is not finite, or if the model panics.
-    #[inline(always)]
-    pub(crate) fn try_output(&self, row: &mut [f64], memory: &mut [f64], room: Room) -> bool {
-        (self.output)(row, memory, room)
+        (self.try_output)(row, &mut [], &mut []) && self.try_advise(row, &mut [])
     }
 
     /// Computes the outputs that are advice. False if one is not finite; the row is then as it was, if there is workspace
@@ -227,22 +198,12 @@ impl ModelType {
 
     /// Computes the outputs, except advice, with their derivatives in the direction that the other columns carry.
     pub fn output_dual(&self, row: &mut [Dual]) {
-        self.output_dual_with(row, &[]);
-    }
-
-    /// As [`ModelType::output_dual`], with the part of the memory that is in use.
-    pub(crate) fn output_dual_with(&self, row: &mut [Dual], memory: &[Dual]) {
-        (self.output_dual)(row, memory);
+        (self.output_dual_with)(row, &[]);
     }
 
     /// Time derivatives of the states, in the columns of the states; 0 elsewhere.
     pub fn rate(&self, row: &[f64], rate: &mut [f64]) {
-        self.rate_with(row, &[], rate, &mut []);
-    }
-
-    /// As [`ModelType::rate`], with the part of the memory that is in use.
-    pub(crate) fn rate_with(&self, row: &[f64], memory: &[f64], rate: &mut [f64], memory_rate: &mut [f64]) {
-        (self.rate)(row, memory, rate, memory_rate);
+        (self.rate_with)(row, &[], rate, &mut []);
     }
 
     /// The same with their derivatives in the direction that the columns of `row` carry; for Model Exchange.
@@ -273,12 +234,7 @@ impl ModelType {
 
     /// Changes whatever changes at events only. False if a result is not finite; the row must not be used then.
     pub fn at_event(&self, row: &mut [f64]) -> bool {
-        (self.at_event)(row, &mut [], &mut [])
-    }
-
-    /// As [`ModelType::at_event`], but the row is as it was if a result is not finite, or if the model panics.
-    pub(crate) fn try_at_event(&self, row: &mut [f64], memory: &mut [f64], room: Room) -> bool {
-        (self.at_event)(row, memory, room)
+        (self.try_at_event)(row, &mut [], &mut [])
     }
 }
 
@@ -292,6 +248,11 @@ impl fmt::Debug for ModelType {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{} {}", self.name, self.guid())
     }
+}
+
+const fn guid_of<M: Model>() -> GuidText {
+    let indicators = if is_for_exchange::<M>() { Some(M::EVENT_INDICATORS) } else { None };
+    guid::fingerprint(M::NAME, M::TABLE, indicators)
 }
 
 fn advance<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room, dt: f64) -> bool {

@@ -1,3 +1,5 @@
+use std::fmt;
+
 use crate::model::ramp;
 use crate::model::{Column, Derivatives, Fault, Law, Meaning, Model, ModelExchange, boolean, integer, real};
 use crate::number::{Dual, Mask, Scalar};
@@ -211,25 +213,20 @@ impl Hydraulics {
         check_rising("damper.tab_v", &self.tab_v, self.tab_n)?;
         for at in 0..self.tab_n as usize {
             let (i, force, velocity) = (at + 1, self.tab_f[at], self.tab_v[at]);
+            let refused = |why: fmt::Arguments| Err(Fault::new(format_args!("damper.tab_f[{i}] = {force}: {why}")));
             if at > 0 && force < self.tab_f[at - 1] {
-                let before = self.tab_f[at - 1];
-                return Err(Fault::new(format_args!(
-                    "damper.tab_f[{i}] = {force}: must be >= damper.tab_f[{at}] = {before}"
-                )));
+                return refused(format_args!("must be >= damper.tab_f[{at}] = {}", self.tab_f[at - 1]));
             }
             if force * velocity < 0.0 {
-                return Err(Fault::new(format_args!(
-                    "damper.tab_f[{i}] = {force}: must have the sign of damper.tab_v[{i}] = {velocity}"
-                )));
+                return refused(format_args!("must have the sign of damper.tab_v[{i}] = {velocity}"));
             }
         }
-        let at_rest = self.interpolated(0.0);
-        if at_rest != 0.0 {
-            return Err(Fault::new(format_args!(
+        match self.interpolated(0.0) {
+            0.0 => Ok(()),
+            at_rest => Err(Fault::new(format_args!(
                 "damper.tab_f: must give 0 at velocity 0, gives {at_rest} N; add the point (0, 0)"
-            )));
+            ))),
         }
-        Ok(())
     }
 }
 

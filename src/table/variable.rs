@@ -67,6 +67,21 @@ pub enum BaseType {
 }
 
 impl Kind {
+    /// What the interfaces call it, and its unit.
+    pub const fn words(self) -> [&'static str; 2] {
+        match self {
+            Kind::Real(unit) => ["real", unit.name],
+            Kind::Integer => ["integer", ""],
+            Kind::Boolean => ["boolean", ""],
+            Kind::Enumeration(_) => ["choice", ""],
+        }
+    }
+
+    /// The choices, if it has some.
+    pub const fn choices(self) -> &'static [Item] {
+        if let Kind::Enumeration(choices) = self { choices.items } else { &[] }
+    }
+
     /// The FMI type.
     #[inline(always)]
     pub const fn base_type(self) -> BaseType {

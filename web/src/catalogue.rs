@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use serde::Serialize;
 use ssp::parameter_set::text_of;
 use stribeck::catalogue::{Family, documented};
-use stribeck::model::{Kind, ModelType, Variable};
+use stribeck::model::{ModelType, Variable};
 use stribeck_fit::thesis::{CLASSES, TABLE_6_5};
 use stribeck_plot::palette::{self, DARK, DASHES, LIGHT};
 use stribeck_solve::run::Solver;
@@ -166,17 +166,9 @@ fn spelling(model: &ModelType, name: &str, value: f64) -> String {
 }
 
 fn variable_of(variable: &Variable) -> Described {
-    let (kind, unit) = match variable.kind {
-        Kind::Real(unit) => ("real", unit.name),
-        Kind::Integer => ("integer", ""),
-        Kind::Boolean => ("boolean", ""),
-        Kind::Enumeration(_) => ("choice", ""),
-    };
-    let choices = match variable.kind {
-        Kind::Enumeration(choices) => choices.items.iter().collect(),
-        _ => Vec::new(),
-    };
-    let named = choices.iter().map(|item| Named { name: item.name.to_string(), help: item.help.to_string() });
+    let [kind, unit] = variable.kind.words();
+    let choices = variable.kind.choices().iter();
+    let named = choices.map(|item| Named { name: item.name.to_string(), help: item.help.to_string() });
     Described {
         name: variable.path.to_string(),
         role: format!("{:?}", variable.role),

@@ -26,28 +26,28 @@ pub fn c(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault> {
 
 /// Refuses what the program cannot do.
 fn check(system: &System, settings: &Settings) -> Result<(), Fault> {
+    let refused = |text: std::fmt::Arguments| Err(Fault::value(text));
     if settings.solver != Solver::CoSimulation {
         let solver = settings.solver;
-        let text = format_args!("solver {solver}: a program in C makes steps of the models; choose co-simulation");
-        return Err(Fault::value(text));
+        return refused(format_args!(
+            "solver {solver}: a program in C makes steps of the models; choose co-simulation"
+        ));
     }
     if settings.master.exchange != Exchange::Sequential || settings.master.jitter != 0.0 {
-        return Err(Fault::value("exchange, jitter: a program in C has a sequential exchange and equal steps"));
+        return refused(format_args!("exchange, jitter: a program in C has a sequential exchange and equal steps"));
     }
     let steps = settings.until / settings.master.step;
     if moving(system).next().is_some() && steps > MOST_STEPS {
         let until = settings.until;
-        let text =
-            format_args!("until = {until} s: {steps} steps of inputs that move; a program in C has {MOST_STEPS}");
-        return Err(Fault::value(text));
+        return refused(format_args!(
+            "until = {until} s: {steps} steps of inputs that move; a program in C has {MOST_STEPS}"
+        ));
     }
-    match system.wires.iter().find(|wire| matches!(wire.from, WireSource::Derivative(_))) {
-        Some(wire) => {
-            let name = system.name(wire.to);
-            Err(Fault::value(format_args!("{name} is the derivative of a state, which the C library does not give")))
-        }
-        None => Ok(()),
-    }
+    let derived = system.wires.iter().find(|wire| matches!(wire.from, WireSource::Derivative(_)));
+    derived.map_or(Ok(()), |wire| {
+        let name = system.name(wire.to);
+        refused(format_args!("{name} is the derivative of a state, which the C library does not give"))
+    })
 }
 
 /// Steps for which a program has a table of inputs (chosen: 2 MB of text for two inputs).

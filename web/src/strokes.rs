@@ -152,12 +152,7 @@ impl Strokes {
         let held = self.held()?.into_iter().map(|(name, value)| (name, toml::Value::Float(value)));
         let given = held.chain(self.set.clone());
         let given = given.map(|(name, value)| format!("    \"{name}\": {},\n", literal(&value))).collect::<String>();
-        let middle = (POINTS - 1) / 2;
-        let curve = format!(
-            "\nx = (numpy.arange({POINTS}) - {middle}) / {middle}\nheld = {:?} * x * abs(x)  # m/s\nforce = \
-             stribeck.force(\"{}\", held, **given)  # N\n",
-            self.velocity, self.model
-        );
+        let curve = if names.is_along { self.python_curve() } else { String::new() };
         let slope = format!("speed / ({QUARTER} * dt)");
         let acceleration = format!("acceleration = numpy.where(k // {QUARTER} % 3 == 0, {slope}, -{slope})\n");
         let lead = names.acceleration.as_ref().map_or(String::new(), |name| format!(", {name}=acceleration"));
@@ -166,7 +161,7 @@ impl Strokes {
             include_str!("strokes.py.in"),
             &[
                 ("given", &given),
-                ("curve", if names.is_along { &curve } else { "" }),
+                ("curve", &curve),
                 ("speed", &speed),
                 ("acceleration", acceleration),
                 ("lead", &lead),
@@ -176,25 +171,30 @@ impl Strokes {
         ))
     }
 
+    fn python_curve(&self) -> String {
+        let middle = (POINTS - 1) / 2;
+        format!(
+            "\nx = (numpy.arange({POINTS}) - {middle}) / {middle}\nheld = {:?} * x * abs(x)  # m/s\nforce = \
+             stribeck.force(\"{}\", held, **given)  # N\n",
+            self.velocity, self.model
+        )
+    }
+
     /// The strokes in C.
     pub fn c(&self) -> Result<Answer, Fault> {
         let (names, speed) = (self.names()?, format!("{:?}", self.speed));
         let series = self.led(vec![0.0], vec![0.0])?;
         let model = series.model()?;
-        let set = series.parameters()?.into_iter().map(|(column, value)| (model.table.at(column).path, value));
-        let set = set.map(|(path, value)| (path.to_string(), value));
-        let values = self
-            .held()?
-            .into_iter()
-            .chain(set)
-            .map(|(name, value)| format!("    check(stribeck_set_by_name(law, \"{name}\", {value:?}), law);\n"));
+        let named = |(column, value)| (model.table.at(column).path.to_string(), value);
+        let values = self.held()?.into_iter().chain(series.parameters()?.into_iter().map(named));
+        let line = |(name, value)| format!("    check(stribeck_set_by_name(law, \"{name}\", {value:?}), law);\n");
         let find = |name: &str, place: &str| format!("    check(stribeck_find(law, \"{name}\", {place}), law);\n");
         let acceleration = names.acceleration.as_ref().map_or(String::new(), |name| find(name, "&in[1]"));
         let places = find(&names.velocity, "&in[0]") + &acceleration + &find(&names.force, "&out");
         let text = self.filled(
             include_str!("strokes.c.in"),
             &[
-                ("values", &values.collect::<String>()),
+                ("values", &values.map(line).collect::<String>()),
                 ("places", &places),
                 ("inputs", if names.acceleration.is_some() { "2" } else { "1" }),
                 ("speed", &speed),

@@ -20,7 +20,7 @@ use crate::guard::{self, Handle, Internal, pointer};
 use crate::models;
 use stribeck::instance::{Instance, Refused};
 use stribeck::memory::{self, OUT_OF_MEMORY, OutOfMemory};
-use stribeck::model::{Computed, Fault, Kind, ModelType, Role};
+use stribeck::model::{Computed, Fault, Kind, ModelType, Role, Variable};
 
 mod run;
 mod state;
@@ -622,6 +622,18 @@ pub unsafe extern "C" fn stribeck_time(model: *const stribeck_instance) -> f64 {
     unsafe { model.as_ref() }.map_or(f64::NAN, |model| model.instance.time())
 }
 
+/// The result of a derivative that exists.
+fn differentiable(instance: &Instance, output: usize, input: usize) -> Result<Variable, Refusal> {
+    let table = instance.model().table;
+    let (result, varied) = (table.at(output), table.at(input));
+    if !result.role.is_output() || varied.role == Role::Output {
+        let text = format_args!("{} cannot be differentiated with respect to {}", result.path, varied.path);
+        return refuse(STRIBECK_UNKNOWN_VARIABLE, text);
+    }
+    result.check_derivatives().map_err(fault(STRIBECK_UNKNOWN_VARIABLE))?;
+    Ok(result)
+}
+
 /// Partial derivative of a result with respect to an input, parameter or state, at the present values: exact, except
 /// for the friction of ShockAbsorber before its first step, which is differentiated numerically.
 ///
@@ -636,13 +648,7 @@ pub unsafe extern "C" fn stribeck_derivative(
 ) -> stribeck_status {
     let body = |model: &mut stribeck_instance| {
         let (output, input) = (model.instance.column(output)?, model.instance.column(input)?);
-        let table = model.instance.model().table;
-        let (result, varied) = (table.at(output), table.at(input));
-        if !result.role.is_output() || varied.role == Role::Output {
-            let text = format_args!("{} cannot be differentiated with respect to {}", result.path, varied.path);
-            return refuse(STRIBECK_UNKNOWN_VARIABLE, text);
-        }
-        result.check_derivatives().map_err(fault(STRIBECK_UNKNOWN_VARIABLE))?;
+        let result = differentiable(&model.instance, output, input)?;
         // SAFETY: the caller's promise.
         let place = unsafe { place(value, "value") }?;
         let slope = model.instance.derivative([(input, 1.0)].into_iter())[output].slope;

@@ -130,17 +130,20 @@ unsafe fn get<B: Base>(
     let body = |component: &mut Component| {
         // SAFETY: the importer promises `n` value references and room for `n` values.
         let (references, values) = unsafe { (array(vr, n, "vr")?, array_mut(value, n, "value")?) };
-        let is_real = B::TYPE == BaseType::Real;
-        for reference in references {
-            if !(is_real && matches!(component.place(*reference), Some(Place::Time | Place::Derivative(_)))) {
-                component.column::<B>(*reference)?;
-            }
-        }
+        references.iter().try_for_each(|reference| check_readable::<B>(component, *reference))?;
         refresh(component, references)?;
         read::<B>(component, references, values)
     };
     // SAFETY: the importer's promise about `c`.
     unsafe { enter(c, call, body) }
+}
+
+/// Refuses what is no variable of this type. Time and derivatives are Real.
+fn check_readable<B: Base>(component: &Component, reference: fmi2ValueReference) -> Outcome {
+    match component.place(reference) {
+        Some(Place::Time | Place::Derivative(_)) if B::TYPE == BaseType::Real => Ok(()),
+        _ => component.column::<B>(reference).map(|_| ()),
+    }
 }
 
 /// Computes what the references need.
@@ -430,13 +433,6 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
         // SAFETY: the caller promises `nvr` elements in each array.
         let (references, orders, values) =
             unsafe { (array(vr, nvr, "vr")?, array(order, nvr, "order")?, array_mut(value, nvr, "value")?) };
-        for (reference, order) in references.iter().zip(orders) {
-            let variable = differentiated(component, *reference, "is not an output")?;
-            if *order < 1 {
-                return refuse(format_args!("order {order} of {}: must be >= 1", variable.path));
-            }
-        }
-        component.instance.refresh_to(Computed::Main)?;
         write_slopes(component, references, orders, values)
     };
     // SAFETY: the caller's promise about `c`.
@@ -460,6 +456,13 @@ fn write_slopes(
     orders: &[fmi2Integer],
     values: &mut [fmi2Real],
 ) -> Outcome {
+    for (reference, order) in references.iter().zip(orders) {
+        let variable = differentiated(component, *reference, "is not an output")?;
+        if *order < 1 {
+            return refuse(format_args!("order {order} of {}: must be >= 1", variable.path));
+        }
+    }
+    component.instance.refresh_to(Computed::Main)?;
     let model = component.instance.model();
     let derivative = component.instance.time_derivative();
     let columns = || references.iter().filter_map(|reference| column_of(model, *reference));

@@ -110,17 +110,21 @@ fn removed(row: &Row, new: &Interface, old_rows: &HashMap<Key, &Row>) -> Change 
     Change::Breaking(format!("{} {what}; fix: keep the name, hosts and programs rely on it", title(row)))
 }
 
-/// Differences in an item that is in both lists.
-fn differences(old: &Row, new: &Row) -> Vec<Change> {
-    let value = match old.item.as_str() {
+/// What the value of an item is, and what to do if it has changed.
+fn value_of(item: &str) -> (&'static str, &'static str) {
+    match item {
         "variable" => ("value reference", "restore the old name of the variable"),
         "choice" => ("number", "add new choices after the others"),
         "function" | "type" => ("declaration", "add a new one under another name"),
         _ => ("value", "restore the old value"),
-    };
+    }
+}
+
+/// Differences in an item that is in both lists.
+fn differences(old: &Row, new: &Row) -> Vec<Change> {
     let another = "add a new variable and keep this one";
     let fields = [
-        (value, &old.value, &new.value),
+        (value_of(&old.item), &old.value, &new.value),
         (("type", another), &old.kind, &new.kind),
         (("unit", another), &old.unit, &new.unit),
         (("causality", another), &old.causality, &new.causality),

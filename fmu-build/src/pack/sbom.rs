@@ -25,11 +25,8 @@ pub fn text(model: &ModelType, parts: &Parts) -> Result<String> {
     let Parts { crates, rust, additions } = parts;
     let fmu = format!("{}.fmu", model.name);
     let standard_library = format!("{STANDARD_LIBRARY} {rust}");
-    let mut components = crates.iter().map(of_crate).collect::<Result<Vec<_>>>()?;
-    components.push(of_standard_library(&standard_library, rust)?);
-    for addition in additions {
-        components.push(of_addition(addition)?);
-    }
+    let components = crates.iter().map(of_crate).chain([of_standard_library(&standard_library, rust)]);
+    let components = components.chain(additions.iter().map(of_addition)).collect::<Result<Vec<_>>>()?;
     let dependencies = dependencies(&fmu, parts, &standard_library)?;
     let bom = Bom {
         serial_number: None,

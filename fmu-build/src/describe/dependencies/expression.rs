@@ -177,12 +177,8 @@ impl Expressions {
             match operation {
                 Operation::Sign => return self.compared(order, number, b),
                 Operation::Neg => return self.compared(order.turned(), number, b),
-                Operation::Abs if order.and(Order::GREATER) == Order::NEVER => {
-                    return self.compared(zero, number, b);
-                }
-                Operation::Abs => {
-                    return self.compared(zero.or(Order::LESS).or(Order::GREATER), number, b);
-                }
+                Operation::Abs if order.and(Order::GREATER) == Order::NEVER => return self.compared(zero, number, b),
+                Operation::Abs => return self.compared(zero.or(Order::LESS).or(Order::GREATER), number, b),
                 _ => {}
             }
         }

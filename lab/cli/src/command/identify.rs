@@ -251,14 +251,12 @@ fn table(ranking: &Ranking) -> String {
     let is_held_out = ranking.fits.iter().any(|fit| !fit.validation.is_empty());
     text += if is_held_out { "  validation RMS\n" } else { "\n" };
     let ranks = ranking.ranks.iter().enumerate();
-    ranks.for_each(|(number, rank)| text += &row(&ranking.fits[rank.fit], rank, number > 0));
+    ranks.for_each(|(place, rank)| text += &row(&ranking.fits[rank.fit], rank, place));
     ranking.refused.iter().for_each(|(_, reason)| text += &format!("  {reason}\n"));
     text + "\n"
 }
 
-fn row(fit: &Fit, rank: &Rank, is_behind: bool) -> String {
-    let is_tied = rank.is_tied && is_behind;
-    let note = fit.searches.note().or(is_tied.then_some("cannot be distinguished from the first"));
+fn row(fit: &Fit, rank: &Rank, place: usize) -> String {
     format!(
         "  {:<20} {:>10.3e} N {:>10} {:>8.1}{}{}\n",
         fit.law.name,
@@ -266,7 +264,7 @@ fn row(fit: &Fit, rank: &Rank, is_behind: bool) -> String {
         fit.parameters(),
         rank.delta_bic,
         worst(&fit.validation).map_or(String::new(), |rms| format!("  {rms:>12.3e} N")),
-        note.map_or(String::new(), |note| format!("  {note}"))
+        identification::note(fit, rank, place).map_or(String::new(), |note| format!("  {note}"))
     )
 }
 

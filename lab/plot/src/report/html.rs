@@ -39,27 +39,26 @@ impl Page {
         }
     }
 
-    /// Begins a table with the titles of its columns.
-    pub fn begin_table(&mut self, head: &[&str]) {
+    /// Adds a table with the titles of its columns and the cells of its rows.
+    pub fn table<C: AsRef<[String]>>(&mut self, head: &[&str], rows: impl IntoIterator<Item = C>) {
+        self.marked_table(head, rows.into_iter().map(|cells| (false, cells)));
+    }
+
+    /// As `table`; rows come with whether they have failed.
+    pub fn marked_table<C: AsRef<[String]>>(&mut self, head: &[&str], rows: impl IntoIterator<Item = (bool, C)>) {
         self.raw("<div class=\"wide\"><table>\n<thead><tr>");
         for title in head {
             let text = escape(title.trim_start_matches(NUMBER));
             self.raw(&format!("<th{}>{text}</th>", class(title)));
         }
         self.raw("</tr></thead>\n<tbody>\n");
-    }
-
-    /// Adds a row of a class.
-    pub fn row(&mut self, row_class: &str, head: &[&str], cells: &[String]) {
-        self.raw(&if row_class.is_empty() { "<tr>".to_owned() } else { format!("<tr class=\"{row_class}\">") });
-        for (title, cell) in head.iter().zip(cells) {
-            self.raw(&format!("<td{}>{}</td>", class(title), escape(cell)));
+        for (has_failed, cells) in rows {
+            self.raw(if has_failed { "<tr class=\"failed\">" } else { "<tr>" });
+            for (title, cell) in head.iter().zip(cells.as_ref()) {
+                self.raw(&format!("<td{}>{}</td>", class(title), escape(cell)));
+            }
+            self.raw("</tr>\n");
         }
-        self.raw("</tr>\n");
-    }
-
-    /// Ends a table.
-    pub fn end_table(&mut self) {
         self.raw("</tbody>\n</table></div>\n");
     }
 

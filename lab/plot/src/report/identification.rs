@@ -4,8 +4,8 @@ use super::html::Page;
 use super::{STYLE, versions_of};
 use crate::picture::{Kind, Named, Picture, Theme, curves};
 use stribeck_fit::identify::{
-    Difference, EARLY, Estimate, Fit, Method, Ranking, Reference, Searches, Settings, Verdict, difference, digits,
-    digits_within, known, respond,
+    Difference, EARLY, Estimate, Fit, Method, Rank, Ranking, Reference, Searches, Settings, Verdict, difference,
+    digits, digits_within, known, respond,
 };
 use stribeck_fit::measured::{Record, average};
 use stribeck_solve::system::Fault;
@@ -34,12 +34,7 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
     }
     estimates(&mut page, best, facts.reference);
     residuals(&mut page, best);
-    page.heading("Pictures");
-    for number in 0..facts.records.len() {
-        for picture in drawn(facts, number, Theme::Auto)? {
-            page.raw(&format!("<figure>\n{}</figure>\n", picture.svg));
-        }
-    }
+    pictures_of(&mut page, facts)?;
     ranking(&mut page, facts);
     records(&mut page, facts);
     correlations(&mut page, best);
@@ -51,25 +46,33 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
     Ok(page.end())
 }
 
+fn pictures_of(page: &mut Page, facts: &Identification) -> Result<(), Fault> {
+    page.heading("Pictures");
+    for number in 0..facts.records.len() {
+        for picture in drawn(facts, number, Theme::Auto)? {
+            page.raw(&format!("<figure>\n{}</figure>\n", picture.svg));
+        }
+    }
+    Ok(())
+}
+
+/// Heading of the table of parameters.
+const HEAD: [&str; 9] = [
+    "Parameter",
+    "Unit",
+    "#Value",
+    "95 % interval",
+    "Bootstrap interval",
+    "#Reference",
+    "#Difference, % of reference",
+    "#% of the mean of both",
+    "Verdict",
+];
+
 fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
     page.heading("Parameters");
-    let head = [
-        "Parameter",
-        "Unit",
-        "#Value",
-        "95 % interval",
-        "Bootstrap interval",
-        "#Reference",
-        "#Difference, % of reference",
-        "#% of the mean of both",
-        "Verdict",
-    ];
-    page.begin_table(&head);
-    for one in &best.estimates {
-        let class = if one.verdict == Verdict::Determined { "" } else { "failed" };
-        page.row(class, &head, &cells(one, best, reference));
-    }
-    page.end_table();
+    let row = |one: &Estimate| (one.verdict != Verdict::Determined, cells(one, best, reference));
+    page.marked_table(&HEAD, best.estimates.iter().map(row));
     if let Some(note) = best.note() {
         page.paragraph("note", &note);
     }
@@ -122,23 +125,25 @@ fn residuals(page: &mut Page, best: &Fit) {
     );
 }
 
+/// What is to say about a law at a place in the ranking.
+pub fn note(fit: &Fit, rank: &Rank, place: usize) -> Option<&'static str> {
+    let is_tied = rank.is_tied && place > 0;
+    fit.searches.note().or(is_tied.then_some("cannot be distinguished from the first"))
+}
+
 fn ranking(page: &mut Page, facts: &Identification) {
     if facts.ranking.ranks.len() < 2 {
         return;
     }
     page.heading("Laws");
     let head = ["Law", "#RMS residual in N", "#Parameters", "#ΔBIC", "Verdict"];
-    page.begin_table(&head);
-    for (place, rank) in facts.ranking.ranks.iter().enumerate() {
+    let row = |(place, rank): (usize, &Rank)| {
         let fit = &facts.ranking.fits[rank.fit];
-        let is_tied = rank.is_tied && place > 0;
-        let verdict = fit.searches.note().or(is_tied.then_some("cannot be distinguished from the first")).unwrap_or("");
+        let verdict = note(fit, rank, place).unwrap_or("");
         let count = fit.parameters().to_string();
-        let cells =
-            [fit.law.name.into(), digits(fit.residuals.rms), count, format!("{:.1}", rank.delta_bic), verdict.into()];
-        page.row("", &head, &cells);
-    }
-    page.end_table();
+        [fit.law.name.into(), digits(fit.residuals.rms), count, format!("{:.1}", rank.delta_bic), verdict.into()]
+    };
+    page.table(&head, facts.ranking.ranks.iter().enumerate().map(row));
     for (_, reason) in &facts.ranking.refused {
         page.paragraph("note", reason);
     }
@@ -148,10 +153,9 @@ fn records(page: &mut Page, facts: &Identification) {
     page.heading("Records");
     let head =
         ["Record", "#Samples", "#Length in s", "#Reversals", "#Noise in N", "#Delay of the motion in s", "Findings"];
-    page.begin_table(&head);
-    for (name, record) in facts.records {
+    let row = |(name, record): &(String, Record)| {
         let quality = &record.quality;
-        let cells = [
+        [
             name.clone(),
             quality.samples.to_string(),
             format!("{:.3}", quality.duration),
@@ -159,10 +163,9 @@ fn records(page: &mut Page, facts: &Identification) {
             digits(quality.noise),
             format!("{:.5}", record.clocks.delay),
             quality.findings.join("; "),
-        ];
-        page.row("", &head, &cells);
-    }
-    page.end_table();
+        ]
+    };
+    page.table(&head, facts.records.iter().map(row));
 }
 
 fn correlations(page: &mut Page, best: &Fit) {
@@ -170,13 +173,13 @@ fn correlations(page: &mut Page, best: &Fit) {
     let names: Vec<&str> = best.estimates.iter().take(best.parameters()).map(|one| one.name.as_str()).collect();
     let titles: Vec<String> = names.iter().map(|name| format!("#{name}")).collect();
     let head: Vec<&str> = std::iter::once("").chain(titles.iter().map(String::as_str)).collect();
-    page.begin_table(&head);
-    for (name, row) in names.iter().zip(&best.correlation) {
-        let values = row.iter().map(|value| format!("{value:.2}"));
-        let cells: Vec<String> = std::iter::once((*name).to_owned()).chain(values).collect();
-        page.row("", &head, &cells);
-    }
-    page.end_table();
+    page.table(
+        &head,
+        names.iter().zip(&best.correlation).map(|(name, row)| {
+            let values = row.iter().map(|value| format!("{value:.2}"));
+            std::iter::once((*name).to_owned()).chain(values).collect::<Vec<String>>()
+        }),
+    );
 }
 
 /// Settings of the fit, including defaults.
@@ -196,9 +199,7 @@ fn settings(page: &mut Page, facts: &Identification) {
     rows.extend(selection.fixed.iter().map(|(name, value)| ("Held", format!("{name} = {value}"))));
     rows.extend(selection.fitted.iter().map(|name| ("Fitted as well", name.clone())));
     rows.extend(selection.ranges.iter().map(|(name, [low, high])| ("Range", format!("{name} from {low} to {high}"))));
-    page.begin_table(&head);
-    rows.into_iter().for_each(|(setting, value)| page.row("", &head, &[setting.to_owned(), value]));
-    page.end_table();
+    page.table(&head, rows.into_iter().map(|(setting, value)| [setting.to_owned(), value]));
     page.listing(facts.command);
 }
 

@@ -5,6 +5,8 @@
 mod html;
 pub mod identification;
 
+use std::collections::BTreeSet;
+
 use stribeck::model::{ModelType, Role};
 use stribeck::unit::UNITS;
 
@@ -78,29 +80,25 @@ fn pictures(page: &mut Page, system: &System, outcomes: &[(String, Outcome)], fa
 fn solver(page: &mut Page, outcomes: &[(String, Outcome)], facts: &Facts) {
     page.heading("Solver");
     let head = ["Law", "Solver", "Tolerance", "#Steps", "#Rejected", "#Evaluations", "#Jacobians", "#Events", "End"];
-    page.begin_table(&head);
-    for (law, outcome) in outcomes {
+    let row = |(law, outcome): &(String, Outcome)| {
         let statistics = &outcome.statistics;
         let counts = [statistics.steps, statistics.rejected, statistics.evaluations, statistics.jacobians];
         let mut cells = vec![law.clone(), outcome.solver.to_string(), format!("{:e}", facts.tolerance)];
         cells.extend(counts.map(|count| count.to_string()));
         cells.extend([outcome.events.len().to_string(), outcome.end.to_string()]);
-        page.row(if outcome.is_reached() { "" } else { "failed" }, &head, &cells);
-    }
-    page.end_table();
+        (!outcome.is_reached(), cells)
+    };
+    page.marked_table(&head, outcomes.iter().map(row));
 }
 
 fn events(page: &mut Page, outcomes: &[(String, Outcome)], most: usize) {
     page.heading("Events");
     let head = ["Law", "#Number", "#Time in s", "Part"];
-    page.begin_table(&head);
-    for (law, outcome) in outcomes {
-        for (number, event) in outcome.events.iter().take(most).enumerate() {
-            let cells = [law.clone(), (number + 1).to_string(), event.time.to_string(), event.part.clone()];
-            page.row("", &head, &cells);
-        }
-    }
-    page.end_table();
+    let rows = outcomes.iter().flat_map(|(law, outcome)| {
+        let events = outcome.events.iter().take(most).enumerate();
+        events.map(|(at, event)| [law.clone(), (at + 1).to_string(), event.time.to_string(), event.part.clone()])
+    });
+    page.table(&head, rows);
     for (law, outcome) in outcomes {
         let (count, shown) = (outcome.events.len(), outcome.events.len().min(most));
         let text = match count {
@@ -121,34 +119,26 @@ fn systems<'a>(system: &'a System, facts: &Facts<'a>) -> &'a [System] {
 fn parts(page: &mut Page, system: &System, facts: &Facts) {
     page.heading("Parts");
     let head = ["Part", "Model", "Meaning"];
-    page.begin_table(&head);
-    let mut listed = Vec::new();
-    for part in systems(system, facts).iter().flat_map(|system| &system.parts) {
-        if !listed.contains(&(&part.name, part.model.name)) {
-            listed.push((&part.name, part.model.name));
-            let summary = part.model.summary.to_owned();
-            page.row("", &head, &[part.name.clone(), part.model.name.to_owned(), summary]);
-        }
-    }
-    page.end_table();
+    let mut listed = BTreeSet::new();
+    let parts = systems(system, facts).iter().flat_map(|system| &system.parts);
+    let parts = parts.filter(|part| listed.insert((&part.name, part.model.name)));
+    page.table(&head, parts.map(|part| [&part.name, part.model.name, part.model.summary].map(str::to_owned)));
 }
 
 /// Inputs with the outputs that they are connected to, and with their signals.
 fn connections(page: &mut Page, system: &System) {
     page.heading("Connections");
     let head = ["Input", "Comes from"];
-    page.begin_table(&head);
-    for wire in &system.wires {
+    let wires = system.wires.iter().map(|wire| {
         let from = match wire.from {
             WireSource::Variable(place) => system.name(place),
             WireSource::Derivative(place) => format!("der({})", system.name(place)),
         };
-        page.row("", &head, &[system.name(wire.to), from]);
-    }
-    for (place, signal) in &system.signals {
-        page.row("", &head, &[system.name(*place), course(system, *place, signal)]);
-    }
-    page.end_table();
+        [system.name(wire.to), from]
+    });
+    let signals = system.signals.iter();
+    let signals = signals.map(|(place, signal)| [system.name(*place), course(system, *place, signal)]);
+    page.table(&head, wires.chain(signals));
 }
 
 /// A signal as it is written down.
@@ -169,7 +159,7 @@ fn parameters(page: &mut Page, system: &System, outcomes: &[(String, Outcome)], 
     let of_system = |system: &System| -> Vec<[String; 5]> { system.parts.iter().flat_map(differences).collect() };
     let all: Vec<Vec<[String; 5]>> = systems(system, facts).iter().map(of_system).collect();
     let is_shared = |row: &[String; 5]| all.iter().all(|rows| rows.contains(row));
-    let shared = all.iter().take(1).flatten().filter(|row| is_shared(row)).map(|row| ("", row));
+    let shared = all.iter().take(1).flatten().filter(|row| is_shared(row)).map(|row| ("all", row));
     let labels = outcomes.iter().map(|(label, _)| label.as_str());
     let own = labels.zip(&all).flat_map(|(label, rows)| rows.iter().map(move |row| (label, row)));
     let rows: Vec<(&str, &[String; 5])> = shared.chain(own.filter(|(_, row)| !is_shared(row))).collect();
@@ -178,13 +168,8 @@ fn parameters(page: &mut Page, system: &System, outcomes: &[(String, Outcome)], 
         return;
     }
     let head = ["Parameter", "#Value", "Unit", "#Default", "Meaning", "Law"];
-    page.begin_table(&head);
-    for (label, row) in rows {
-        let label = if label.is_empty() { "all" } else { label };
-        let cells: Vec<String> = row.iter().cloned().chain([label.to_owned()]).collect();
-        page.row("", &head, &cells);
-    }
-    page.end_table();
+    let cells = |(label, row): (&str, &[String; 5])| [row.as_slice(), &[label.to_owned()]].concat();
+    page.table(&head, rows.into_iter().map(cells));
 }
 
 /// The parameters and start values of a part that differ from those of its model: name, value, unit, default, meaning.
@@ -216,15 +201,9 @@ fn versions_of(page: &mut Page, models: impl IntoIterator<Item = &'static ModelT
     page.heading("Versions");
     page.paragraph("", &format!("Stribeck {}", env!("CARGO_PKG_VERSION")));
     let head = ["Model", "Guid"];
-    page.begin_table(&head);
-    let mut listed = Vec::new();
-    for model in models {
-        if !listed.contains(&model.name) {
-            listed.push(model.name);
-            page.row("", &head, &[model.name.to_owned(), model.guid().to_string()]);
-        }
-    }
-    page.end_table();
+    let mut listed = BTreeSet::new();
+    let models = models.into_iter().filter(|model| listed.insert(model.name));
+    page.table(&head, models.map(|model| [model.name, model.guid()].map(str::to_owned)));
 }
 
 #[cfg(test)]

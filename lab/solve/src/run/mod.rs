@@ -133,14 +133,8 @@ fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSo
         #[cfg(feature = "foreign")]
         Kind::Foreign(foreign) => {
             return of_motion(system, sources, grid, |motion, states, recorder| {
-                if settings.events && motion.indicators() > 0 && !foreign.has_events() {
-                    return Err(Fault::value(format_args!("solver {solver}: does not locate events; run it without")));
-                }
-                if states.is_empty() {
-                    let text =
-                        format_args!("solver {solver}: the system has no continuous state that it could integrate");
-                    return Err(Fault::value(text));
-                }
+                let locates = settings.events && motion.indicators() > 0;
+                check_foreign(solver, !locates || foreign.has_events(), states)?;
                 Ok(solve_foreign(foreign, motion, states, &options, recorder))
             });
         }
@@ -148,6 +142,19 @@ fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSo
         Kind::Steps => by_steps(system, grid, &options, sources)?,
     };
     Ok(Ran { end, statistics, time, values, parts: Vec::new() })
+}
+
+/// Refuses what a solver of another crate cannot do.
+#[cfg(feature = "foreign")]
+fn check_foreign(solver: Solver, can_locate: bool, states: &[f64]) -> Result<(), Fault> {
+    if !can_locate {
+        return Err(Fault::value(format_args!("solver {solver}: does not locate events; run it without")));
+    }
+    if states.is_empty() {
+        let text = format_args!("solver {solver}: the system has no continuous state that it could integrate");
+        return Err(Fault::value(text));
+    }
+    Ok(())
 }
 
 /// Refuses parts that come to rest at events only.

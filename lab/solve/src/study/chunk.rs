@@ -95,6 +95,16 @@ impl Chunk {
             table.into_inner().map_err(|error| error.into_error())
         })
     }
+
+    /// Copies its rows to a table, and its heading if it is the first one.
+    fn copy(&self, folder: &Path, table: &mut impl Write) -> io::Result<()> {
+        let path = self.path(folder);
+        let named = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
+        // The heading of the first one stands for all.
+        let skipped = if self.number == 0 { 1 } else { 2 };
+        let mut lines = BufReader::new(File::open(&path).map_err(named)?).lines().skip(skipped);
+        lines.try_for_each(|line| writeln!(table, "{}", line.map_err(named)?))
+    }
 }
 
 /// Writes a file under another name first, so that it is never there by half.
@@ -125,15 +135,7 @@ pub fn merge(folder: &Path, to: &Path, rows: usize, hash: &str) -> Result<usize,
         return Err(wrong(folder, text));
     }
     whole(to, |mut table| {
-        for chunk in &all {
-            let path = chunk.path(folder);
-            let named = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
-            // The heading of the first one stands for all.
-            let skipped = if chunk.number == 0 { 1 } else { 2 };
-            for line in BufReader::new(File::open(&path).map_err(named)?).lines().skip(skipped) {
-                writeln!(table, "{}", line.map_err(named)?)?;
-            }
-        }
+        all.iter().try_for_each(|chunk| chunk.copy(folder, &mut table))?;
         Ok(table)
     })?;
     Ok(rows)

@@ -10,6 +10,7 @@ mod sample;
 #[cfg(test)]
 mod tests;
 
+use std::fmt;
 use std::num::NonZeroUsize;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -73,23 +74,16 @@ impl Shard {
     /// The part of a job in an array of jobs: `array`, or `array/n` where the cluster does not say how many there are.
     /// Numbers of a cluster that does not say where they begin begin at 1, those of AWS at 0.
     fn of_array(text: &str, variable: &dyn Fn(&str) -> Option<String>) -> Result<Shard, Fault> {
+        let wrong = |why: fmt::Arguments| Fault::value(format_args!("shard '{text}': {why}"));
         let set = |name: &str| variable(name).filter(|value| !value.is_empty() && value != "undefined");
-        let Some(names) = ARRAYS.iter().find(|names| set(names[0]).is_some()) else {
+        let names = ARRAYS.iter().find(|names| set(names[0]).is_some()).ok_or_else(|| {
             let known = ARRAYS.map(|names| names[0]).join(", ");
-            return Err(Fault::value(format_args!(
-                "shard '{text}': this is not a job of an array: none of {known} is set"
-            )));
-        };
+            wrong(format_args!("this is not a job of an array: none of {known} is set"))
+        })?;
+        let unknown = || wrong(format_args!("{} does not say how many jobs there are: give array/n", names[0]));
         let number = |name: &str, otherwise: Option<usize>| match set(name) {
-            None => otherwise.ok_or_else(|| {
-                Fault::value(format_args!(
-                    "shard '{text}': {} does not say how many jobs there are: give array/n",
-                    names[0]
-                ))
-            }),
-            Some(value) => value
-                .parse()
-                .map_err(|_| Fault::value(format_args!("shard '{text}': {name} = '{value}' is not a number"))),
+            None => otherwise.ok_or_else(unknown),
+            Some(value) => value.parse().map_err(|_| wrong(format_args!("{name} = '{value}' is not a number"))),
         };
         let begins = if names[0].starts_with("AWS") { 0 } else { 1 };
         let [index, first, step] =
@@ -101,7 +95,7 @@ impl Shard {
         let place = index.checked_sub(first).map(|distance| distance / step.max(1) + 1);
         match (place, count) {
             (Some(number), Some(count)) if (1..=count).contains(&number) => Ok(Shard { number, count }),
-            _ => Err(Fault::value(format_args!("shard '{text}': {} = {index} is not one of the jobs", names[0]))),
+            _ => Err(wrong(format_args!("{} = {index} is not one of the jobs", names[0]))),
         }
     }
 }

@@ -22,6 +22,20 @@ pub(super) struct Samples {
 /// Largest number of samples (chosen).
 const MOST: usize = 1_000_000_000;
 
+/// The number of samples: that which is given, or that of the rows of the table.
+fn count(given: Option<usize>, rows: Option<usize>) -> Result<usize, Fault> {
+    match (given, rows) {
+        (Some(count), Some(rows)) if count != rows => {
+            Err(Fault::value(format_args!("samples = {count}: the table has {rows} rows")))
+        }
+        (None, None) => Err(Fault::value("samples: must be given, or a table")),
+        (given, rows) => match rows.or(given).unwrap_or_default() {
+            count @ 1..=MOST => Ok(count),
+            count => Err(Fault::value(format_args!("samples = {count}: must be from 1 to {MOST}"))),
+        },
+    }
+}
+
 impl Samples {
     pub fn of(description: &Description, folder: &Path) -> Result<Samples, Fault> {
         let (names, rows) = match &description.table {
@@ -34,18 +48,8 @@ impl Samples {
                 return Err(Fault::value(format_args!("{name}: is in the table and in vary")));
             }
         }
-        let count = match (description.samples, description.table.is_some()) {
-            (Some(count), true) if count != rows.len() => {
-                let text = format_args!("samples = {count}: the table has {} rows", rows.len());
-                return Err(Fault::value(text));
-            }
-            (_, true) => rows.len(),
-            (Some(count), false) => count,
-            (None, false) => return Err(Fault::value("samples: must be given, or a table")),
-        };
-        if !(1..=MOST).contains(&count) {
-            return Err(Fault::value(format_args!("samples = {count}: must be from 1 to {MOST}")));
-        }
+        let rows_of_table = description.table.is_some().then_some(rows.len());
+        let count = count(description.samples, rows_of_table)?;
         let drawn = description.vary.iter().map(|(name, spread)| (name.clone(), *spread)).collect();
         Ok(Samples { count, seed: description.seed, drawn, names, rows })
     }
