@@ -201,8 +201,8 @@ fn uncertain(references: &[(String, Result<Reference, String>)]) -> String {
     let (other, tolerance) = Reference::OTHER;
     let head = format!(
         "## References\n\nEach motion is compared with a run at the tolerance named here; the uncertainty is its \
-         largest difference from a\nrun at ten times that tolerance. The last column is its largest difference from a run \
-         of another code, {other} at {tolerance:e}.\n\n| law | tolerance | uncertainty in m | difference in m \
+         largest difference from a\nrun at ten times that tolerance. The last column is its largest difference from a \
+         run of another code, {other} at {tolerance:e}.\n\n| law | tolerance | uncertainty in m | difference in m \
          |\n|---|---|---|---|\n"
     );
     let row = |(law, reference): &(String, Result<Reference, String>)| match reference {

@@ -146,8 +146,8 @@ fn verdict(end: End, error: f64) -> String {
 
 /// What stands before the table, before and after the tolerance.
 const HEAD: [&str; 2] = [
-    "## Karnopp's law as it is printed\n\nInside its band the printed law carries whatever acts on the block; where the \
-     velocity enters or leaves the band\nthe force jumps, and no event says so. The same solvers at ",
+    "## Karnopp's law as it is printed\n\nInside its band the printed law carries whatever acts on the block; where \
+     the velocity enters or leaves the band\nthe force jumps, and no event says so. The same solvers at ",
     ", with Jacobians by differences where they need\none:\n\n| solver | steps | evaluations | seconds | largest error \
      in m | thesis, seconds |\n|---|---|---|---|---|---|\n",
 ];

@@ -17,7 +17,8 @@ fn row(one: &Measurement) -> String {
     let [steps, rejected, evaluations, jacobians, events] = one.counts;
     let number = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:e}"));
     format!(
-        "{law},{solver},{tolerance:e},{located},{steps},{rejected},{evaluations},{jacobians},{events},{:.6},{},{},{},\"{}\"\n",
+        "{law},{solver},{tolerance:e},{located},{steps},{rejected},{evaluations},{jacobians},{events},{:.6},{},{},{},\
+         \"{}\"\n",
         time.as_secs_f64(),
         number(one.error),
         number(one.switching),

@@ -96,8 +96,8 @@ impl Choice<'_> {
         System::assemble(&self.source, law, &settings)
     }
 
-    /// Runs the systems until the user ends it, and writes and prints the results. What differs from one run to the next
-    /// has a column of this name.
+    /// Runs the systems until the user ends it, and writes and prints the results. What differs from one run to the
+    /// next has a column of this name.
     pub fn conclude(&self, systems: Vec<System>, column: Option<&str>) -> Result<Verdict, Failure> {
         let all = self.outcomes(systems)?;
         if let Some(path) = &self.arguments.out {
@@ -157,8 +157,8 @@ impl Choice<'_> {
         let Statistics { steps, rejected, evaluations, .. } = &one.outcome.statistics;
         let varied = self.varied(one).map_or(String::new(), |(name, value)| format!(" {name} = {value}"));
         format!(
-            "{}{varied}: {end}; {solver}, steps: {steps}, rejected: {rejected}, evaluations: {evaluations}, events: {}, \
-             {:.3} s",
+            "{}{varied}: {end}; {solver}, steps: {steps}, rejected: {rejected}, evaluations: {evaluations}, events: \
+             {}, {:.3} s",
             self.law(&one.outcome),
             events.len(),
             elapsed.as_secs_f64()

@@ -180,8 +180,8 @@ fn worth(name: &str, record: &Record) -> String {
     let Quality { samples, duration, reversals, fastest, noise, findings, .. } = &record.quality;
     let plural = if *reversals == 1 { "" } else { "s" };
     let mut text = format!(
-        "{name}: {samples} samples over {duration:.3} s, {reversals} reversal{plural}, up to {fastest:.4} m/s; noise of \
-         the force {noise:.3e} N\n"
+        "{name}: {samples} samples over {duration:.3} s, {reversals} reversal{plural}, up to {fastest:.4} m/s; noise \
+         of the force {noise:.3e} N\n"
     );
     text += &prepared(record);
     findings.iter().for_each(|finding| text += &format!("  {finding}\n"));
@@ -194,14 +194,16 @@ fn prepared(record: &Record) -> String {
     let delay = clocks.delay;
     if record.matched_filter.is_some() {
         return format!(
-            "  matched filter of force and motion, window {window:.4} s; the motion lags the force by about {delay:.5} s\n"
+            "  matched filter of force and motion, window {window:.4} s; the motion lags the force by about {delay:.5} \
+             s\n"
         );
     }
     let mut text = String::new();
     if record.is_differentiated {
         text += &format!(
-            "  velocity differentiated from the displacement, window {window:.4} s, error near rest {velocity_error:.1e} \
-             m/s; acceleration, window {acceleration_window:.4} s, error {acceleration_error:.1e} m/s2\n"
+            "  velocity differentiated from the displacement, window {window:.4} s, error near rest \
+             {velocity_error:.1e} m/s; acceleration, window {acceleration_window:.4} s, error \
+             {acceleration_error:.1e} m/s2\n"
         );
     }
     if clocks.deviation > 0.0 {
