@@ -67,7 +67,7 @@ pub enum BaseType {
 }
 
 impl Kind {
-    /// What the interfaces call it, and its unit.
+    /// Name of the kind in the interfaces, and its unit.
     pub const fn words(self) -> [&'static str; 2] {
         match self {
             Kind::Real(unit) => ["real", unit.name],

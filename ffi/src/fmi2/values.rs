@@ -138,7 +138,7 @@ unsafe fn get<B: Base>(
     unsafe { enter(c, call, body) }
 }
 
-/// Refuses what is no variable of this type. Time and derivatives are Real.
+/// Refuses a reference that is not to a variable of this type. Time and derivatives are Real.
 fn check_readable<B: Base>(component: &Component, reference: fmi2ValueReference) -> Outcome {
     match component.place(reference) {
         Some(Place::Time | Place::Derivative(_)) if B::TYPE == BaseType::Real => Ok(()),

@@ -110,7 +110,7 @@ fn removed(row: &Row, new: &Interface, old_rows: &HashMap<Key, &Row>) -> Change 
     Change::Breaking(format!("{} {what}; fix: keep the name, hosts and programs rely on it", title(row)))
 }
 
-/// What the value of an item is, and what to do if it has changed.
+/// Kind of value that an item has, and the cure if it has changed.
 fn value_of(item: &str) -> (&'static str, &'static str) {
     match item {
         "variable" => ("value reference", "restore the old name of the variable"),

@@ -3,8 +3,8 @@
 use std::sync::Mutex;
 use std::thread;
 
-/// Does numbered pieces of work in order, on at most so many threads. `begin` is called before each piece, by one thread at
-/// a time, and stops the work by returning false; `worker` returns the function with which one thread does its pieces.
+/// Runs numbered pieces of work in order, on at most `threads` threads. `begin` is called before each piece, by one thread
+/// at a time, and ends the work by returning false; `worker` returns the function that does the pieces of one thread.
 pub fn share<W: FnMut(usize)>(
     pieces: usize,
     threads: usize,

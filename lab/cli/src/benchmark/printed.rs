@@ -144,7 +144,7 @@ fn verdict(end: End, error: f64) -> String {
     }
 }
 
-/// What stands before the table, before and after the tolerance.
+/// Text before the table: up to the tolerance, and from it on.
 const HEAD: [&str; 2] = [
     "## Karnopp's law as it is printed\n\nInside its band the printed law carries whatever acts on the block; where \
      the velocity enters or leaves the band\nthe force jumps, and no event says so. The same solvers at ",

@@ -96,8 +96,8 @@ impl Choice<'_> {
         System::assemble(&self.source, law, &settings)
     }
 
-    /// Runs the systems until the user ends it, and writes and prints the results. What differs from one run to the
-    /// next has a column of this name.
+    /// Runs the systems until the user ends it, and writes and prints the results. The value or law by which
+    /// the runs differ has a column of this name.
     pub fn conclude(&self, systems: Vec<System>, column: Option<&str>) -> Result<Verdict, Failure> {
         let all = self.outcomes(systems)?;
         if let Some(path) = &self.arguments.out {
@@ -145,7 +145,7 @@ impl Choice<'_> {
         outcome.law.map_or_else(|| self.run.name(), |law| law.name)
     }
 
-    /// What the pictures call a run.
+    /// Name of a run in the pictures.
     fn label(&self, one: &Ran) -> String {
         let varied = self.varied(one).map(|(name, value)| format!("{name} = {value}"));
         varied.unwrap_or_else(|| self.law(&one.outcome).to_owned())
@@ -227,7 +227,7 @@ impl Ran {
         }
     }
 
-    /// What differs from one run to the next.
+    /// Law or value that distinguishes this run from the others.
     fn what(&self) -> String {
         self.value.map_or_else(|| self.outcome.law.map_or("", |law| law.name).to_owned(), |value| value.to_string())
     }

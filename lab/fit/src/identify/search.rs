@@ -80,7 +80,7 @@ impl Searches {
     }
 }
 
-/// What is known of a law before it is searched.
+/// Knowledge about a law before its search.
 #[derive(Default)]
 pub(super) struct First {
     /// Where the first search over the whole range ended.

@@ -125,7 +125,7 @@ fn residuals(page: &mut Page, best: &Fit) {
     );
 }
 
-/// What is to say about a law at a place in the ranking.
+/// Remark on a law at a place in the ranking, if there is one.
 pub fn note(fit: &Fit, rank: &Rank, place: usize) -> Option<&'static str> {
     let is_tied = rank.is_tied && place > 0;
     fit.searches.note().or(is_tied.then_some("cannot be distinguished from the first"))
