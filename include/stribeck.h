@@ -297,90 +297,91 @@ const char *stribeck_model_name(size_t index);
 const char *stribeck_status_text(int status);
 
 /**
- * Makes a model at its start values and writes its handle to `*model`, or NULL on failure. The handle must be freed
+ * Makes an instance at its start values and writes its handle to `*instance`, or NULL on failure. The handle must be freed
  * once with stribeck_free.
  */
-stribeck_status stribeck_create(const char *name, stribeck_instance **model);
+stribeck_status stribeck_create(const char *name,
+                                stribeck_instance **instance);
 
-/** Frees a model. NULL is ignored. */
-void stribeck_free(stribeck_instance *model);
+/** Frees an instance. NULL is ignored. */
+void stribeck_free(stribeck_instance *instance);
 
 /**
  * Reason why the last refused call on this handle was refused. The text lives until the next call on the handle. For
  * NULL it says that the handle is NULL; the only reason given by a failed stribeck_create is its status.
  */
-const char *stribeck_last_error(const stribeck_instance *model);
+const char *stribeck_last_error(const stribeck_instance *instance);
 
-/** Resets the model to its start values and to time 0. */
-stribeck_status stribeck_reset(stribeck_instance *model);
+/** Resets the instance to its start values and to time 0. */
+stribeck_status stribeck_reset(stribeck_instance *instance);
 
 /** Number of variables; 0 for NULL. */
-uint32_t stribeck_variable_count(const stribeck_instance *model);
+uint32_t stribeck_variable_count(const stribeck_instance *instance);
 
 /** Reference of the variable with that index, from 0, in the order of the enums of this header. */
-stribeck_status stribeck_reference(stribeck_instance *model, uint32_t index, uint32_t *reference);
+stribeck_status stribeck_reference(stribeck_instance *instance, uint32_t index, uint32_t *reference);
 
 /** Reference of the variable with this name. The enums of this header hold the same numbers. */
-stribeck_status stribeck_find(stribeck_instance *model, const char *variable, uint32_t *reference);
+stribeck_status stribeck_find(stribeck_instance *instance, const char *variable, uint32_t *reference);
 
 /** Describes a variable: name, unit, help text, role, kind, start value and bounds. */
-stribeck_status stribeck_describe(stribeck_instance *model, uint32_t reference, stribeck_variable *variable);
+stribeck_status stribeck_describe(stribeck_instance *instance, uint32_t reference, stribeck_variable *variable);
 
 /** Number of presets, that is, named parameter sets, of the model; 0 for NULL. */
-size_t stribeck_preset_count(const stribeck_instance *model);
+size_t stribeck_preset_count(const stribeck_instance *instance);
 
 /** Name of the preset with this index, from 0; NULL beyond the last. The text belongs to the handle. */
-const char *stribeck_preset_name(const stribeck_instance *model, size_t index);
+const char *stribeck_preset_name(const stribeck_instance *instance, size_t index);
 
 /** Source of the values of the preset with this index; NULL beyond the last. The text belongs to the handle. */
-const char *stribeck_preset_source(const stribeck_instance *model, size_t index);
+const char *stribeck_preset_source(const stribeck_instance *instance, size_t index);
 
 /**
  * Sets all parameters: those in the named preset to its values, the others to their start values. Inputs in the preset
  * are set as well.
  */
-stribeck_status stribeck_apply_preset(stribeck_instance *model, const char *preset);
+stribeck_status stribeck_apply_preset(stribeck_instance *instance, const char *preset);
 
 /** Sets a variable. Everything except computed results can be set at any time; outputs follow at once. */
-stribeck_status stribeck_set(stribeck_instance *model, uint32_t reference, double value);
+stribeck_status stribeck_set(stribeck_instance *instance, uint32_t reference, double value);
 
 /** Reads a variable; results are computed first if anything has been set since. */
-stribeck_status stribeck_get(stribeck_instance *model, uint32_t reference, double *value);
+stribeck_status stribeck_get(stribeck_instance *instance, uint32_t reference, double *value);
 
 /** As stribeck_set, by name. Slower: look the reference up once with stribeck_find if it is set often. */
-stribeck_status stribeck_set_by_name(stribeck_instance *model, const char *variable, double value);
+stribeck_status stribeck_set_by_name(stribeck_instance *instance, const char *variable, double value);
 
 /** As stribeck_get, by name. */
-stribeck_status stribeck_get_by_name(stribeck_instance *model, const char *variable, double *value);
+stribeck_status stribeck_get_by_name(stribeck_instance *instance, const char *variable, double *value);
 
-/** Advances the model by `dt` > 0 seconds with held inputs and computes the results. */
-stribeck_status stribeck_step(stribeck_instance *model, double dt);
+/** Advances the instance by `dt` > 0 seconds with held inputs and computes the results. */
+stribeck_status stribeck_step(stribeck_instance *instance, double dt);
 
 /**
  * Computes the results now, and checks that the parameters fit together and the results are finite. Advice, such as a
  * `step_limit`, is computed when it is read.
  */
-stribeck_status stribeck_output(stribeck_instance *model);
+stribeck_status stribeck_output(stribeck_instance *instance);
 
 /** Time since creation or reset, in seconds; NaN for NULL. */
-double stribeck_time(const stribeck_instance *model);
+double stribeck_time(const stribeck_instance *instance);
 
 /**
  * Partial derivative of a result with respect to an input, parameter or state, at the present values: exact, except
  * for the friction of ShockAbsorber before its first step, which is differentiated numerically.
  */
-stribeck_status stribeck_derivative(stribeck_instance *model, uint32_t output, uint32_t input, double *value);
+stribeck_status stribeck_derivative(stribeck_instance *instance, uint32_t output, uint32_t input, double *value);
 
 /**
- * Leads the model along samples of its inputs, `dt` seconds apart: at each of the `samples` it sets the inputs, reads the
+ * Leads the instance along samples of its inputs, `dt` seconds apart: at each of the `samples` it sets the inputs, reads the
  * results and, except at the last one, makes a step. Each array has a value per sample. With `held` = 0 the inputs move
  * along straight lines between the samples; otherwise they keep the earlier value, as with stribeck_step. The results are
  * the same, to the last bit, as those of single calls.
  *
- * A refused call leaves the model as it was, and stribeck_last_error names the sample; the arrays of `results` may have
+ * A refused call leaves the instance as it was, and stribeck_last_error names the sample; the arrays of `results` may have
  * been written to. Nothing is allocated between the samples. `inputs` and `results` may be NULL if there are none.
  */
-stribeck_status stribeck_run(stribeck_instance *model,
+stribeck_status stribeck_run(stribeck_instance *instance,
                              double dt,
                              size_t samples,
                              int held,
@@ -388,12 +389,12 @@ stribeck_status stribeck_run(stribeck_instance *model,
                              const stribeck_results *results);
 
 /**
- * As stribeck_run, for several runs that all begin with the present state of the model, to which it returns at the end.
+ * As stribeck_run, for several runs that all begin with the present state of the instance, to which it returns at the end.
  * Each array of `parameters`, which may be any variables that can be set, has a value per run; each array of `inputs` and
  * `results` has `samples` values per run, run after run. Runs of laws without modes, over held inputs, are made side by
  * side in the registers of the processor, with the bits of each by itself.
  */
-stribeck_status stribeck_run_many(stribeck_instance *model,
+stribeck_status stribeck_run_many(stribeck_instance *instance,
                                   double dt,
                                   size_t samples,
                                   size_t runs,
@@ -403,23 +404,23 @@ stribeck_status stribeck_run_many(stribeck_instance *model,
                                   const stribeck_results *results);
 
 /** Number of bytes that stribeck_save writes; 0 for NULL. */
-size_t stribeck_state_size(const stribeck_instance *model);
+size_t stribeck_state_size(const stribeck_instance *instance);
 
-/** Writes the complete state of the model, including parameters and time, as bytes that any process can read. */
-stribeck_status stribeck_save(stribeck_instance *model, void *buffer, size_t size);
+/** Writes the complete state of the instance, including parameters and time, as bytes that any process can read. */
+stribeck_status stribeck_save(stribeck_instance *instance, void *buffer, size_t size);
 
 /**
  * Restores a saved state of this or of another instance of the same model. Foreign or damaged bytes are refused, and
  * so is a state that only events of Model Exchange can produce (`phase`).
  */
-stribeck_status stribeck_restore(stribeck_instance *model, const void *buffer, size_t size);
+stribeck_status stribeck_restore(stribeck_instance *instance, const void *buffer, size_t size);
 
 /**
  * Warning about the present values, if some were accepted although they make no sense, such as an unconnected input at
  * 0; otherwise an empty text. Best called after the first step; the library does not report warnings by itself. The
  * text lives until the next call of this function on the handle. For NULL it says that the handle is NULL.
  */
-const char *stribeck_warning(stribeck_instance *model);
+const char *stribeck_warning(stribeck_instance *instance);
 
 /** Enters event mode, in which inputs may jump. */
 fmi2Status fmi2EnterEventMode(fmi2Component c);

@@ -194,16 +194,16 @@ impl Handle for stribeck_instance {
     }
 }
 
-/// Runs `body` on the model behind the handle.
+/// Runs `body` on the instance behind the handle.
 ///
 /// # Safety
 /// As in the documentation of the module.
 unsafe fn enter(
-    model: *mut stribeck_instance,
+    instance: *mut stribeck_instance,
     body: impl FnOnce(&mut stribeck_instance) -> Outcome,
 ) -> stribeck_status {
     // SAFETY: the caller's promise.
-    unsafe { model.as_mut() }.map_or(STRIBECK_NULL, |model| guard::run(model, (), body))
+    unsafe { instance.as_mut() }.map_or(STRIBECK_NULL, |handle| guard::run(handle, (), body))
 }
 
 /// The name behind a pointer.
@@ -258,15 +258,18 @@ pub extern "C" fn stribeck_status_text(status: c_int) -> *const c_char {
     TEXTS.get(index).unwrap_or(&c"unknown status").as_ptr()
 }
 
-/// Makes a model at its start values and writes its handle to `*model`, or NULL on failure. The handle must be freed
+/// Makes an instance at its start values and writes its handle to `*instance`, or NULL on failure. The handle must be freed
 /// once with stribeck_free.
 ///
 /// # Safety
-/// `name` must be NULL or zero-terminated; `model` must be NULL or writable.
+/// `name` must be NULL or zero-terminated; `instance` must be NULL or writable.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_create(name: *const c_char, model: *mut *mut stribeck_instance) -> stribeck_status {
+pub unsafe extern "C" fn stribeck_create(
+    name: *const c_char,
+    instance: *mut *mut stribeck_instance,
+) -> stribeck_status {
     // SAFETY: the caller's promises.
-    let (name, place) = unsafe { (text(name, "name"), model.as_mut()) };
+    let (name, place) = unsafe { (text(name, "name"), instance.as_mut()) };
     let Some(place) = place else { return STRIBECK_NULL };
     *place = null_mut();
     let Ok(name) = name else { return STRIBECK_NULL };
@@ -280,7 +283,7 @@ pub unsafe extern "C" fn stribeck_create(name: *const c_char, model: *mut *mut s
     }
 }
 
-/// Why no model was made.
+/// Why no instance was made.
 struct NoModel(stribeck_status);
 
 impl From<Internal> for NoModel {
@@ -309,16 +312,16 @@ fn make(model: &'static ModelType) -> Result<Box<stribeck_instance>, NoModel> {
     Ok(memory::boxed(stribeck_instance { instance: Instance::try_new(model)?, texts, presets, error, warning })?)
 }
 
-/// Frees a model. NULL is ignored.
+/// Frees an instance. NULL is ignored.
 ///
 /// # Safety
 /// The handle must not be used afterwards.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_free(model: *mut stribeck_instance) {
-    if !model.is_null() {
+pub unsafe extern "C" fn stribeck_free(instance: *mut stribeck_instance) {
+    if !instance.is_null() {
         // SAFETY: handles come from `Box::into_raw` in `stribeck_create`, and the caller promises that this is the last
         // use.
-        drop(unsafe { Box::from_raw(model) });
+        drop(unsafe { Box::from_raw(instance) });
     }
 }
 
@@ -328,23 +331,23 @@ pub unsafe extern "C" fn stribeck_free(model: *mut stribeck_instance) {
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_last_error(model: *const stribeck_instance) -> *const c_char {
+pub unsafe extern "C" fn stribeck_last_error(instance: *const stribeck_instance) -> *const c_char {
     // SAFETY: the caller's promise.
-    unsafe { model.as_ref() }.map_or(c"the handle is NULL".as_ptr(), |model| model.error.as_ptr())
+    unsafe { instance.as_ref() }.map_or(c"the handle is NULL".as_ptr(), |handle| handle.error.as_ptr())
 }
 
-/// Resets the model to its start values and to time 0.
+/// Resets the instance to its start values and to time 0.
 ///
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_reset(model: *mut stribeck_instance) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
-        model.instance.reset();
+pub unsafe extern "C" fn stribeck_reset(instance: *mut stribeck_instance) -> stribeck_status {
+    let body = |handle: &mut stribeck_instance| {
+        handle.instance.reset();
         Ok(())
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }
 
 /// Number of variables; 0 for NULL.
@@ -352,9 +355,9 @@ pub unsafe extern "C" fn stribeck_reset(model: *mut stribeck_instance) -> stribe
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_variable_count(model: *const stribeck_instance) -> u32 {
+pub unsafe extern "C" fn stribeck_variable_count(instance: *const stribeck_instance) -> u32 {
     // SAFETY: the caller's promise.
-    unsafe { model.as_ref() }.map_or(0, |model| model.instance.model().variables().count() as u32)
+    unsafe { instance.as_ref() }.map_or(0, |handle| handle.instance.model().variables().count() as u32)
 }
 
 /// Reference of the variable with that index, from 0, in the order of the enums of this header.
@@ -363,14 +366,14 @@ pub unsafe extern "C" fn stribeck_variable_count(model: *const stribeck_instance
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_reference(
-    model: *mut stribeck_instance,
+    instance: *mut stribeck_instance,
     index: u32,
     reference: *mut u32,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
+    let body = |handle: &mut stribeck_instance| {
         // SAFETY: the caller's promise.
         let place = unsafe { place(reference, "reference") }?;
-        let model = model.instance.model();
+        let model = handle.instance.model();
         let Some((column, _)) = model.variables().nth(index as usize) else {
             let count = model.variables().count();
             let text = format_args!("{} has {count} variables, none with the index {index}", model.name);
@@ -380,7 +383,7 @@ pub unsafe extern "C" fn stribeck_reference(
         Ok(())
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }
 
 /// Reference of the variable with this name. The enums of this header hold the same numbers.
@@ -389,18 +392,18 @@ pub unsafe extern "C" fn stribeck_reference(
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_find(
-    model: *mut stribeck_instance,
+    instance: *mut stribeck_instance,
     variable: *const c_char,
     reference: *mut u32,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
+    let body = |handle: &mut stribeck_instance| {
         // SAFETY: the caller's promises.
         let (name, place) = unsafe { (text(variable, "variable")?, place(reference, "reference")?) };
-        *place = model.instance.model().reference(model.instance.column_by_name(name)?);
+        *place = handle.instance.model().reference(handle.instance.column_by_name(name)?);
         Ok(())
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }
 
 /// Describes a variable: name, unit, help text, role, kind, start value and bounds.
@@ -409,17 +412,17 @@ pub unsafe extern "C" fn stribeck_find(
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_describe(
-    model: *mut stribeck_instance,
+    instance: *mut stribeck_instance,
     reference: u32,
     variable: *mut stribeck_variable,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
-        let column = model.instance.column(reference)?;
-        let known = &model.instance.model().table.at(column);
+    let body = |handle: &mut stribeck_instance| {
+        let column = handle.instance.column(reference)?;
+        let known = &handle.instance.model().table.at(column);
         let [min, max] = [known.bound.min(), known.bound.max()];
         // Without events no other value is accepted: see `check_for_steps`.
         let [min, max] = if known.is_settled_by_events() { [known.start; 2] } else { [min, max] };
-        let [name, unit, help] = model.texts[column].each_ref().map(|text| text.as_ptr());
+        let [name, unit, help] = handle.texts[column].each_ref().map(|text| text.as_ptr());
         // SAFETY: the caller's promise.
         let place = unsafe { place(variable, "variable") }?;
         let (role, kind, start) = (role(known.role), kind(known.kind), known.start);
@@ -427,7 +430,7 @@ pub unsafe extern "C" fn stribeck_describe(
         Ok(())
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }
 
 fn role(role: Role) -> stribeck_role {
@@ -455,9 +458,9 @@ fn kind(kind: Kind) -> stribeck_kind {
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_preset_count(model: *const stribeck_instance) -> usize {
+pub unsafe extern "C" fn stribeck_preset_count(instance: *const stribeck_instance) -> usize {
     // SAFETY: the caller's promise.
-    unsafe { model.as_ref() }.map_or(0, |model| model.presets.len())
+    unsafe { instance.as_ref() }.map_or(0, |handle| handle.presets.len())
 }
 
 /// Name of the preset with this index, from 0; NULL beyond the last. The text belongs to the handle.
@@ -465,9 +468,9 @@ pub unsafe extern "C" fn stribeck_preset_count(model: *const stribeck_instance) 
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_preset_name(model: *const stribeck_instance, index: usize) -> *const c_char {
+pub unsafe extern "C" fn stribeck_preset_name(instance: *const stribeck_instance, index: usize) -> *const c_char {
     // SAFETY: the caller's promise.
-    unsafe { preset_text(model, index, 0) }
+    unsafe { preset_text(instance, index, 0) }
 }
 
 /// Source of the values of the preset with this index; NULL beyond the last. The text belongs to the handle.
@@ -475,16 +478,16 @@ pub unsafe extern "C" fn stribeck_preset_name(model: *const stribeck_instance, i
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_preset_source(model: *const stribeck_instance, index: usize) -> *const c_char {
+pub unsafe extern "C" fn stribeck_preset_source(instance: *const stribeck_instance, index: usize) -> *const c_char {
     // SAFETY: the caller's promise.
-    unsafe { preset_text(model, index, 1) }
+    unsafe { preset_text(instance, index, 1) }
 }
 
 /// # Safety
 /// As the module says of handles.
-unsafe fn preset_text(model: *const stribeck_instance, index: usize, which: usize) -> *const c_char {
+unsafe fn preset_text(instance: *const stribeck_instance, index: usize, which: usize) -> *const c_char {
     // SAFETY: the caller's promise.
-    let preset = unsafe { model.as_ref() }.and_then(|model| model.presets.get(index));
+    let preset = unsafe { instance.as_ref() }.and_then(|handle| handle.presets.get(index));
     preset.map_or(null(), |texts| texts[which].as_ptr())
 }
 
@@ -495,20 +498,20 @@ unsafe fn preset_text(model: *const stribeck_instance, index: usize, which: usiz
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_apply_preset(
-    model: *mut stribeck_instance,
+    instance: *mut stribeck_instance,
     preset: *const c_char,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
+    let body = |handle: &mut stribeck_instance| {
         // SAFETY: the caller's promise.
         let name = unsafe { text(preset, "preset") }?;
-        if !model.instance.apply(name) {
-            let model = model.instance.model().name;
+        if !handle.instance.apply(name) {
+            let model = handle.instance.model().name;
             return refuse(STRIBECK_UNKNOWN_MODEL, format_args!("{model} has no preset '{name}'"));
         }
         Ok(())
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }
 
 /// Sets a variable. Everything except computed results can be set at any time; outputs follow at once.
@@ -516,9 +519,9 @@ pub unsafe extern "C" fn stribeck_apply_preset(
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_set(model: *mut stribeck_instance, reference: u32, value: f64) -> stribeck_status {
+pub unsafe extern "C" fn stribeck_set(instance: *mut stribeck_instance, reference: u32, value: f64) -> stribeck_status {
     // SAFETY: the caller's promise.
-    unsafe { enter(model, |model| Ok(model.instance.set(reference, value)?)) }
+    unsafe { enter(instance, |handle| Ok(handle.instance.set(reference, value)?)) }
 }
 
 /// Reads a variable; results are computed first if anything has been set since.
@@ -527,18 +530,18 @@ pub unsafe extern "C" fn stribeck_set(model: *mut stribeck_instance, reference: 
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_get(
-    model: *mut stribeck_instance,
+    instance: *mut stribeck_instance,
     reference: u32,
     value: *mut f64,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
+    let body = |handle: &mut stribeck_instance| {
         // SAFETY: the caller's promise.
         let place = unsafe { place(value, "value") }?;
-        *place = model.instance.get(reference)?;
+        *place = handle.instance.get(reference)?;
         Ok(())
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }
 
 /// As stribeck_set, by name. Slower: look the reference up once with stribeck_find if it is set often.
@@ -547,17 +550,17 @@ pub unsafe extern "C" fn stribeck_get(
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_set_by_name(
-    model: *mut stribeck_instance,
+    instance: *mut stribeck_instance,
     variable: *const c_char,
     value: f64,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
+    let body = |handle: &mut stribeck_instance| {
         // SAFETY: the caller's promise.
         let name = unsafe { text(variable, "variable") }?;
-        Ok(model.instance.set_by_name(name, value)?)
+        Ok(handle.instance.set_by_name(name, value)?)
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }
 
 /// As stribeck_get, by name.
@@ -566,35 +569,35 @@ pub unsafe extern "C" fn stribeck_set_by_name(
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_get_by_name(
-    model: *mut stribeck_instance,
+    instance: *mut stribeck_instance,
     variable: *const c_char,
     value: *mut f64,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
+    let body = |handle: &mut stribeck_instance| {
         // SAFETY: the caller's promises.
         let (name, place) = unsafe { (text(variable, "variable")?, place(value, "value")?) };
-        *place = model.instance.get_by_name(name)?;
+        *place = handle.instance.get_by_name(name)?;
         Ok(())
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }
 
-/// Advances the model by `dt` > 0 seconds with held inputs and computes the results.
+/// Advances the instance by `dt` > 0 seconds with held inputs and computes the results.
 ///
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_step(model: *mut stribeck_instance, dt: f64) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
+pub unsafe extern "C" fn stribeck_step(instance: *mut stribeck_instance, dt: f64) -> stribeck_status {
+    let body = |handle: &mut stribeck_instance| {
         if !(dt > 0.0 && dt.is_finite()) {
             return refuse(STRIBECK_REFUSED_VALUE, format_args!("dt = {dt}: must be > 0 and finite"));
         }
-        model.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
-        model.instance.step(dt).map_err(fault(STRIBECK_NOT_FINITE))
+        handle.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
+        handle.instance.step(dt).map_err(fault(STRIBECK_NOT_FINITE))
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }
 
 /// Computes the results now, and checks that the parameters fit together and the results are finite. Advice, such as a
@@ -603,13 +606,13 @@ pub unsafe extern "C" fn stribeck_step(model: *mut stribeck_instance, dt: f64) -
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_output(model: *mut stribeck_instance) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
-        model.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
-        model.instance.refresh_to(Computed::Main).map_err(fault(STRIBECK_NOT_FINITE))
+pub unsafe extern "C" fn stribeck_output(instance: *mut stribeck_instance) -> stribeck_status {
+    let body = |handle: &mut stribeck_instance| {
+        handle.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
+        handle.instance.refresh_to(Computed::Main).map_err(fault(STRIBECK_NOT_FINITE))
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }
 
 /// Time since creation or reset, in seconds; NaN for NULL.
@@ -617,9 +620,9 @@ pub unsafe extern "C" fn stribeck_output(model: *mut stribeck_instance) -> strib
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_time(model: *const stribeck_instance) -> f64 {
+pub unsafe extern "C" fn stribeck_time(instance: *const stribeck_instance) -> f64 {
     // SAFETY: the caller's promise.
-    unsafe { model.as_ref() }.map_or(f64::NAN, |model| model.instance.time())
+    unsafe { instance.as_ref() }.map_or(f64::NAN, |handle| handle.instance.time())
 }
 
 /// The result of a derivative that exists.
@@ -641,17 +644,17 @@ fn differentiable(instance: &Instance, output: usize, input: usize) -> Result<Va
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_derivative(
-    model: *mut stribeck_instance,
+    instance: *mut stribeck_instance,
     output: u32,
     input: u32,
     value: *mut f64,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
-        let (output, input) = (model.instance.column(output)?, model.instance.column(input)?);
-        let result = differentiable(&model.instance, output, input)?;
+    let body = |handle: &mut stribeck_instance| {
+        let (output, input) = (handle.instance.column(output)?, handle.instance.column(input)?);
+        let result = differentiable(&handle.instance, output, input)?;
         // SAFETY: the caller's promise.
         let place = unsafe { place(value, "value") }?;
-        let slope = model.instance.derivative([(input, 1.0)].into_iter())[output].slope;
+        let slope = handle.instance.derivative([(input, 1.0)].into_iter())[output].slope;
         if !slope.is_finite() {
             return refuse(STRIBECK_NOT_FINITE, format_args!("the derivative of {} is not finite", result.path));
         }
@@ -659,5 +662,5 @@ pub unsafe extern "C" fn stribeck_derivative(
         Ok(())
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }

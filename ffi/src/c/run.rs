@@ -126,7 +126,7 @@ impl stribeck_results {
     }
 }
 
-/// How a model is led.
+/// How an instance is led.
 #[derive(Clone, Copy)]
 struct Way {
     dt: f64,
@@ -137,11 +137,11 @@ struct Way {
 
 impl Way {
     /// Checks the numbers of a call.
-    fn of(model: &mut stribeck_instance, dt: f64, samples: usize, runs: usize, held: c_int) -> Result<Way, Refusal> {
+    fn of(handle: &mut stribeck_instance, dt: f64, samples: usize, runs: usize, held: c_int) -> Result<Way, Refusal> {
         if !(dt > 0.0 && dt.is_finite()) {
             return refuse(STRIBECK_REFUSED_VALUE, format_args!("dt = {}: must be > 0 and finite", Brief(dt)));
         }
-        model.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
+        handle.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
         let most = isize::MAX as usize / size_of::<f64>();
         if samples.checked_mul(runs).is_none_or(|length| length > most) {
             let text = format_args!("{runs} runs of {samples} samples: more than memory holds");
@@ -151,7 +151,7 @@ impl Way {
         Ok(Way { dt, samples, runs, between })
     }
 
-    /// Makes all runs from the present state, to which the model returns after an error, or anyway if it `returns`.
+    /// Makes all runs from the present state, to which the instance returns after an error, or anyway if it `returns`.
     ///
     /// # Safety
     /// As the module says of pointers.
@@ -216,35 +216,35 @@ impl Way {
     }
 }
 
-/// Leads the model along samples of its inputs, `dt` seconds apart: at each of the `samples` it sets the inputs, reads the
+/// Leads the instance along samples of its inputs, `dt` seconds apart: at each of the `samples` it sets the inputs, reads the
 /// results and, except at the last one, makes a step. Each array has a value per sample. With `held` = 0 the inputs move
 /// along straight lines between the samples; otherwise they keep the earlier value, as with stribeck_step. The results are
 /// the same, to the last bit, as those of single calls.
 ///
-/// A refused call leaves the model as it was, and stribeck_last_error names the sample; the arrays of `results` may have
+/// A refused call leaves the instance as it was, and stribeck_last_error names the sample; the arrays of `results` may have
 /// been written to. Nothing is allocated between the samples. `inputs` and `results` may be NULL if there are none.
 ///
 /// # Safety
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_run(
-    model: *mut stribeck_instance,
+    instance: *mut stribeck_instance,
     dt: f64,
     samples: usize,
     held: c_int,
     inputs: *const stribeck_samples,
     results: *const stribeck_results,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
-        let way = Way::of(model, dt, samples, 1, held)?;
+    let body = |handle: &mut stribeck_instance| {
+        let way = Way::of(handle, dt, samples, 1, held)?;
         // SAFETY: the caller's promises.
-        unsafe { way.lead(&mut model.instance, [null(), inputs], results, false) }
+        unsafe { way.lead(&mut handle.instance, [null(), inputs], results, false) }
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }
 
-/// As stribeck_run, for several runs that all begin with the present state of the model, to which it returns at the end.
+/// As stribeck_run, for several runs that all begin with the present state of the instance, to which it returns at the end.
 /// Each array of `parameters`, which may be any variables that can be set, has a value per run; each array of `inputs` and
 /// `results` has `samples` values per run, run after run. Runs of laws without modes, over held inputs, are made side by
 /// side in the registers of the processor, with the bits of each by itself.
@@ -253,7 +253,7 @@ pub unsafe extern "C" fn stribeck_run(
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_run_many(
-    model: *mut stribeck_instance,
+    instance: *mut stribeck_instance,
     dt: f64,
     samples: usize,
     runs: usize,
@@ -262,11 +262,11 @@ pub unsafe extern "C" fn stribeck_run_many(
     inputs: *const stribeck_samples,
     results: *const stribeck_results,
 ) -> stribeck_status {
-    let body = |model: &mut stribeck_instance| {
-        let way = Way::of(model, dt, samples, runs, held)?;
+    let body = |handle: &mut stribeck_instance| {
+        let way = Way::of(handle, dt, samples, runs, held)?;
         // SAFETY: the caller's promises.
-        unsafe { way.lead(&mut model.instance, [parameters, inputs], results, true) }
+        unsafe { way.lead(&mut handle.instance, [parameters, inputs], results, true) }
     };
     // SAFETY: the caller's promise.
-    unsafe { enter(model, body) }
+    unsafe { enter(instance, body) }
 }

@@ -14,20 +14,20 @@ use stribeck::memory::{self, OUT_OF_MEMORY};
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_warning(model: *mut stribeck_instance) -> *const c_char {
+pub unsafe extern "C" fn stribeck_warning(instance: *mut stribeck_instance) -> *const c_char {
     let mut text: *const c_char = c"the handle is NULL".as_ptr();
-    let body = |model: &mut stribeck_instance| {
-        model.warning = match model.instance.warning() {
+    let body = |handle: &mut stribeck_instance| {
+        handle.warning = match handle.instance.warning() {
             None => Cow::Borrowed(c""),
             Some(warning) => memory::c_text(&warning.0).map_or(Cow::Borrowed(OUT_OF_MEMORY), Cow::Owned),
         };
-        text = model.warning.as_ptr();
+        text = handle.warning.as_ptr();
         Ok(())
     };
     // SAFETY: the caller's promise.
-    let status = unsafe { enter(model, body) };
+    let status = unsafe { enter(instance, body) };
     // A model that panics has given the reason to stribeck_last_error.
-    if status == STRIBECK_OK || model.is_null() { text } else { c"".as_ptr() }
+    if status == STRIBECK_OK || instance.is_null() { text } else { c"".as_ptr() }
 }
 
 #[cfg(test)]
@@ -38,9 +38,9 @@ mod tests {
     use super::*;
     use crate::c::*;
 
-    fn text<'a>(model: *mut stribeck_instance) -> &'a CStr {
+    fn text<'a>(instance: *mut stribeck_instance) -> &'a CStr {
         // SAFETY: NULL or a live handle; each text is compared before the next call.
-        unsafe { CStr::from_ptr(stribeck_warning(model)) }
+        unsafe { CStr::from_ptr(stribeck_warning(instance)) }
     }
 
     #[test]
