@@ -157,7 +157,7 @@ pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)
     };
     let ranking = inquiry.fits(&data, &mut |_| {}, Watch { cancel: &cancel, progress: &report })?;
     let best = ranking.best();
-    let fitted = best.predicted_in(&best.seen(&data.records[0].1), 0);
+    let fitted = best.predicted_in(&best.corrected(&data.records[0].1), 0);
     let cycle = average(&fitted).map(|cycle| cycle.friction_force);
     let arrays = std::iter::once(fitted.friction_force).chain(cycle).collect();
     let answer = Fitted {

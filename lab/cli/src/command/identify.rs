@@ -295,7 +295,7 @@ fn save(arguments: &Arguments, best: &Fit) -> Result<(), Failure> {
 
 fn curves(folder: &Path, records: &[(String, Record)], facts: &Identification) -> Result<(), Failure> {
     for (number, (name, record)) in records.iter().enumerate() {
-        let record = &facts.ranking.best().seen(record);
+        let record = &facts.ranking.best().corrected(record);
         write(&folder.join(format!("{name}.csv")), record.csv().map_err(Fault::value)?)?;
         if let Some(cycle) = average(record) {
             write(&folder.join(format!("{name}-cycle.csv")), cycle.csv().map_err(Fault::value)?)?;

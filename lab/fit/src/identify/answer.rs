@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use ts_rs::TS;
 
-use super::output::{EARLY, told};
+use super::output::{EARLY, text_of};
 use super::{Data, Estimate, Fit, Rank, Ranking, Searches, Verdict};
 
 /// Laws fitted to records.
@@ -132,15 +132,15 @@ fn law(fit: &Fit, place: &Rank) -> FittedLaw {
 }
 
 fn parameter(one: &Estimate, searches: Searches) -> FittedParameter {
-    let is_told = one.verdict == Verdict::Determined;
+    let is_determined = one.verdict == Verdict::Determined;
     FittedParameter {
         name: one.name.clone(),
         unit: one.unit,
         difference_of: one.difference_of().map(|names| names.map(str::to_owned)),
         verdict: one.verdict.to_string(),
-        value: is_told.then_some(one.value),
-        interval: (is_told && searches != Searches::Ended).then(|| one.interval()),
-        repeated: one.repeated.filter(|_| is_told),
-        text: told(one, searches),
+        value: is_determined.then_some(one.value),
+        interval: (is_determined && searches != Searches::Ended).then(|| one.interval()),
+        repeated: one.repeated.filter(|_| is_determined),
+        text: text_of(one, searches),
     }
 }

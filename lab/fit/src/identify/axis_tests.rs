@@ -67,7 +67,7 @@ fn a_record_of_the_axis_gives_back_its_parameters() {
         assert!((low..=high).contains(&truth), "{one:?}");
     }
     // What pictures show: the force without inertia and offset.
-    let seen = fit.seen(&record);
+    let seen = fit.corrected(&record);
     let predicted = fit.predicted_in(&seen, 0);
     let fastest = seen.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     let fast: Vec<usize> = (0..seen.time.len()).filter(|at| seen.velocity[*at].abs() > 0.2 * fastest).collect();

@@ -139,13 +139,13 @@ impl Optimum<'_> {
         let parameter = &self.problem.parameters[number];
         let Parameter { name, unit, target, meaning, .. } = parameter.clone();
         let deviation = self.trust.standard_deviations[number];
-        let told = self.trust.verdicts[number].clone();
-        let profile = (intervals.has_profiles && told.is_told()).then(|| self.profile(number));
+        let verdict = self.trust.verdicts[number].clone();
+        let profile = (intervals.has_profiles && verdict.is_informative()).then(|| self.profile(number));
         let verdict = match profile.filter(|ends| is_open(parameter, value, *ends)) {
             Some([low, high]) => Verdict::Undetermined(format!(
                 "the other parameters can compensate for it, with {name} from {low:.3e} to {high:.3e}"
             )),
-            None => told,
+            None => verdict,
         };
         let linear = around(value, deviation + self.problem.doubt_of_mass(parameter) * value / WIDTH);
         let repeated = intervals.repeated(|values| values[number]);

@@ -77,7 +77,7 @@ impl Optimum<'_> {
     /// value there. If noise is what tells a parameter, which it does in one of twenty records, its interval is wrong.
     pub fn without_effect(&self) -> Vec<(usize, f64)> {
         let Optimum { problem, trust, .. } = *self;
-        let is_told = |number: &usize| {
+        let is_candidate = |number: &usize| {
             problem.parameters[*number].scale == Scale::Logarithmic && trust.verdicts[*number] == Verdict::Determined
         };
         let is_alike = |number: usize, coordinate: f64| {
@@ -88,7 +88,7 @@ impl Optimum<'_> {
             let coordinate = [0.0, 1.0].into_iter().find(|coordinate| is_alike(number, *coordinate))?;
             Some((number, problem.parameters[number].value(coordinate)[0]))
         };
-        (0..problem.parameters.len()).filter(is_told).filter_map(alike).collect()
+        (0..problem.parameters.len()).filter(is_candidate).filter_map(alike).collect()
     }
 
     /// Points that explain the force as well, with each parameter that the data do not determine held elsewhere: far from
@@ -97,7 +97,7 @@ impl Optimum<'_> {
         let Optimum { problem, best, trust, .. } = *self;
         let is_free = |number: &usize| matches!(trust.verdicts[*number], Verdict::Undetermined(_));
         let mut found = Vec::new();
-        if !trust.verdicts.iter().any(Verdict::is_told) {
+        if !trust.verdicts.iter().any(Verdict::is_informative) {
             return found;
         }
         for number in (0..problem.parameters.len()).filter(is_free) {
@@ -428,8 +428,8 @@ mod tests {
         for seed in [0, 2] {
             let data = measured("Stribeck", &[("stribeck_velocity", 0.06)], &sliding, 0.01, seed);
             let fit = fitted("Stribeck", &[data], &Settings { profiles: true, ..quick() });
-            let told = estimate(&fit, "stribeck_velocity").verdict.to_string();
-            assert!(told.ends_with("an end of its range, the force is predicted almost as well"), "{told}");
+            let verdict = estimate(&fit, "stribeck_velocity").verdict.to_string();
+            assert!(verdict.ends_with("an end of its range, the force is predicted almost as well"), "{verdict}");
         }
     }
 
@@ -458,11 +458,11 @@ mod tests {
         let judged = fitter(&problem).judge(&best).unwrap();
         let number = |name: &str| problem.parameters.iter().position(|one| one.name == name).unwrap();
         let [excess, gamma] = ["mu_s - mu_k", "gamma"].map(number);
-        assert!(!judged.trust.verdicts[excess].is_told(), "{:?}", judged.trust.verdicts);
+        assert!(!judged.trust.verdicts[excess].is_informative(), "{:?}", judged.trust.verdicts);
         let most = judged.trust.alternatives.iter().map(|other| problem.values(&other.end.point)[excess]);
         let most = most.fold(0.0, f64::max);
         assert!(most > 10.0 * problem.values(&best.point)[excess], "{most} {:?}", problem.values(&best.point));
-        assert!(!judged.trust.verdicts[gamma].is_told());
+        assert!(!judged.trust.verdicts[gamma].is_informative());
         // Where the time is a little longer than the rests, slopes alone show it.
         let slopes =
             uncertainty(&problem, &point(&problem, &[("gamma", 0.03), ("mu_s - mu_k", 0.0015)]), &judged.residuals);

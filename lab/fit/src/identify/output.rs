@@ -74,9 +74,9 @@ pub fn of_law(law: &ModelType, reference: &Reference) -> Option<Reference> {
 }
 
 impl Fit {
-    /// A record that was fitted as the fit sees it: with the motion at the delay, and the friction force without the
+    /// A record that was fitted, corrected: with the motion at the delay, and the friction force without the
     /// inertia and the offset, that were found.
-    pub fn seen(&self, record: &Record) -> Record {
+    pub fn corrected(&self, record: &Record) -> Record {
         let as_is = Experiment::new("record", record);
         let by = self.physical.delay.filter(|_| as_is.delay_range.is_some()).map_or(0.0, |delay| delay - as_is.delay);
         let moved = as_is.with_delay(self.physical.delay).into_owned();
@@ -88,9 +88,9 @@ impl Fit {
 
     /// The same with the friction force that the law explains in it; its number is that of the experiments that were
     /// fitted.
-    pub fn predicted_in(&self, seen: &Record, number: usize) -> Record {
-        let friction_force = self.without_inertia(&self.predicted[number], &seen.acceleration);
-        Record { friction_force, ..seen.clone() }
+    pub fn predicted_in(&self, corrected: &Record, number: usize) -> Record {
+        let friction_force = self.without_inertia(&self.predicted[number], &corrected.acceleration);
+        Record { friction_force, ..corrected.clone() }
     }
 
     /// Friction in forces of the load cell.
@@ -111,10 +111,10 @@ impl Fit {
     pub fn values(&self) -> Vec<(String, f64)> {
         // Some laws have a parameter mass as well, which is not that of the rig.
         let is_of_law = |name: &str| !OF_RIG.contains(&name) && self.law.find(name).is_some();
-        let is_told = |one: &&Estimate| one.verdict == Verdict::Determined && is_of_law(&one.name);
+        let is_determined = |one: &&Estimate| one.verdict == Verdict::Determined && is_of_law(&one.name);
         let held = self.held.iter().map(|(column, value)| (self.name_of(*column), *value));
-        let told = self.estimates.iter().filter(is_told).map(|one| (one.name.clone(), one.value));
-        held.chain(told).collect()
+        let determined = self.estimates.iter().filter(is_determined).map(|one| (one.name.clone(), one.value));
+        held.chain(determined).collect()
     }
 
     /// The kinetic level, if the static one is not determined and has a start value below it: the law takes no less.
@@ -185,7 +185,8 @@ impl Fit {
         let mut text = self.heading();
         let width = self.estimates.iter().map(|one| one.name.len()).max().unwrap_or(0);
         for one in &self.estimates {
-            let _ = writeln!(text, "  {:<width$}  {}{}", one.name, told(one, self.searches), compared(one, reference));
+            let _ =
+                writeln!(text, "  {:<width$}  {}{}", one.name, text_of(one, self.searches), compared(one, reference));
         }
         for note in self.note().iter().map(String::as_str).chain(self.is_cancelled.then_some(EARLY)) {
             let _ = writeln!(text, "{note}");
@@ -218,7 +219,7 @@ impl Fit {
 pub const EARLY: &str = "ended early: the best values so far, without profiles and repetitions";
 
 /// Value and intervals of a parameter, or why it has none.
-pub(super) fn told(one: &Estimate, searches: Searches) -> String {
+pub(super) fn text_of(one: &Estimate, searches: Searches) -> String {
     let unit = if one.unit == "1" { "" } else { one.unit };
     if one.verdict != Verdict::Determined {
         return one.verdict.to_string();

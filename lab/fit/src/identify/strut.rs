@@ -65,7 +65,7 @@ pub fn strut_friction(
     let once = |options: &Options| strut_friction_once(law, test, options, task, watch);
     let first = once(options)?;
     let falling = first.fit.estimates.iter().find(|one| one.meaning == Meaning::FallSpeed);
-    match falling.filter(is_told) {
+    match falling.filter(is_determined) {
         Some(one) if FALLEN * one.value < options.low_speed => {
             once(&Options { falling: FALLEN * one.value, ..*options })
         }
@@ -118,18 +118,18 @@ impl StrutFriction {
     /// Translates the fit into values of the strut.
     pub(super) fn transfer(&mut self, strut: &'static ModelType, mu: f64) -> Result<(), Fault> {
         let law = self.fit.law;
-        let told = |meaning: Meaning| {
+        let estimate = |meaning: Meaning| {
             let is_it = |one: &&Estimate| one.meaning == meaning && matches!(one.target, Target::Column(_));
             self.fit.estimates.iter().find(is_it)
         };
-        let kinetic = told(Meaning::KineticLevel);
+        let kinetic = estimate(Meaning::KineticLevel);
         let reason = || kinetic.map_or("the law has none".to_owned(), |one| one.verdict.to_string());
         let unknown = || refused(law, format_args!("mu_k, on which all levels depend: {}", reason()));
-        let kinetic = kinetic.filter(is_told).ok_or_else(unknown)?.value;
+        let kinetic = kinetic.filter(is_determined).ok_or_else(unknown)?.value;
         let level = kinetic * self.load * SHARE;
         let starts = ParameterSet::starts(strut, ["c1.preload_k", "c1.preload_s"]).map_err(Fault::value)?;
-        let ratio = match told(Meaning::StaticLevel) {
-            Some(one) if is_told(&one) => one.value / kinetic,
+        let ratio = match estimate(Meaning::StaticLevel) {
+            Some(one) if is_determined(&one) => one.value / kinetic,
             // Not seen: as for a test that has no slow strokes.
             _ => starts[1] / starts[0],
         };
@@ -147,12 +147,13 @@ impl StrutFriction {
     /// The other parameters, each by its unit.
     fn others(&mut self, strut: &'static ModelType, kinetic: f64, mu: f64) {
         for one in &self.fit.estimates {
-            let is_level = one.meaning == Meaning::KineticLevel || one.meaning == Meaning::StaticLevel && is_told(&one);
+            let is_level =
+                one.meaning == Meaning::KineticLevel || one.meaning == Meaning::StaticLevel && is_determined(&one);
             if is_level || !matches!(one.target, Target::Column(_)) {
                 continue;
             }
             // The strut may have fewer elements than the law.
-            match in_strut(strut, self.fit.law.name, &one.name).filter(|_| is_told(&one)) {
+            match in_strut(strut, self.fit.law.name, &one.name).filter(|_| is_determined(&one)) {
                 Some(name) => self.values.push((name, factor(one, kinetic, mu) * one.value)),
                 None => self.left.push(one.name.clone()),
             }
@@ -171,7 +172,7 @@ fn factor(one: &Estimate, kinetic: f64, mu: f64) -> f64 {
     }
 }
 
-fn is_told(one: &&Estimate) -> bool {
+fn is_determined(one: &&Estimate) -> bool {
     one.verdict == Verdict::Determined
 }
 

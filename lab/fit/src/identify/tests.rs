@@ -186,7 +186,7 @@ fn steady_sliding_tells_nothing_about_bristles() {
 }
 
 #[test]
-fn what_is_not_told_from_zero_has_an_upper_limit_only() {
+fn a_level_not_told_from_zero_has_an_upper_limit_only() {
     let data = [measured("CoulombViscous", &[("viscous_coefficient", 0.0)], &standard(500), 0.01, 1)];
     let fit = fitted("CoulombViscous", &data, &Settings { budget: 400, ..quick() });
     let Verdict::AtMost(most) = estimate(&fit, "viscous_coefficient").verdict else { panic!("{:?}", fit.estimates) };
@@ -202,8 +202,8 @@ fn one_load_tells_nothing_about_the_influence_of_the_load() {
     let held = Experiment { normal_force: vec![20.0; 2000], ..standard(2000) };
     let alone = [measured("BrownMcPhee", &truth, &held, 0.002, 1)];
     let one = fitted("BrownMcPhee", &alone, &Settings { profiles: true, ..quick() });
-    let is_told = ["transition_normal_force", "viscous_coefficient"].map(|name| !is_undetermined(&one, name));
-    assert_eq!(is_told, [false; 2], "{:?}", one.estimates);
+    let is_informative = ["transition_normal_force", "viscous_coefficient"].map(|name| !is_undetermined(&one, name));
+    assert_eq!(is_informative, [false; 2], "{:?}", one.estimates);
     let other = Experiment { normal_force: vec![5.0; 2000], ..held.clone() };
     let both = [&held, &other].map(|load| measured("BrownMcPhee", &truth, load, 0.002, 2));
     let two = fitted("BrownMcPhee", &both, &quick());
@@ -266,8 +266,8 @@ fn a_force_that_changes_in_jumps_has_no_interval() {
     assert!(jumps, "{:?}", uncertainty(&problem, &point, &seen).verdicts);
     let smooth = [measured("Dahl", &[], &standard(500), 0.0, 1)];
     let problem = whole_problem("Dahl", &smooth);
-    let told = uncertainty(&problem, &[0.25, 0.6], &seen).verdicts;
-    assert!(told.iter().all(|verdict| *verdict == Verdict::Determined), "{told:?}");
+    let verdicts = uncertainty(&problem, &[0.25, 0.6], &seen).verdicts;
+    assert!(verdicts.iter().all(|verdict| *verdict == Verdict::Determined), "{verdicts:?}");
 }
 
 /// The slope of Coulomb friction has the sign of the velocity; read backwards it has the other one, and the same size.
@@ -290,13 +290,13 @@ fn searches_that_disagree_leave_no_number() {
     let verdicts = |searches, ends: &[Vec<f64>]| {
         Fitter { searches, ends: ends.to_vec(), ..fitter(&problem) }.trust(&found, &white_noise(0.02), false).verdicts
     };
-    let told = verdicts(Searches::Agree, &[found.point.clone(), found.point.clone()]);
-    assert!(told.iter().all(|verdict| *verdict == Verdict::Determined), "{told:?}");
+    let judged = verdicts(Searches::Agree, &[found.point.clone(), found.point.clone()]);
+    assert!(judged.iter().all(|verdict| *verdict == Verdict::Determined), "{judged:?}");
     // Alike in cost, but elsewhere in the stiffness.
     let mut elsewhere = found.point.clone();
     elsewhere[1] += 0.1;
-    let told = verdicts(Searches::Agree, &[found.point.clone(), elsewhere]);
-    assert!(told[0] == Verdict::Determined && matches!(told[1], Verdict::Undetermined(_)), "{told:?}");
+    let judged = verdicts(Searches::Agree, &[found.point.clone(), elsewhere]);
+    assert!(judged[0] == Verdict::Determined && matches!(judged[1], Verdict::Undetermined(_)), "{judged:?}");
     assert!(verdicts(Searches::Disagree, &[]).iter().all(|verdict| matches!(verdict, Verdict::Undetermined(_))));
 }
 
@@ -484,7 +484,7 @@ fn a_velocity_that_is_known_too_badly_is_warned_of() {
     let fixed = Selection { fixed: vec![("stribeck_velocity".into(), 0.004)], ..Selection::default() };
     let held =
         fitted("LuGre", &[Experiment { velocity_error: 1e-4, ..data }], &Settings { selection: fixed, ..quick() });
-    assert!(!estimate(&held, "sigma_1").verdict.is_told(), "{:?}", held.estimates);
+    assert!(!estimate(&held, "sigma_1").verdict.is_informative(), "{:?}", held.estimates);
 }
 
 #[test]

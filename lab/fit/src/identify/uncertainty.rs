@@ -60,7 +60,7 @@ pub enum Verdict {
 
 impl Verdict {
     /// Whether the data tell an interval or an upper limit.
-    pub(super) fn is_told(&self) -> bool {
+    pub(super) fn is_informative(&self) -> bool {
         matches!(self, Verdict::Determined | Verdict::AtMost(_))
     }
 }
@@ -404,7 +404,7 @@ impl Uncertainty {
         let ends = first.iter().zip(&second);
         for ((verdict, deviation), (first, second)) in self.verdicts.iter_mut().zip(&self.standard_deviations).zip(ends)
         {
-            if verdict.is_told() && (first - second).abs() > deviation.max(ROUNDING * first.abs()) {
+            if verdict.is_informative() && (first - second).abs() > deviation.max(ROUNDING * first.abs()) {
                 *verdict = Verdict::Undetermined(format!(
                     "two searches end at {} and at {}, which explain the force alike",
                     digits(*first),
@@ -425,7 +425,7 @@ impl Uncertainty {
         let far: Vec<f64> = residuals.iter().map(|one| if is_far(*one) { *one } else { 0.0 }).collect();
         let shifts = self.shifts(&far);
         for (verdict, shift) in self.verdicts.iter_mut().zip(shifts) {
-            if shift > MOVED && verdict.is_told() {
+            if shift > MOVED && verdict.is_informative() {
                 *verdict = Verdict::Undetermined(format!(
                     "{count} of {} samples, more than {OUTLIER} times the noise off, shift it by {shift:.1} standard \
                      deviations; use the robust loss, or leave out rest",

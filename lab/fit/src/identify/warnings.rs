@@ -132,8 +132,8 @@ mod tests {
         let noisy = Experiment { velocity, velocity_error: error, ..clean.clone() };
         let [clean, filtered, noisy] = [clean, Experiment { window: 0.02, ..noisy.clone() }, noisy]
             .map(|experiment| fitted("Dahl", &[experiment], &quick()).warnings);
-        let is_told = |list: &[String]| list.iter().any(|one| one.contains("give the displacement"));
-        assert!(is_told(&noisy), "{noisy:?}");
-        assert!(!is_told(&filtered) && !is_told(&clean), "{filtered:?} {clean:?}");
+        let is_warned = |list: &[String]| list.iter().any(|one| one.contains("give the displacement"));
+        assert!(is_warned(&noisy), "{noisy:?}");
+        assert!(!is_warned(&filtered) && !is_warned(&clean), "{filtered:?} {clean:?}");
     }
 }

@@ -212,7 +212,7 @@ pub fn pictures(facts: &Identification, number: usize) -> Result<Vec<Picture>, F
 fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Picture>, Fault> {
     let Some((name, record)) = facts.records.get(number) else { return Ok(Vec::new()) };
     let best = facts.ranking.best();
-    let corrected = best.seen(record);
+    let corrected = best.corrected(record);
     let mut all = vec![("measured".to_owned(), corrected.clone())];
     if let Some(reference) = facts.reference {
         let friction_force = respond(best.law, reference, &corrected, best.parts)?;

@@ -2,6 +2,7 @@
 
 use stribeck::catalogue::{self, Family};
 use stribeck::instance::{Instance, Snapshot};
+use stribeck::model::Meaning;
 
 use crate::system::{Fault, Place, System, WireSource};
 
@@ -122,8 +123,7 @@ impl<'a> Train<'a> {
         for (part, made) in self.system.parts.iter().enumerate() {
             let is_host = is_host(self.system, part);
             for column in made.model.continuous_states() {
-                let name = made.model.table.at(column).path.segments().last().map_or("", |segment| segment.name);
-                if is_host || name == "dissipated_energy" {
+                if is_host || made.model.table.at(column).meaning == Meaning::Energy {
                     states.push(Place { part, column });
                 }
             }

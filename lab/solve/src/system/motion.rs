@@ -242,8 +242,7 @@ fn states(system: &System, recorded: &[WireSource]) -> Vec<Place> {
     for (part, made) in system.parts.iter().enumerate() {
         for column in made.model.continuous_states() {
             let place = Place { part, column };
-            let last = made.model.table.at(column).path.segments().last().map_or("", |segment| segment.name);
-            if last != "dissipated_energy" || is_read(place) {
+            if made.model.table.at(column).meaning != Meaning::Energy || is_read(place) {
                 states.push(place);
             } else {
                 unread.push(place);

@@ -6,7 +6,7 @@ use stribeck::host::{MagicFormula, Side};
 use stribeck::model::Columns;
 
 use super::super::uncertainty::digits;
-use super::{Told, TyreEstimate, TyreFit};
+use super::{TyreEstimate, TyreFit, Verdict};
 
 /// Sections of the format, by the first letters of their keys.
 const SECTIONS: [(&str, &[&str]); 3] = [
@@ -49,15 +49,15 @@ fn line(one: &TyreEstimate) -> String {
 }
 
 /// How well the value of a coefficient is known, or why it is not.
-fn note(TyreEstimate { value, told, .. }: &TyreEstimate) -> Result<String, &str> {
-    match told {
-        Told::Within(half) => {
+fn note(TyreEstimate { value, verdict, .. }: &TyreEstimate) -> Result<String, &str> {
+    match verdict {
+        Verdict::Within(half) => {
             let [low, high] = [value - half, value + half].map(digits);
             Ok(format!("95 %: {low} to {high}"))
         }
-        Told::Held => Ok("held".to_owned()),
-        Told::AtEnd => Ok("at an end of its range".to_owned()),
-        Told::Not(reason) => Err(reason),
+        Verdict::Held => Ok("held".to_owned()),
+        Verdict::AtEnd => Ok("at an end of its range".to_owned()),
+        Verdict::Not(reason) => Err(reason),
     }
 }
 
@@ -78,8 +78,8 @@ fn help(key: &str) -> String {
 
 /// The fit as a table for a terminal.
 pub fn table(fit: &TyreFit) -> String {
-    let line = |one: &TyreEstimate| match (note(one), &one.told) {
-        (Ok(note), Told::Within(_)) => format!("  {:<6} {} ({note})\n", one.key, digits(one.value)),
+    let line = |one: &TyreEstimate| match (note(one), &one.verdict) {
+        (Ok(note), Verdict::Within(_)) => format!("  {:<6} {} ({note})\n", one.key, digits(one.value)),
         (Ok(note), _) => format!("  {:<6} {} {note}\n", one.key, digits(one.value)),
         (Err(reason), _) => format!("  {:<6} not determined: {reason}\n", one.key),
     };

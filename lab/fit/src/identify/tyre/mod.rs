@@ -43,7 +43,7 @@ pub struct TyreTask {
 
 /// Verdict on a coefficient.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Told {
+pub enum Verdict {
     /// The test determines it: the half width of its interval of 95 %.
     Within(f64),
     /// It was held.
@@ -62,7 +62,7 @@ pub struct TyreEstimate {
     /// Its value; 0 if the test does not determine it.
     pub value: f64,
     /// Whether the test determines it.
-    pub told: Told,
+    pub verdict: Verdict,
 }
 
 /// A tyre fitted to a test.
@@ -340,16 +340,16 @@ impl Fitter<'_> {
 
     fn finish(&self, problem: &TyreProblem, known: &Known) -> TyreFit {
         let row = row_of(&self.formula);
-        let estimate = |key: &str, value, told| TyreEstimate { key: key.to_uppercase(), value, told };
+        let estimate = |key: &str, value, verdict| TyreEstimate { key: key.to_uppercase(), value, verdict };
         let deviations = known.parts.iter().zip(large(problem)).map(|(part, large)| part * large);
         let kept = self.kept.iter().zip(deviations).map(|(one, deviation)| {
             let value = row[column(one.name)];
             let coordinate = (value - one.range[0]) / (one.range[1] - one.range[0]);
             let is_inside = (AT_END..=1.0 - AT_END).contains(&coordinate);
-            estimate(one.name, value, if is_inside { Told::Within(WIDTH * deviation) } else { Told::AtEnd })
+            estimate(one.name, value, if is_inside { Verdict::Within(WIDTH * deviation) } else { Verdict::AtEnd })
         });
-        let fixed = self.task.fixed.iter().map(|(key, value)| estimate(key, *value, Told::Held));
-        let dropped = self.dropped.iter().map(|(one, reason)| estimate(one.name, 0.0, Told::Not(reason.clone())));
+        let fixed = self.task.fixed.iter().map(|(key, value)| estimate(key, *value, Verdict::Held));
+        let dropped = self.dropped.iter().map(|(one, reason)| estimate(one.name, 0.0, Verdict::Not(reason.clone())));
         let mut estimates: Vec<TyreEstimate> = kept.chain(fixed).chain(dropped).collect();
         estimates.sort_by_key(|one| column(&one.key.to_lowercase()));
         let groups = problem.left(&self.formula);

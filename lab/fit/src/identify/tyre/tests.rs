@@ -94,7 +94,7 @@ fn task(fixed: &[(&str, f64)]) -> TyreTask {
 
 const LOADS: [f64; 3] = [400.0, 700.0, 1100.0];
 
-fn told<'a>(fit: &'a TyreFit, key: &str) -> &'a TyreEstimate {
+fn estimate<'a>(fit: &'a TyreFit, key: &str) -> &'a TyreEstimate {
     fit.estimates.iter().find(|one| one.key == key).unwrap_or_else(|| panic!("{key}"))
 }
 
@@ -112,7 +112,7 @@ fn coefficients_come_back_from_a_test_in_either_axes() {
     let fit = fit_tyre(&iso, &task(&[])).unwrap();
     let (mut held, mut determined) = (0, 0);
     for one in &fit.estimates {
-        if let Told::Within(half) = one.told {
+        if let Verdict::Within(half) = one.verdict {
             let known = row_of(&truth)[column(&one.key.to_lowercase())];
             // The formula is even in these.
             let known = if ["RBX2", "RBY2", "RVY4"].contains(&one.key.as_str()) { known.abs() } else { known };
@@ -150,10 +150,10 @@ fn what_a_test_does_not_have_gets_no_number() {
     let refused = fit_tyre(&test_of(&text, Axes::Iso).unwrap(), &task(&[])).unwrap_err().to_string();
     assert!(refused.contains("PKY") && refused.contains("test at more loads"), "{refused}");
     let held = fit_tyre(&test_of(&text, Axes::Iso).unwrap(), &task(&[("PKY2", 1.7)])).unwrap();
-    assert_eq!(told(&held, "PKY2").told, Told::Held);
-    let stiffness = told(&held, "PKY1");
+    assert_eq!(estimate(&held, "PKY2").verdict, Verdict::Held);
+    let stiffness = estimate(&held, "PKY1");
     assert!(
-        matches!(stiffness.told, Told::Within(half) if (stiffness.value + 35.0).abs() < 1.5 * half),
+        matches!(stiffness.verdict, Verdict::Within(half) if (stiffness.value + 35.0).abs() < 1.5 * half),
         "{stiffness:?}"
     );
     assert!(property_file(&held).contains("\nPKY2   = 1.7 "), "{}", property_file(&held));
@@ -165,10 +165,10 @@ fn what_a_test_does_not_have_gets_no_number() {
     let fit = fit_tyre(&test, &task(&[])).unwrap();
     let text = property_file(&fit);
     for key in ["PDY3", "PEY4", "PKY3", "PHY3", "PVY3", "QDZ8"] {
-        assert!(matches!(&told(&fit, key).told, Told::Not(reason) if reason.contains("cambers")), "{key}");
+        assert!(matches!(&estimate(&fit, key).verdict, Verdict::Not(reason) if reason.contains("cambers")), "{key}");
         assert!(!text.contains(&format!("\n{key}")) && text.contains(&format!("$ {key}: not determined")), "{key}");
     }
-    assert!(matches!(told(&fit, "PDY1").told, Told::Within(_)));
+    assert!(matches!(estimate(&fit, "PDY1").verdict, Verdict::Within(_)));
     // Nothing was asked about combined slip.
     assert!(fit.estimates.iter().all(|one| !one.key.starts_with('R') && !one.key.starts_with("PCX")));
     assert_eq!(crate::tir::parse("x.tir", &text).unwrap().set.get("tyre.pdy3"), Some(0.0));
