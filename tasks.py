@@ -411,8 +411,8 @@ def demo() -> None:
     setup()
     pack()
     run(PYTHON, "-m", "examples.fmpy.demo")
-    # It takes half a minute longer than optimised, and five minutes less to build.
-    stribeck = ["cargo", "run", "--package", "stribeck-cli", "--"]
+    # It takes half a minute longer than optimised, and five minutes less to build; solvers to compare with take one more.
+    stribeck = ["cargo", "run", "--package", "stribeck-cli", "--no-default-features", "--"]
     run(*stribeck, "compare", "--law", *LAWS_ON_BELT, "--pictures", "out/belt")
     run(*stribeck, "rig", "--law", "LuGre", "--out", "out/rig")
     known = ["--law", "LuGre", "--mass", "2", "--normal-force", "20", "--reference", "out/rig/truth.toml"]

@@ -4,6 +4,7 @@
 #[macro_use]
 mod standard_output;
 
+#[cfg(feature = "foreign")]
 mod benchmark;
 mod command;
 mod damper;
@@ -52,6 +53,7 @@ enum Task {
     /// Writes the records of a virtual rig whose friction law is known.
     Rig(command::RigArguments),
     /// Benchmarks all laws with all solvers, as the thesis does, and writes a page and a table.
+    #[cfg(feature = "foreign")]
     Bench(command::BenchArguments),
     /// Writes the page for a browser: one HTML file with the same laws, systems and solvers.
     Page(command::PageArguments),
@@ -81,6 +83,7 @@ fn main() -> ExitCode {
         Task::Study(arguments) => ended(command::study(&arguments)),
         Task::Identify(arguments) => ended(command::identify(&arguments)),
         Task::Rig(arguments) => ended(command::rig(&arguments)),
+        #[cfg(feature = "foreign")]
         Task::Bench(arguments) => ended(command::bench(&arguments)),
         Task::Page(arguments) => ended(command::page(&arguments)),
         Task::Damper(arguments) => ended(damper::run(&arguments).map(|()| command::Verdict::Done)),

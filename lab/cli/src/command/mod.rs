@@ -1,5 +1,6 @@
 //! The commands that run systems and fit laws.
 
+#[cfg(feature = "foreign")]
 mod bench;
 mod choice;
 mod compare;
@@ -18,6 +19,7 @@ use stribeck::catalogue::{Family, documented};
 use stribeck_plot::picture::Picture;
 use stribeck_solve::system::Fault;
 
+#[cfg(feature = "foreign")]
 pub use bench::{Arguments as BenchArguments, bench};
 pub use choice::Arguments;
 pub use compare::compare;
