@@ -638,6 +638,14 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component c,
 }  // extern "C"
 #endif  // __cplusplus
 
+/** Choices of a variable of the type AccelerationSource. */
+typedef enum stribeck_acceleration_source {
+  /** From the slope of the velocity or, without one, from the input acceleration. */
+  STRIBECK_ACCELERATION_SOURCE_INPUT = 1,
+  /** From the balance of the external force and friction. */
+  STRIBECK_ACCELERATION_SOURCE_BALANCE = 2,
+} stribeck_acceleration_source;
+
 /** Choices of a variable of the type BengisuAkayVariant. */
 typedef enum stribeck_bengisu_akay_variant {
   /** Product of two exponentials, as printed in the thesis. */
@@ -2825,7 +2833,7 @@ typedef enum stribeck_armstrong_variable {
 } stribeck_armstrong_variable;
 
 /** Guid of NonReversible for fmi2Instantiate. */
-#define STRIBECK_NON_REVERSIBLE_GUID "{b79145f5-aaf6-b9d9-9423-2c0345808397}"
+#define STRIBECK_NON_REVERSIBLE_GUID "{5df8191d-b30c-9205-12e9-bdb0632eee7a}"
 
 /** Preset of NonReversible: Example: the variant in the literature whose lower curve is the mirror image, f_l0 = 2 f_C - f_s. */
 #define STRIBECK_NON_REVERSIBLE_PRESET_MIRRORED "mirrored"
@@ -2839,10 +2847,15 @@ typedef enum stribeck_non_reversible_variable {
   STRIBECK_NON_REVERSIBLE_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_NON_REVERSIBLE_NORMAL_FORCE = 5891938,
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
+  STRIBECK_NON_REVERSIBLE_EXTERNAL_FORCE = 1336490458,
   /** in [m/s2]: Acceleration of body 1 relative to body 2; used if the velocity has no slope. (default 0) */
   STRIBECK_NON_REVERSIBLE_ACCELERATION = 799062685,
   /** state [m/s2]: Slope of the velocity over the last step; 0 if it was held. (default 0) */
   STRIBECK_NON_REVERSIBLE_VELOCITY_SLOPE = 90397206,
+  /** fixed [stribeck_acceleration_source]: How the law knows whether the contact speeds up or slows down.
+   *  (default Input) */
+  STRIBECK_NON_REVERSIBLE_ACCELERATION_SOURCE = 2091868843,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_NON_REVERSIBLE_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
@@ -2854,6 +2867,8 @@ typedef enum stribeck_non_reversible_variable {
   STRIBECK_NON_REVERSIBLE_ACCELERATION_DECAY = 840199020,
   /** tunable [s/m]: Steepness of the curve while slowing down (default chosen). (> 0, default 500) */
   STRIBECK_NON_REVERSIBLE_DECELERATION_DECAY = 1686569403,
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
+  STRIBECK_NON_REVERSIBLE_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_NON_REVERSIBLE_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -2865,7 +2880,7 @@ typedef enum stribeck_non_reversible_variable {
 } stribeck_non_reversible_variable;
 
 /** Guid of Wojewoda for fmi2Instantiate. */
-#define STRIBECK_WOJEWODA_GUID "{1d2ec7b4-a425-5b16-68c9-aeb950488dd2}"
+#define STRIBECK_WOJEWODA_GUID "{f2a5a016-6151-202c-3ec3-6b3fd19909a9}"
 
 /** Preset of Wojewoda: Example of a soft pad with a wide hysteresis. */
 #define STRIBECK_WOJEWODA_PRESET_RUBBER_PAD "rubber_pad"
@@ -4641,7 +4656,7 @@ typedef enum stribeck_rolling_resistance_variable {
 } stribeck_rolling_resistance_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{de7db34a-7a02-198f-0e4c-450fc9e1b930}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{1aee6ab1-491b-713a-9ed7-9804405c6ebc}"
 
 /** Preset of ShockAbsorber: Formula Student, front axle: the start values. */
 #define STRIBECK_SHOCK_ABSORBER_PRESET_FRONT "front"
@@ -5044,6 +5059,9 @@ typedef enum stribeck_shock_absorber_variable {
   /** tunable [s]: Dwell time after which half of the rise of the static friction has occurred (default chosen).
    *  (>= 0, default 2) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_GAMMA = 1977894676,
+  /** fixed [stribeck_acceleration_source]: How the law knows whether the contact speeds up or slows down.
+   *  (default Input) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ACCELERATION_SOURCE = 823206969,
   /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
    *  (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_MU_STOP = 1837154842,
@@ -5341,7 +5359,7 @@ typedef enum stribeck_telescopic_joint_variable {
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
-#define STRIBECK_GUIDE_CONTACT_GUID "{7d5b737d-9769-a36b-5d5e-f4313e3ca2b3}"
+#define STRIBECK_GUIDE_CONTACT_GUID "{67cda36f-22e5-81d0-c423-a0f207aac7a7}"
 
 /** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Variables of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {
@@ -5456,6 +5474,9 @@ typedef enum stribeck_guide_contact_variable {
   /** tunable [s]: Dwell time after which half of the rise of the static friction has occurred (default chosen).
    *  (>= 0, default 2) */
   STRIBECK_GUIDE_CONTACT_FRICTION_GAMMA = 1977894676,
+  /** fixed [stribeck_acceleration_source]: How the law knows whether the contact speeds up or slows down.
+   *  (default Input) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ACCELERATION_SOURCE = 823206969,
   /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
    *  (>= 0, default 0) */
   STRIBECK_GUIDE_CONTACT_FRICTION_MU_STOP = 1837154842,

@@ -41,7 +41,8 @@ crate::model! {
     /// # Step
     /// Without `mass` the law has no memory. Inside the band its force balances the external force, so the velocity
     /// stays constant instead of going to zero: a captured body creeps with up to $v_0$. With `mass` it is brought to
-    /// rest and neither chatters nor creeps, at any step size. In Model Exchange a contact is inside the band, or
+    /// rest and neither chatters nor creeps, at any step size, and breaks away from rest: on the belt of the benchmark
+    /// the second slip comes 0.04 s later than without, and its amplitude is 1.3 % larger. In Model Exchange a contact is inside the band, or
     /// slides in one direction, from one event to the next. Inside the band it returns `external_force`, up to $f_s$:
     /// connect it, or nothing is held and events repeat endlessly at the edge of the band.
     ///

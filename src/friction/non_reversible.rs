@@ -1,10 +1,10 @@
-use crate::contact::branching::Branching;
+use crate::contact::branching::{AccelerationSource, Branching};
 use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
+use crate::contact::time_stepping::{Branches, Curve, EVENTS_ON_BRANCHES, OnCurve, Phase, PhaseColumn};
 use crate::laws::branches;
-use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, real};
-use crate::number::{Mask, Real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, ramp, real};
+use crate::number::{Mask, Real, choose};
 use crate::numerics::quadrature::integral_past_peak;
 
 crate::model! {
@@ -21,10 +21,21 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n,   f_l0 = mu_stop f_n
     /// ```
     ///
+    /// Whether a free body speeds up depends on this force itself. With `acceleration_source` = Balance the
+    /// external force $f_e$ decides; between the curves the body keeps its velocity ($v > 0$; mirrored for
+    /// $v < 0$):
+    ///
+    /// ```text
+    /// f_f = f_fu                                  f_e > f_fu
+    /// f_f = f_e                                   f_fl <= f_e <= f_fu, and at rest |f_e| <= f_s
+    /// f_f = f_fl                                  f_e < f_fl
+    /// ```
+    ///
     /// | symbol  | variable             | unit | meaning                                         |
     /// |---------|----------------------|------|-------------------------------------------------|
     /// | v       | `velocity`           | m/s  | velocity of body 1 relative to body 2           |
     /// | f_n     | `normal_force`       | N    | force pressing the surfaces together            |
+    /// | f_e     | `external_force`     | N    | resultant of all other tangential forces        |
     /// | v'      | `acceleration`       | m/s2 | acceleration of body 1 relative to body 2       |
     /// |         | `velocity_slope`     | m/s2 | $v'$ as it was given by a slope of the velocity |
     /// | mu_k    | `mu_k`               | 1    | kinetic coefficient of friction                 |
@@ -49,15 +60,20 @@ crate::model! {
     /// A host that integrates the body itself never reaches $v = 0$ exactly, so at rest the force alternates at any
     /// communication step $h$, and its velocity alternates by up to $f_s h / m$. If the acceleration is computed from
     /// the last force, the two curves alternate wherever neither agrees with the sign of the acceleration that it
-    /// causes; at any step size the body then feels their mean, and begins to slide at $(f_s + f_l0) / 2$.
+    /// causes; at any step size the body then feels their mean, and begins to slide at $(f_s + f_l0) / 2$. A balance of
+    /// forces has no such loop; but a held force lags behind an external force that changes at the rate $r$, and a body
+    /// that should rest for the time $t$ reaches the velocity $r h t / (2 m)$. In Model Exchange a free body needs
+    /// Balance, with `external_force` connected, and is held up to $f_s$; a motion that is prescribed needs Input and
+    /// its acceleration.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_stop` > `mu_s`.
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_stop` > `mu_s`; in a balance of forces curves that
+    /// cross, that is, `mu_stop` > `mu_k` with `deceleration_decay` < `acceleration_decay`.
     ///
     /// # Limits
-    /// No stiction: the force is zero at $v = 0$, so the law cannot hold a load, and a host that integrates the body
-    /// itself sees the force alternate around rest. The force jumps by $f_fu - f_fl$ where the acceleration changes its
-    /// sign: an acceleration that is itself computed from this force closes a loop that may switch at every step.
+    /// With Input no stiction: the force is zero at $v = 0$, so the law cannot hold a load. The force jumps by
+    /// $f_fu - f_fl$ where the acceleration changes its sign.
+    ///
     /// `mu_stop` = `mu_s` with $a = b$ is the reversible curve of Tustin with $v_S = 1 / a$; `mu_stop` = `mu_k` leaves
     /// the Coulomb level while slowing down; `mu_stop` = 2 `mu_k` - `mu_s` mirrors the upper curve. `normal_force` = 0
     /// gives force 0.
@@ -84,8 +100,11 @@ crate::model! {
     NonReversible: "Different friction while speeding up and slowing down (reconstructed)" {
         velocity: input = VELOCITY,
         normal_force: input = NORMAL_FORCE,
+        external_force: input = EXTERNAL_FORCE,
         /// How the acceleration is known.
         branching: (Branching),
+        /// How the law knows whether the contact speeds up or slows down.
+        acceleration_source: fixed = AccelerationSource::Input.start(),
         mu_k: tunable = MU_K,
         mu_s: tunable = MU_S,
         /// Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
@@ -94,6 +113,8 @@ crate::model! {
         acceleration_decay: tunable = real("s/m", 500.0).positive().nominal(500.0).means(Meaning::Own),
         /// Steepness of the curve while slowing down (default chosen).
         deceleration_decay: tunable = real("s/m", 500.0).positive().nominal(500.0).means(Meaning::Own),
+        /// Motion of the contact as found by the last event of Model Exchange.
+        phase: state = Phase::Free.start(),
         dissipated_energy: state_output = DISSIPATED_ENERGY,
         friction_force: output = FRICTION_FORCE,
         dissipated_power: output = DISSIPATED_POWER,
@@ -102,23 +123,69 @@ crate::model! {
 }
 
 impl<T: Real> NonReversible<T> {
+    /// f_fl.
+    fn lower(&self, velocity: T, load: T) -> T {
+        branches::level(velocity, self.mu_k * load, self.mu_stop * load, self.deceleration_decay)
+    }
+
+    /// f_fu.
+    fn upper(&self, velocity: T, load: T) -> T {
+        branches::level(velocity, self.mu_k * load, self.mu_s * load, self.acceleration_decay)
+    }
+
     /// f_fu or f_fl.
     fn level(&self, velocity: T, load: T, acceleration: T) -> T {
         let slows_down = branches::slows_down(velocity, acceleration);
-        let mu = slows_down.choose(|| self.mu_stop, || self.mu_s);
-        let decay = slows_down.choose(|| self.deceleration_decay, || self.acceleration_decay);
-        branches::level(velocity, self.mu_k * load, mu * load, decay)
+        slows_down.choose(|| self.lower(velocity, load), || self.upper(velocity, load))
+    }
+}
+
+impl<T: Real> Curve<T> for NonReversible<T> {
+    fn curve(&self, velocity: T) -> T {
+        self.level(velocity, self.normal_force, self.branching.known_acceleration()) * velocity.sign()
+    }
+
+    fn level(&self) -> T {
+        self.mu_s * self.normal_force
+    }
+
+    fn band(&self) -> Option<T> {
+        None
+    }
+}
+
+impl<T: Real> Branches<T> for NonReversible<T> {
+    fn levels(&self, velocity: T) -> [T; 2] {
+        [self.lower(velocity, self.normal_force), self.upper(velocity, self.normal_force)]
+    }
+
+    fn is_by_balance(&self) -> T::Mask {
+        AccelerationSource::Balance.is(self.acceleration_source)
+    }
+}
+
+impl<T: Real> NonReversible<T> {
+    fn contact(&self) -> OnCurve<'_, T, Self> {
+        let NonReversible { velocity, normal_force, external_force, phase, .. } = *self;
+        // Only a balance has external forces.
+        let external_force = choose!(self.is_by_balance(), external_force, T::zero());
+        OnCurve { law: self, velocity, normal_force, external_force, phase: PhaseColumn(phase) }
     }
 }
 
 impl<T: Real> Law for NonReversible<T> {
-    type Interface = CoSimulation;
+    type Interface = ModelExchange;
 
     fn output(&mut self) {
-        let level = self.level(self.velocity, self.normal_force, self.branching.known_acceleration());
-        self.friction_force = level * self.velocity.sign();
+        self.friction_force = self.contact().on_branches();
         self.dissipated_power = self.friction_force * self.velocity;
-        self.sticking = T::truth(self.velocity.vanishes() & self.normal_force.is_positive());
+        self.sticking = T::truth(self.contact().is_held() & self.normal_force.is_positive());
+    }
+}
+
+impl<T: Real> Derivatives for NonReversible<T> {
+    fn derivatives(&self, rate: &mut Self) {
+        rate.dissipated_energy = self.contact().on_branches() * self.velocity;
     }
 }
 
@@ -162,14 +229,48 @@ impl Model for NonReversible {
         if self.mu_stop > self.mu_s {
             return Err(Fault::new(format_args!("mu_stop = {}: must be <= mu_s = {}", self.mu_stop, self.mu_s)));
         }
+        let crosses = self.mu_stop > self.mu_k && self.acceleration_decay > self.deceleration_decay;
+        if crosses && self.is_by_balance() {
+            return Err(Fault::new(format_args!(
+                "mu_stop = {}: must be <= mu_k = {} in a balance of forces, or deceleration_decay = {} must be >= \
+                 acceleration_decay = {}: the curves would cross",
+                self.mu_stop, self.mu_k, self.deceleration_decay, self.acceleration_decay
+            )));
+        }
         Ok(())
     }
 
+    const EVENT_INDICATORS: usize = EVENTS_ON_BRANCHES;
+
+    fn check_without_events(&self) -> Result<(), Fault> {
+        Err(crate::model::rests_at_events())
+    }
+
+    fn event_indicators(&self, indicators: &mut [f64]) {
+        self.contact().write_indicators_on_branches(self.branching.known_acceleration(), indicators);
+    }
+
+    fn at_event(&mut self) {
+        self.branching.velocity_slope = 0.0;
+        self.phase = self.contact().settled().number();
+    }
+
     fn step(&mut self, dt: f64) {
+        self.phase = Phase::Free.number();
+        if self.is_by_balance() {
+            self.branching.velocity_slope = 0.0;
+            self.dissipated_energy += self.contact().on_branches() * self.velocity * dt;
+            return;
+        }
         self.advance(Motion::held(self.velocity, self.normal_force, dt));
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        self.phase = Phase::Free.number();
+        if self.is_by_balance() {
+            self.branching.velocity_slope = 0.0;
+            return ramp::advance(self, slope, dt);
+        }
         let begin = ramp::Inputs::of(self);
         self.advance(Motion {
             acceleration: slope.velocity,
@@ -177,11 +278,6 @@ impl Model for NonReversible {
             ..Motion::held(self.velocity, self.normal_force, dt)
         });
         ramp::set_inputs(self, &begin, slope, dt);
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        let level = self.level(self.velocity, self.normal_force, self.branching.known_acceleration());
-        rate.dissipated_energy = level * self.velocity.abs();
     }
 }
 
@@ -274,5 +370,35 @@ mod tests {
     fn rest_and_no_load_have_no_force() {
         assert_eq!(force(0.0, -1.0, NonReversible::default()), 0.0);
         assert_eq!(force(0.1, -1.0, NonReversible { normal_force: 0.0, ..Default::default() }), 0.0);
+    }
+
+    fn balance(velocity: f64, external_force: f64) -> NonReversible {
+        let acceleration_source = AccelerationSource::Balance.number();
+        NonReversible { velocity, external_force, acceleration_source, ..Default::default() }
+    }
+
+    /// a v = 1: f_fl = 0.6201 N, f_fu = 1.1614 N.
+    #[test]
+    fn between_the_curves_the_external_force_is_carried() {
+        let (lower, upper) = (0.981 * (1.0 - (-1.0f64).exp()), 0.981 + 0.4905 * (-1.0f64).exp());
+        let at_rest = [(1.4, 1.4), (-1.4, -1.4), (2.0, 1.4715), (-2.0, -1.4715)];
+        let sliding = [(2.0, upper), (1.0, 1.0), (lower + 1e-3, lower + 1e-3), (0.3, lower), (-5.0, lower)];
+        for (velocity, cases) in [(0.0, &at_rest[..]), (0.002, &sliding)] {
+            for (load, expected) in cases {
+                for sign in [1.0, -1.0] {
+                    let mut law = balance(sign * velocity, sign * load);
+                    law.output();
+                    assert_abs_diff_eq!(sign * law.friction_force, expected, epsilon = 1e-15);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn curves_that_cross_are_refused_in_a_balance() {
+        let crossing = NonReversible { mu_stop: 0.12, deceleration_decay: 100.0, ..balance(0.0, 0.0) };
+        assert!(crossing.check().unwrap_err().0.contains("deceleration_decay = 100"));
+        assert!(NonReversible { acceleration_source: 1.0, ..crossing }.check().is_ok());
+        assert!(NonReversible { mu_stop: 0.1, ..crossing }.check().is_ok());
     }
 }

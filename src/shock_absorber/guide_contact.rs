@@ -424,9 +424,9 @@ crate::model! {
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 0.0).at_least(0.0).means(Meaning::NormalForce),
         /// All other axial forces on the rod; only for laws that hold a load at rest.
-        external_force: input = real("N", 0.0),
+        external_force: input = real("N", 0.0).means(Meaning::ExternalForce),
         /// Time derivative of the velocity; only for laws that use it.
-        acceleration: input = real("m/s2", 0.0),
+        acceleration: input = real("m/s2", 0.0).means(Meaning::Acceleration),
         /// Radius of the contact.
         radius: tunable = real("m", 0.007).at_least(0.0).shown_in("mm"),
         /// Friction levels.

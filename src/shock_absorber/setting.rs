@@ -111,9 +111,9 @@ crate::part! {
         /// Spin of the rod relative to the tube, about the axis from tube to rod.
         spin_rate: input = real("rad/s", 0.0),
         /// All other forces along the strut, positive in extension; only for laws that hold a load at rest.
-        external_force: input = real("N", 0.0),
+        external_force: input = real("N", 0.0).means(Meaning::ExternalForce),
         /// Time derivative of the velocity; for num.input_mode = Linear and for laws that use it.
-        acceleration: input = real("m/s2", 0.0),
+        acceleration: input = real("m/s2", 0.0).means(Meaning::Acceleration),
         /// Ambient temperature; used if thermal.enabled is true.
         temperature_ambient: input = real("K", 293.15).at_least(0.0).nominal(300.0).shown_in("degC"),
         /// Dimensions.

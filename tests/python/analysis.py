@@ -14,7 +14,7 @@ import numpy
 
 GRAVITY = 9.81  # m/s2
 
-# Two runs agree if their times differ by less than this. The coupling is of first order: a run is twice as far from a
+# Two runs agree if they differ by less than this. The coupling is of first order: a run is twice as far from a
 # converged one as from the run with half its step.
 AGREEMENT = 5e-3
 
@@ -40,10 +40,12 @@ class Cycle:
     x_max: float
 
 
-def compared_time(cycle: Cycle, is_random: bool) -> float:
-    """The time by which two runs of a law are compared: the last period; if there is none, or if it scatters because
-    the law is random, the time of the first maximum."""
-    return cycle.first_maximum if is_random or isnan(cycle.period) else cycle.period
+def difference(cycle: Cycle, other: Cycle, is_random: bool) -> float:
+    """The relative difference of two motions of a law that is largest: of the first maximum, the period and the height
+    of the maxima, or of the first maximum alone if the law is random. What did not happen in both is left out."""
+    names = ["first_maximum"] if is_random else ["first_maximum", "period", "x_max"]
+    pairs = [(getattr(cycle, name), getattr(other, name)) for name in names]
+    return max((a / b - 1.0 for a, b in pairs if not isnan(a / b)), key=abs)
 
 
 def stick_slip(mass, stiffness, belt_velocity, mu_k, mu_s, normal_force) -> Cycle:

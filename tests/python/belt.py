@@ -116,10 +116,12 @@ def rig_values(rig_path: Path, chosen: Mapping[str, object]) -> dict[str, float]
 def friction_values(
     friction_path: Path, rig: Mapping[str, float], exchange: str, chosen: Mapping[str, object]
 ) -> dict[str, object]:
-    """Values of the law: the weight of the block and, for a law that holds a body at rest, its mass and the order of
-    exchange; `chosen` takes precedence.
+    """Values of the law: the weight of the block; for a law that holds a body at rest, its mass and the order of
+    exchange; for one with two branches that the forces decide between them; `chosen` takes precedence.
     """
     values = {"normal_force": rig["mass"] * rig["gravity"]}
+    if "acceleration_source" in variables_of(friction_path):
+        values |= {"acceleration_source": "Balance"}
     if "mass" in variables_of(friction_path):
         values |= {"mass": rig["mass"], "exchange": "Parallel" if exchange == "parallel" else "Sequential"}
     return values | dict(chosen)

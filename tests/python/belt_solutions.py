@@ -114,23 +114,22 @@ def _breakaway(at, deflection, sigma_0) -> tuple[float, float, float]:
 
 
 def non_reversible() -> float:
-    """Between its two curves the law contradicts itself: its force changes the sign of the acceleration on which it
-    depends. With an acceleration that is one step old both alternate; their mean moves the block.
-    """
+    """From the first slip to the second: the block never rests again. Between its two curves the contact carries what
+    pulls at it, so that the block keeps its velocity."""
 
     def level(pull, velocity):
         lower, upper = _curves(velocity, 0.0)
-        return upper if pull > upper else lower if pull < lower else 0.5 * (lower + upper)
+        return min(max(pull, lower), upper)
 
-    # It rests until the pull is the mean.
-    onset = 0.5 * STATIC / STIFFNESS
-    maxima, _ = _slide(level, (onset / BELT, onset, -1e-9))
-    return maxima[-1] - maxima[-2]
+    # It rests until the pull is the static level.
+    onset = STATIC / STIFFNESS
+    maxima, _ = _slide(level, (onset / BELT, onset, -1e-9), 15.0)
+    return maxima[1] - maxima[0]
 
 
 @functools.cache
 def periods() -> dict[str, float]:
-    """The last period of each law within 40 s."""
+    """The last period of each law within 20 s."""
     return {
         **dict.fromkeys(OSCILLATING, WITHOUT_STICTION),
         **INTEGRATED,

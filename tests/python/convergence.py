@@ -4,8 +4,8 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 
-from analysis import AGREEMENT, compared_time, measure
-from belt import BeltRun, is_random, limit_of_step, run_belt
+from analysis import AGREEMENT, Cycle, difference, measure
+from belt import is_random, limit_of_step, run_belt
 
 from examples.fmpy.coupling import FMUS, CouplingError
 
@@ -18,24 +18,12 @@ RECORDING = 1e-3
 
 @dataclass(frozen=True)
 class Converged:
-    """A step that is short enough, the measured value that shows it, and that with half the step."""
+    """A step that is short enough, the motion that shows it, that with half the step, and how far they are apart."""
 
     step: float
-    value: float
-    finer: float
-
-    @property
-    def difference(self) -> float:
-        """Relative difference of the run from the one with half its step."""
-        return self.value / self.finer - 1.0
-
-
-def measured(run: BeltRun, random: bool) -> float:
-    """The value by which the run is compared."""
-    value = compared_time(measure(run.time, run.position, run.sticking), random)
-    if math.isnan(value):
-        raise CouplingError(f"{run.model}: the block never reverses in {run.time[-1]:g} s, so nothing can be compared")
-    return value
+    cycle: Cycle
+    finer: Cycle
+    difference: float
 
 
 def first_step(model: str, fmu_dir: Path = FMUS) -> float:
@@ -47,17 +35,22 @@ def first_step(model: str, fmu_dir: Path = FMUS) -> float:
 
 
 def converged(model: str, duration: float, fmu_dir: Path = FMUS) -> Converged:
-    """Halves the step until the measured time agrees with that of half the step."""
+    """Halves the step until the motion agrees with that of half the step."""
     random = is_random(model, fmu_dir)
 
-    def value_at(step: float) -> float:
-        return measured(run_belt(fmu_dir, model, step, duration, every=max(1, round(RECORDING / step))), random)
+    def cycle_at(step: float) -> Cycle:
+        run = run_belt(fmu_dir, model, step, duration, every=max(1, round(RECORDING / step)))
+        cycle = measure(run.time, run.position, run.sticking)
+        if math.isnan(cycle.first_maximum):
+            raise CouplingError(f"{model}: the block never reverses in {duration:g} s, so nothing can be compared")
+        return cycle
 
     step = first_step(model, fmu_dir)
-    value = value_at(step)
+    cycle = cycle_at(step)
     for _ in range(HALVINGS):
-        found = Converged(step, value, value_at(0.5 * step))
-        if abs(found.difference) <= AGREEMENT:
-            return found
-        step, value = 0.5 * step, found.finer
-    raise CouplingError(f"{model}: still {found.difference:+.2%} from {2.0 * step:g} s to {step:g} s, not converged")
+        finer = cycle_at(0.5 * step)
+        apart = difference(cycle, finer, random)
+        if abs(apart) <= AGREEMENT:
+            return Converged(step, cycle, finer, apart)
+        step, cycle = 0.5 * step, finer
+    raise CouplingError(f"{model}: still {apart:+.2%} from {2.0 * step:g} s to {step:g} s, not converged")

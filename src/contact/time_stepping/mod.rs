@@ -3,6 +3,7 @@
 //! A host that integrates the body itself applies a force that is held over a step. A contact at rest then chatters,
 //! and so does a steep regularised law, unless the force is that at the end of the step.
 
+mod on_branches;
 mod on_curve;
 mod phase;
 mod two_levels;
@@ -11,6 +12,7 @@ use crate::model::ramp;
 use crate::model::{Fault, Fit, Meaning, Model, Numbers, either, real};
 use crate::number::{Mask, Real, choose};
 
+pub(crate) use on_branches::{Branches, EVENTS_ON_BRANCHES};
 pub(crate) use on_curve::{Curve, EVENTS_ON_CURVE, Lift, OnCurve, memoryless};
 pub(crate) use phase::{Phase, PhaseColumn};
 pub(crate) use two_levels::{EVENTS_OF_TWO_LEVELS, TwoLevels, two_levels};

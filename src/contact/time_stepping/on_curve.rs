@@ -50,7 +50,7 @@ impl<T: Copy, L> Clone for OnCurve<'_, T, L> {
 
 impl<T: Copy, L> Copy for OnCurve<'_, T, L> {}
 
-impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
+impl<T: Real, L: Curve<T>> OnCurve<'_, T, L> {
     /// Whether the velocity is within the band of a regularised law.
     #[inline(always)]
     fn is_within(&self, band: T) -> T::Mask {
@@ -59,7 +59,7 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
 
     /// Whether a set-valued law is at rest.
     #[inline(always)]
-    fn rests(&self) -> T::Mask {
+    pub(super) fn rests(&self) -> T::Mask {
         let is_free = self.phase.is_free();
         match self.law.band() {
             None => self.phase.is(Phase::Held) | is_free & self.velocity.vanishes(),
@@ -69,7 +69,7 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
 
     /// The velocity of a contact that an event has found sliding: beyond rest the curve is extended at its last value.
     #[inline(always)]
-    fn extended(&self) -> T {
+    pub(super) fn extended(&self) -> T {
         let direction = self.phase.direction();
         let least = direction * T::from(f64::MIN_POSITIVE);
         let is_beyond = (direction * self.velocity).below(T::zero());
@@ -79,10 +79,12 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
 
     /// Whether a set-valued law is at rest and the external force is within its level.
     #[inline(always)]
-    fn is_held(&self) -> T::Mask {
+    pub(crate) fn is_held(&self) -> T::Mask {
         self.rests() & self.external_force.abs().at_most(self.law.level())
     }
+}
 
+impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     /// First point of the curve that the body reaches. Velocities are mirrored by `side`, so that it moves towards
     /// lower ones.
     fn landing(&self, lane: usize, inertia: f64, side: f64) -> Landing {

@@ -8,12 +8,12 @@
 //! of a part of the half step they lie in.
 
 use stribeck::instance::Snapshot;
-use stribeck::model::Meaning;
+use stribeck::model::{Meaning, Variable};
 use stribeck::number::elementary::pow;
 
 use super::train::{Recorded, Train};
 use crate::solve::{End, Grid, Options, Statistics};
-use crate::system::{Fault, Place, System, Wire, WireSource};
+use crate::system::{Fault, Part, Place, System, Wire, WireSource};
 
 /// Shortest step, in s (chosen).
 const SHORTEST: f64 = 1e-11;
@@ -75,6 +75,13 @@ struct Found {
     by_bisection: bool,
 }
 
+/// Whether a part carries an external force at rest, which only an event finds.
+fn rests_at_events(part: &Part) -> bool {
+    let is_carried =
+        |(column, variable): (usize, Variable)| variable.meaning == Meaning::ExternalForce && part.uses(column);
+    part.model.check_without_events(&part.row).is_err() && part.model.variables().any(is_carried)
+}
+
 /// Runs a system.
 pub fn by_steps(
     system: &System,
@@ -83,7 +90,7 @@ pub fn by_steps(
     recorded: &[WireSource],
 ) -> Result<(End, Statistics, Recorded), Fault> {
     for part in &system.parts {
-        if part.model.table.iter().any(|variable| variable.is_settled_by_events()) {
+        if rests_at_events(part) {
             let (name, model) = (&part.name, part.model.name);
             return Err(Fault::value(format_args!(
                 "{name}: {model} sticks and slips at events, which steps do not see"

@@ -1,8 +1,8 @@
 //! Coupled steps against the solver that knows the rates, and against laws of conservation.
 
 use super::*;
-use crate::solve::{Grid, Options};
-use crate::system::{Setting, Source, System};
+use crate::solve::{Grid, Method, Options, Recorder, solve};
+use crate::system::{Motion, Setting, Source, System};
 
 const GRID: Grid = Grid { begin: 0.0, end: 40.0, intervals: 4000 };
 
@@ -103,6 +103,27 @@ fn laws_that_jump_at_rest_hold_the_block() {
         let last = maxima[maxima.len() - 1] - maxima[maxima.len() - 2];
         assert!((last - period).abs() < 0.02, "{law}: {maxima:?}");
     }
+}
+
+/// Two roads to the same motion: the balance of forces with located events, and the acceleration of the block as an input
+/// to steps that are halved until they agree. The block slips as the spring reaches the static level, at 7.3575 s.
+#[test]
+fn a_balance_of_forces_is_the_acceleration_it_leads_to() {
+    let setting = Setting { name: "acceleration_source".to_owned(), value: "Input".to_owned() };
+    let by_acceleration = belt("NonReversible", &[setting]);
+    let recorded = [by_acceleration.source("rig.position").unwrap()];
+    let (end, _, (_, steps)) = by_steps(&by_acceleration, GRID, &Options::new(40.0, 1e-6), &recorded).unwrap();
+    assert!(end.is_reached(), "{end}");
+    let mut motion = Motion::new(&belt("NonReversible", &[]), &recorded).unwrap();
+    let (mut states, mut recorder) = (motion.start(), Recorder::new(GRID, &motion));
+    let options = Options::new(40.0, 1e-10);
+    let (end, statistics) = solve(Method::Rodas5P, &mut motion, &mut states, &options, &mut recorder);
+    assert!(end.is_reached(), "{end}");
+    let slip = statistics.events.iter().find(|event| event.time > 1.0).unwrap().time;
+    assert!((slip - 1.4715 / 2.0 / 0.1).abs() < 1e-9, "{slip}");
+    let largest = steps[0].iter().zip(&recorder.states[0]).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(largest < 1e-5, "{largest:e}");
+    assert!(Motion::check(&by_acceleration).unwrap_err().to_string().contains("acceleration_source = Balance"));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Dependencies of the outputs of a model on its inputs and states.
 
-use stribeck::model::{Kind, ModelType, Role, Variable};
+use stribeck::model::{Kind, Meaning, ModelType, Role, Variable};
 use stribeck::number::elementary::exp;
 
 /// Random rows on which the dependencies of a model are looked for (chosen).
@@ -54,6 +54,29 @@ impl Influence {
     pub fn of_column(&self, column: usize) -> impl Iterator<Item = usize> + '_ {
         self.on[column].iter().copied()
     }
+}
+
+/// Whether an output depends on an input of either sign while the contact slides or rests, whatever the other inputs, the modes and the
+/// states, but for numbers that only a step sets: they may stand in for the input.
+pub(super) fn is_used(model: &ModelType, row: &[f64], input: usize) -> bool {
+    let mut draw = Draw::of(model, row);
+    let held = |(_, variable): &(usize, Variable)| {
+        variable.role.is_state() && !variable.is_continuous_state() && matches!(variable.kind, Kind::Real(_))
+    };
+    let held: Vec<usize> = model.variables().filter(held).map(|(column, _)| column).collect();
+    let velocity = model.table.of(Meaning::Velocity);
+    let [mut before, mut after] = [row.to_vec(), row.to_vec()];
+    (0..TRIALS).any(|trial| {
+        draw.fill(&mut before);
+        held.iter().for_each(|column| before[*column] = row[*column]);
+        if let Some(velocity) = velocity.filter(|_| trial % 2 == 0) {
+            before[velocity] = 0.0;
+        }
+        after.copy_from_slice(&before);
+        after[input] = -before[input];
+        [&mut before, &mut after].into_iter().for_each(|row| _ = model.output(row));
+        columns(model, Role::is_computed).iter().any(|output| before[*output].to_bits() != after[*output].to_bits())
+    })
 }
 
 /// Whether something else than the parameters gives such a column its value.
@@ -110,11 +133,14 @@ impl Draw {
     pub fn value(&mut self, column: usize) -> f64 {
         let [first, second, third] = [self.unit(), self.unit(), self.unit()];
         let Some(Drawn { variable, size }) = &self.columns[column] else { return 0.0 };
-        if let Kind::Enumeration(choices) = variable.kind {
-            return 1.0 + (first * choices.items.len() as f64).floor();
+        match variable.kind {
+            Kind::Boolean => return first.round(),
+            Kind::Enumeration(choices) => return 1.0 + (first * choices.items.len() as f64).floor(),
+            _ => {}
         }
         let size = size * self.powers[(first * self.powers.len() as f64) as usize] * (1.0 + third);
-        let value = variable.bound.nearest(if second < 0.5 { size } else { -size });
+        let is_negative = second >= 0.5 && variable.bound.min() < 0.0;
+        let value = variable.bound.nearest(if is_negative { -size } else { size });
         if matches!(variable.kind, Kind::Real(_)) { value } else { value.round() }
     }
 }

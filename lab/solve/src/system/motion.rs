@@ -5,7 +5,7 @@ use stribeck::table::{Meaning, Variable};
 
 use super::mover::Mover;
 use super::order::{Task, moving, tasks};
-use super::part::{System, WireSource};
+use super::part::{System, Wire, WireSource};
 use super::{Fault, Place, Signal};
 use crate::solve::Equations;
 
@@ -113,6 +113,17 @@ impl Motion {
             part.model
                 .check_model_exchange(&part.row)
                 .map_err(|fault| Fault::value(format_args!("{}: {}", part.name, fault.0)))?;
+        }
+        let is_used = |wire: &&Wire| {
+            matches!(wire.from, WireSource::Derivative(_)) && system.parts[wire.to.part].uses(wire.to.column)
+        };
+        if let Some(wire) = system.wires.iter().find(is_used) {
+            let text = format_args!(
+                "{} is the rate of a state, which the force itself decides: it is for steps only; for other solvers set \
+                 acceleration_source = Balance",
+                system.name(wire.to)
+            );
+            return Err(Fault::value(text));
         }
         tasks(system, system.influences())
     }

@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::OnceLock;
 
-use stribeck::model::{Kind, ModelType, Role, Variable};
+use stribeck::model::{Kind, Meaning, ModelType, Role, Variable};
 
 use super::file::{Description, PartDescription, Source};
-use super::influence::Influence;
+use super::influence::{Influence, is_used};
 use super::signal::Course;
 use super::values::{column, spelled};
 use super::{Fault, Setting, Signal, slot};
@@ -335,8 +335,7 @@ impl System {
                 if variable.role != Role::Input || self.source_of(place).is_some() {
                     continue;
                 }
-                let across = slot::across(&variable.path.to_string()).filter(|_| self.parts[part].is_law);
-                let value = across.ok_or_else(|| Fault::Open { input: self.name(place) })?;
+                let value = self.parts[part].open(column).ok_or_else(|| Fault::Open { input: self.name(place) })?;
                 self.signals.push((place, Signal::Constant(value)));
             }
         }
@@ -409,6 +408,19 @@ fn model_named(name: &str) -> Result<&'static ModelType, Fault> {
 }
 
 impl Part {
+    /// Value of an input without a source: across the slip of a law 0; that of an acceleration on which nothing depends.
+    fn open(&self, input: usize) -> Option<f64> {
+        let variable = self.model.table.at(input);
+        let across = slot::across(&variable.path.to_string()).filter(|_| self.is_law);
+        let is_idle = || variable.meaning == Meaning::Acceleration && !self.uses(input);
+        across.or_else(|| is_idle().then_some(variable.start))
+    }
+
+    /// Whether an output depends on an input of either sign while the contact slides or rests.
+    pub fn uses(&self, input: usize) -> bool {
+        is_used(self.model, &self.row, input)
+    }
+
     /// Gives a column a value unless it was set.
     pub fn follow(&mut self, column: usize, value: f64) {
         if !self.set.contains(&column) {
