@@ -3,7 +3,7 @@
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stribeck_solve::run::{Column, Configuration, Outcome, Settings, Solver, run, words};
+use stribeck_solve::run::{Check, Column, Configuration, Difference, Outcome, Settings, Solver, run, words};
 use stribeck_solve::solve::Statistics;
 use stribeck_solve::system::{BUILT_IN, Description, Fault, System};
 
@@ -52,6 +52,8 @@ fn as_dict<'py>(py: Python<'py>, outcome: Outcome) -> PyResult<Bound<'py, PyDict
     dict.set_item("solver", outcome.solver.to_string())?;
     dict.set_item("end", outcome.end.to_string())?;
     dict.set_item("reached", outcome.is_reached())?;
+    dict.set_item("fault", outcome.fault())?;
+    dict.set_item("check", outcome.check.map(|check| check_as_dict(py, check)).transpose()?)?;
     dict.set_item("seconds", outcome.elapsed.as_secs_f64())?;
     let statistics = PyDict::new(py);
     let Statistics { steps, rejected, evaluations, jacobians, .. } = outcome.statistics;
@@ -65,5 +67,16 @@ fn as_dict<'py>(py: Python<'py>, outcome: Outcome) -> PyResult<Bound<'py, PyDict
     dict.set_item("time", PyArray1::from_vec(py, outcome.time))?;
     let column = |column: Column| (column.name, column.unit, PyArray1::from_vec(py, column.values));
     dict.set_item("columns", outcome.columns.into_iter().map(column).collect::<Vec<_>>())?;
+    Ok(dict)
+}
+
+fn check_as_dict<'py>(py: Python<'py>, check: Check) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    dict.set_item("of", check.of.name())?;
+    dict.set_item("finer", check.finer)?;
+    dict.set_item("end", check.end.to_string())?;
+    dict.set_item("fault", check.fault)?;
+    let difference = |Difference { name, largest, part, time, .. }| (name, (largest, part, time));
+    dict.set_item("differences", check.differences.into_iter().map(difference).collect::<Vec<_>>())?;
     Ok(dict)
 }

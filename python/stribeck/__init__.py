@@ -22,12 +22,14 @@ from stribeck.instances import Model, ShockAbsorber
 from stribeck.results import Result
 from stribeck.series import force, simulate
 from stribeck.studies import Table, study
-from stribeck.systems import Comparison, NotConverged, Solution, compare, solve, solvers, systems
+from stribeck.systems import Check, Comparison, Difference, NotConverged, Solution, compare, solve, solvers, systems
 from stribeck.tyres import Tyre, TyreWrench
 
 __all__ = [
+    "Check",
     "Comparison",
     "Description",
+    "Difference",
     "Estimate",
     "Fit",
     "Identification",

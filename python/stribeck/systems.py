@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from stribeck import _stribeck
@@ -13,6 +14,34 @@ from stribeck.results import Result, frame
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True)
+class Difference:
+    """The largest difference of a result from that of a finer run, over the output times."""
+
+    largest: float
+    """The difference, without sign, in the unit of the result."""
+    part: float
+    """The same in parts of the range, from the smallest to the largest value of both runs."""
+    time: float
+    """Output time of the difference in s."""
+
+
+@dataclass(frozen=True)
+class Check:
+    """The difference of a run from one at a tenth of its tolerance, or of its communication step."""
+
+    of: str
+    """What was made finer: `tolerance` or `step`."""
+    finer: float
+    """The tolerance of the finer run, or its communication step in s."""
+    end: str
+    """How the finer run ended."""
+    differences: dict[str, Difference]
+    """The largest difference of each result."""
+    fault: str | None
+    """Why the tolerance or the step does not hold; None if it does."""
 
 
 class Solution(Result):
@@ -37,19 +66,31 @@ class Solution(Result):
         """How the run ended."""
         self.seconds: float = answer["seconds"]
         """Time on the clock."""
+        self.check: Check | None = _check(answer["check"])
+        """The difference from a finer run, if one was asked for and the run came to its end."""
+        self.fault: str | None = answer["fault"]
+        """Why the motion is not what was asked for: how the run ended, or what the check says."""
+
+
+def _check(answer: Mapping[str, Any] | None) -> Check | None:
+    if answer is None:
+        return None
+    differences = {name: Difference(*numbers) for name, numbers in answer["differences"]}
+    return Check(answer["of"], answer["finer"], answer["end"], differences, answer["fault"])
 
 
 class NotConverged(RuntimeError):
-    """A run that did not come to its end. `solution` is the motion up to there."""
+    """A run that did not come to its end, or whose tolerance does not hold by its check. `solution` is the motion up to
+    there."""
 
     def __init__(self, solution: Solution) -> None:
-        super().__init__(f"{solution.title}: {solution.end}")
+        super().__init__(f"{solution.title}: {solution.fault}")
         self.solution = solution
 
 
 class Comparison(Mapping[str, Solution]):
     """Motions of one system with several laws: a mapping from the law's name. `failed` has those that did not come to
-    their end."""
+    their end, or whose tolerance does not hold."""
 
     def __init__(self, system: str, solutions: dict[str, Solution], failed: dict[str, Solution]) -> None:
         self.system = system
@@ -73,7 +114,8 @@ class Comparison(Mapping[str, Solution]):
         return len(self.solutions)
 
     def __repr__(self) -> str:
-        rows = [f"{law}: {one.end}, {len(one.events)} events" for law, one in {**self.solutions, **self.failed}.items()]
+        both = {**self.solutions, **self.failed}
+        rows = [f"{law}: {one.fault or one.end}, {len(one.events)} events" for law, one in both.items()]
         laws = "1 law" if len(rows) == 1 else f"{len(rows)} laws"
         return "\n".join([f"<{self.system} with {laws}>", *rows])
 
@@ -115,15 +157,16 @@ def solve(system: str = "belt", law: str | Description | None = None, **options:
     Options, as of `stribeck run`: `set`, a dictionary of values such as `{"rig.mass": 2.0, "mu_s": 0.2}`; `solver`, one
     of `stribeck.solvers()`; `tol`, relative and absolute tolerance; `until` and `every`, end and interval of the
     results in s; `record`, names of results such as `rig.position` or `der(rig.block_velocity)`; `events`, whether they
-    are located; for co-simulation `step` and `jitter` in s and `exchange`.
+    are located; `check`, whether the run is repeated at a tenth of the tolerance, see `Solution.check`; for
+    co-simulation `step` in s, `jitter` as a part of it, and `exchange`.
 
     Raises `stribeck.Refused`, a ValueError, for what cannot be run, and `stribeck.NotConverged` for a run that ends
-    early.
+    early or whose tolerance does not hold by its check.
     """
     if law is not None and not isinstance(law, (str, Description)):
         raise TypeError(f"law = {law!r}: must be one law; stribeck.compare takes several")
     (solution,) = _solutions(system, [] if law is None else [str(law)], options)
-    if solution.end != "reached":
+    if solution.fault is not None:
         raise NotConverged(solution)
     return solution
 
@@ -142,8 +185,8 @@ def compare(
     if not names:
         raise Refused("law names no friction law")
     solutions = dict(zip(names, _solutions(system, names, options), strict=True))
-    reached = {name: one for name, one in solutions.items() if one.end == "reached"}
-    failed = {name: one for name, one in solutions.items() if one.end != "reached"}
+    reached = {name: one for name, one in solutions.items() if one.fault is None}
+    failed = {name: one for name, one in solutions.items() if one.fault is not None}
     return Comparison(system, reached, failed)
 
 

@@ -218,6 +218,7 @@ def within_itself():
             "t = 2e-300",
         ),
         (lambda: stribeck.solve("belt", tol=0.5), "tolerance = 5e-1: must be between"),
+        (lambda: stribeck.solve("belt", tol=1e-14, check=True), "tolerance = 1e-14: a check needs a tenth of it"),
         (lambda: stribeck.Model("LuGre", mu_k=-1.0), "mu_k = -1: must be > 0 and finite"),
         (lambda: stribeck.Model("ShockAbsorber").friction.set_model, "'friction.set_model' does not exist"),
         (lambda: stribeck.Model("ShockAbsorber", **{"friction.model": "Lugre"}), "'Lugre' does not exist.*'LuGre'"),
@@ -454,6 +455,36 @@ def test_a_run_that_does_not_converge_says_so_and_keeps_its_motion():
         lines["RooneyDeravi"].get_xdata()[-1] == both.failed["RooneyDeravi"].time[-1] < lines["Coulomb"].get_xdata()[-1]
     )
     assert (lines["RooneyDeravi"].get_linestyle(), lines["Coulomb"].get_linestyle()) == (":", "-")
+
+
+def test_a_check_is_the_difference_from_a_finer_run():
+    """Against two runs made by hand; straight lines are solved exactly."""
+    coarse, fine = (stribeck.solve("belt", "LuGre", tol=tol) for tol in (1e-6, 1e-7))
+    checked = stribeck.solve("belt", "LuGre", tol=1e-6, check=True)
+    assert (checked.check.of, checked.check.finer, checked.check.end) == ("tolerance", pytest.approx(1e-7), "reached")
+    assert (checked.check.fault, checked.fault, coarse.check) == (None, None, None)
+    assert list(checked.check.differences) == list(checked.columns)
+    for name, found in checked.check.differences.items():
+        assert numpy.array_equal(checked[name], coarse[name])
+        apart = numpy.abs(coarse[name] - fine[name])
+        both = numpy.concatenate([coarse[name], fine[name]])
+        assert found.largest == pytest.approx(apart.max(), rel=1e-6)
+        assert found.part == pytest.approx(apart.max() / numpy.ptp(both), rel=1e-6)
+        assert found.time == coarse.time[apart.argmax()]
+    exact = stribeck.solve("belt", "Coulomb", check=True)
+    assert exact.check.differences["rig.position"].part < 1e-12
+
+
+def test_a_step_that_does_not_hold_is_no_solution():
+    options = {"solver": "co-simulation", "step": 0.02, "check": True}
+    with pytest.raises(stribeck.NotConverged, match=r"the step does not hold: .* steps of 0.002 s differs") as caught:
+        stribeck.solve("belt", "LuGre", **options)
+    solution = caught.value.solution
+    assert (solution.end, solution.fault) == ("reached", solution.check.fault)
+    assert solution.time[-1] == 40.0
+    both = stribeck.compare("belt", ["LuGre", "Coulomb"], **{**options, "step": 0.01})
+    assert (list(both), list(both.failed)) == (["Coulomb"], ["LuGre"])
+    assert "LuGre: the step does not hold" in repr(both)
 
 
 STUDY = {

@@ -21,6 +21,7 @@ export function run(state: State, record: string[] = []): Partial<Run> {
     if (number === undefined) throw new RangeError(`${name} = '${state[name]}': must be a number`);
     run[name] = number;
   }
+  if (state.check) run.check = true;
   if (record.length > 0) run.record = record;
   const set = Object.entries(state.set);
   if (set.length > 0) run.set = Object.fromEntries(set.map(([name, text]) => [name, value(text)]));

@@ -297,7 +297,7 @@ export class Bench {
         const [time, force] = [outcome.arrays[0]?.[at], column === undefined ? undefined : outcome.arrays[column]?.[at]];
         const unit = column === undefined ? "" : unitText(outcome.solved.columns[column - 1]?.unit ?? "1");
         if (time !== undefined && force !== undefined) item.append(` ${short(force)} ${unit} at ${short(time)} s`);
-      } else if (outcome && !outcome.solved.reached) item.append(` ${outcome.solved.end}`);
+      } else if (outcome?.solved.fault) item.append(` ${outcome.solved.fault}`);
       return item;
     });
     this.legend.replaceChildren(...items);
@@ -326,11 +326,14 @@ export class Bench {
 
   private showCosts(): void {
     const outcomes = this.shown();
+    const isChecked = outcomes.some(({ solved }) => solved.check);
     const head = ["Law", "Solver", "Steps", "Rejected", "Evaluations", "Jacobians", "Events", "Time in ms", "End"];
+    if (isChecked) head.push("Check");
     const row = ({ law, solved, took }: Outcome) => {
       const { steps, rejected, evaluations, jacobians } = solved.statistics;
       const counts = [steps, rejected, evaluations, jacobians, solved.events.length].map(String);
       const cells = [solved.solver, ...counts, took.toFixed(1), solved.end];
+      if (isChecked) cells.push(checkText(solved.check));
       return h("tr", {}, h("th", { scope: "row" }, law), ...cells.map((cell) => h("td", {}, cell)));
     };
     const table = h(
@@ -415,6 +418,15 @@ export class Bench {
       save(`${law}.ssv`, answer.text, "application/xml");
     }
   }
+}
+
+/** What a finer run says: its fault, or the largest difference of each result in parts of the range. */
+function checkText(check: Solved["check"]): string {
+  if (!check) return "";
+  if (check.fault !== null) return check.fault;
+  const { of, finer, differences } = check;
+  const parts = differences.map(({ name, part }) => `${name} ${short(part)}`);
+  return `${of} ${finer.toExponential()}: ${parts.join(", ")} of the range`;
 }
 
 /** Laws that a strut can have: the choices of its friction model. */

@@ -161,7 +161,7 @@ export class RunChoices {
       h("p", { class: "note" }, system?.source ?? ""),
       h(
         "details",
-        { class: "solver", open: Boolean(state.tol || state.until || state.every || state.solver !== "auto") },
+        { class: "solver", open: Boolean(state.tol || state.until || state.every || state.check || state.solver !== "auto") },
         h("summary", {}, "Solver"),
         select("Solver", `solver-${view}`, state.solver, solvers, (name) => {
           state.solver = name;
@@ -170,7 +170,19 @@ export class RunChoices {
         number("Tolerance", "tol", "", 1e-8),
         number("End", "until", "s", system?.until),
         number("Interval", "every", "s", system?.every),
+        this.check(),
       ),
     );
+  }
+
+  /** Whether each run is repeated at a tenth of the tolerance, or of the step. */
+  private check(): HTMLElement {
+    const { state, view } = this;
+    const box = h("input", { type: "checkbox", id: `check-${view}`, checked: state.check });
+    box.addEventListener("change", () => {
+      state.check = box.checked;
+      this.changed();
+    });
+    return h("div", { class: "check" }, box, h("label", { for: box.id }, "Check by a run at a tenth of the tolerance"));
   }
 }

@@ -14,6 +14,8 @@ export interface State {
   tol: string;
   until: string;
   every: string;
+  /** Whether each run is repeated at a tenth of the tolerance. */
+  check: boolean;
   /** Values by `part.variable`, as typed. */
   set: Record<string, string>;
 }
@@ -25,7 +27,7 @@ export interface Place {
 
 /** The version is raised when a link of an older one would be read differently; older ones stay readable. */
 const VERSION = 1;
-const PLAIN = { solver: "auto", tol: "", until: "", every: "", set: {} };
+const PLAIN = { solver: "auto", tol: "", until: "", every: "", check: false, set: {} };
 const DEFAULTS: Record<View, State> = {
   bench: { laws: ["CoulombStiction", "LuGre"], system: "belt", ...PLAIN },
   law: { laws: ["LuGre"], system: "", ...PLAIN },
@@ -45,6 +47,7 @@ export function toHash({ view, state }: Place): string {
   for (const name of ["system", "solver", "tol", "until", "every"] as const) {
     if (state[name] !== usual[name]) entries.push([name, state[name]]);
   }
+  if (state.check !== usual.check) entries.push(["check", String(state.check)]);
   if (state.laws.join() !== usual.laws.join()) entries.push(["law", state.laws.join()]);
   for (const name of Object.keys(state.set).sort()) entries.push([name, state.set[name]!]);
   if (entries.length === 0) return "";
@@ -88,6 +91,8 @@ function read(state: State, name: string, value: string, faults: string[]): void
     state[name] = value;
   } else if (name === "tol" || name === "until" || name === "every") {
     state[name] = value;
+  } else if (name === "check" && (value === "true" || value === "false")) {
+    state.check = value === "true";
   } else if (name.includes(".") && name !== "__proto__") {
     state.set[name] = value;
   } else {

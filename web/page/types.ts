@@ -114,6 +114,10 @@ jitter?: number,
  */
 "no-events": boolean, 
 /**
+ * Repeat the run at a tenth of the tolerance (of the step in co-simulation), and report the difference
+ */
+check: boolean, 
+/**
  * Results to record, such as rig.position or der(rig.block_velocity)
  */
 record: Array<string>, 
@@ -212,7 +216,11 @@ export type Moving = { input: string, unit: string, properties: Array<Property>,
 
 export type Property = { name: string, value: number, };
 
-export type Solved = { law: string | null, solver: string, reached: boolean, end: string, statistics: Statistics, columns: Array<Column>, 
+export type Solved = { law: string | null, solver: string, reached: boolean, end: string, 
+/**
+ * Why the outcome is not what was asked for.
+ */
+fault: string | null, check: Check | null, statistics: Statistics, columns: Array<Column>, 
 /**
  * The part that had each event; the times are the last array.
  */
@@ -221,6 +229,52 @@ events: Array<string>, };
 export type Statistics = { steps: number, rejected: number, evaluations: number, jacobians: number, };
 
 export type Column = { name: string, unit: string, };
+
+export type Check = { 
+/**
+ * What was made finer.
+ */
+of: Finer, 
+/**
+ * The tolerance of the finer run, or its communication step in s.
+ */
+finer: number, 
+/**
+ * How the finer run ended.
+ */
+end: string, 
+/**
+ * The largest difference of each recorded result.
+ */
+differences: Array<Difference>, 
+/**
+ * Why the tolerance or the step does not hold; none if it does.
+ */
+fault: string | null, };
+
+export type Finer = "tolerance" | "step";
+
+export type Difference = { 
+/**
+ * Name of the result.
+ */
+name: string, 
+/**
+ * Unit of the result.
+ */
+unit: string, 
+/**
+ * The difference, without sign.
+ */
+largest: number, 
+/**
+ * The same in parts of the range, from the smallest to the largest value of both runs; 0 without a difference.
+ */
+part: number, 
+/**
+ * Output time of the difference, in s.
+ */
+time: number, };
 
 export type Loop = { every: number, period: number, };
 

@@ -65,7 +65,7 @@ fn course(system: &System, settings: &Settings, results: &[(Place, String)]) -> 
     }
     let names: Vec<String> = results.iter().map(|(_, name)| name.clone()).collect();
     // Twice as fine, so that every communication point is one of the results.
-    let outcome = run(system, &Settings { every: 0.5 * settings.master.step, ..*settings }, &names)?;
+    let outcome = run(system, &Settings { every: 0.5 * settings.master.step, is_checked: false, ..*settings }, &names)?;
     if !outcome.is_reached() {
         return Err(Fault::value(outcome.end));
     }

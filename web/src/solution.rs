@@ -1,7 +1,7 @@
 //! Runs of systems.
 
 use serde::Serialize;
-use stribeck_solve::run::{self, Configuration, Outcome, run};
+use stribeck_solve::run::{self, Check, Configuration, Outcome, run};
 use stribeck_solve::solve;
 use stribeck_solve::system::{Fault, Source, System};
 use ts_rs::TS;
@@ -15,6 +15,9 @@ pub struct Solved {
     solver: String,
     reached: bool,
     end: String,
+    /// Why the outcome is not what was asked for.
+    fault: Option<String>,
+    check: Option<Check>,
     statistics: Statistics,
     columns: Vec<Column>,
     /// The part that had each event; the times are the last array.
@@ -65,6 +68,8 @@ pub fn solve(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault>
         solver: outcome.solver.to_string(),
         reached: outcome.is_reached(),
         end: outcome.end.to_string(),
+        fault: outcome.fault(),
+        check: outcome.check,
         statistics: Statistics { steps, rejected, evaluations, jacobians },
         columns: outcome.columns.iter().map(column).collect(),
         events: outcome.events.iter().map(|event| event.part.clone()).collect(),
@@ -75,10 +80,10 @@ pub fn solve(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault>
     Ok(Answer::with(described, arrays))
 }
 
-/// The table of results.
+/// The table of results, which has no check.
 pub fn csv(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault> {
     let mut table = Vec::new();
-    outcome(chosen, law)?.write_csv(&mut table).map_err(Fault::value)?;
+    outcome(&Configuration { check: false, ..chosen.clone() }, law)?.write_csv(&mut table).map_err(Fault::value)?;
     let text = String::from_utf8(table).map_err(Fault::value)?;
     Ok(Answer::plain(Text { text }))
 }

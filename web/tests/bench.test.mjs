@@ -27,6 +27,18 @@ test("a slider changes the curves, the link and the number field; undo brings al
   assert.deepEqual(wrong, []);
 });
 
+test("a check by a finer run is told beside the cost", async () => {
+  const { page, wrong } = await opened("#v=1&law=CoulombStiction,LuGre&tol=1e-6");
+  const cells = () => page.locator(".costs tbody tr td:last-child").allTextContents();
+  assert.deepEqual(await cells(), ["reached", "reached"]);
+  const seen = await drawn(page);
+  await page.locator("#check-bench").check();
+  await computed(page, seen + 1);
+  assert.ok(page.url().endsWith("&check=true"), page.url());
+  for (const text of await cells()) assert.match(text, /^tolerance 1e-7: rig\.position \S+, .* of the range$/);
+  assert.deepEqual(wrong, []);
+});
+
 test("a slider that is dragged redraws while it moves", async () => {
   const { page, wrong } = await opened("#v=1&law=CoulombStiction");
   const slider = await page.locator("[data-name='friction.mu_k'] input[type=range]").boundingBox();

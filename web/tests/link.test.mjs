@@ -26,7 +26,7 @@ function state(draw, view, { laws, systems, solvers }) {
     set[`${pick(["friction", "rig", "mass", "strut"])}.${pick(["mu_k", "sigma_0", "geom.d_i", "x=y", "mu s", "\u03c3"])}`] = draw() < 0.5 ? String(draw()) : pick(odd);
   }
   const text = () => (draw() < 0.5 ? "" : pick(odd));
-  const state = { laws: chosen.length > 0 ? chosen : ["LuGre"], system: pick(systems), solver: pick(solvers), tol: text(), until: text(), every: text(), set };
+  const state = { laws: chosen.length > 0 ? chosen : ["LuGre"], system: pick(systems), solver: pick(solvers), tol: text(), until: text(), every: text(), check: draw() < 0.5, set };
   return { view, state };
 }
 
@@ -75,6 +75,7 @@ test("a wrong link says what is wrong, and the page is of use", async () => {
     ["#v=2&tol=1e-6", /version 2/],
     ["#v=1&colour=red", /'colour' is unknown/],
     ["#v=1&view=cellar", /the view 'cellar' does not exist; there are bench, law, strut, fit/],
+    ["#v=1&check=perhaps", /'check' is unknown/],
     ["#v=1&until=soon", /until = 'soon': must be a number/],
     ["#v=1&system=bolt", /system 'bolt' does not exist \(did you mean 'belt'\?\)/],
     ["#v=1&law=", /0 laws: must be 1 to 8/],

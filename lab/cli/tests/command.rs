@@ -26,6 +26,10 @@ fn refusals_name_what_is_wrong_and_what_was_meant() {
         (vec!["run", "--set", "mass=-1"], "rig: mass = -1: must be > 0 and finite"),
         (vec!["run", "--set", "friction.velocity=1"], "friction.velocity comes from rig.velocity and cannot be set"),
         (vec!["run", "--tol", "0"], "tolerance = 0: must be > 0 and finite"),
+        (
+            vec!["run", "--tol", "1e-14", "--check"],
+            "tolerance = 1e-14: a check needs a tenth of it, and that must be at least 1e-14",
+        ),
         (vec!["run", "--every=-1"], "every = -1 s: must be > 0 and finite"),
         (vec!["run", "--every", "1e-9"], "every = 1e-9 s gives 40000000000 rows: at most 20000000"),
         (vec!["run", "--law", "LuGre", "Dahl"], "several laws: use `stribeck compare`"),
@@ -101,6 +105,37 @@ fn a_run_that_does_not_converge_says_why_and_keeps_its_results() {
     let line = String::from_utf8(output.stdout).expect("text");
     assert!(line.contains("did not converge at 3.7") && line.contains("friction chatters"), "{line}");
     assert!(text(&out).lines().count() > 300, "what was computed before is there");
+}
+
+/// The differences are those of two runs made one by one.
+#[test]
+fn a_check_says_what_a_finer_run_says() {
+    let runs = |arguments: &[&str]| {
+        let output = stribeck(&[&["run", "--law", "LuGre", "--json"], arguments].concat());
+        let told: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        (output.status.code(), told["runs"][0].clone())
+    };
+    let (code, checked) = runs(&["--tol", "1e-5", "--check"]);
+    let [(_, coarse), (_, fine)] = ["1e-5", "1e-6"].map(|tolerance| runs(&["--tol", tolerance]));
+    assert!(code == Some(0) && coarse["check"].is_null() && checked["results"] == coarse["results"]);
+    let values = |run: &serde_json::Value| -> Vec<f64> {
+        let all = run["results"]["rig.position"]["values"].as_array().expect("an array").iter();
+        all.map(|value| value.as_f64().expect("a number")).collect()
+    };
+    let apart = values(&coarse).iter().zip(values(&fine)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let differences = checked["check"]["differences"].as_array().expect("an array");
+    let position = differences.iter().find(|one| one["name"] == "rig.position").expect("a difference");
+    let largest = position["largest"].as_f64().expect("a number");
+    assert!((largest / apart - 1.0).abs() < 0.01 && largest > 0.0, "{largest:e} {apart:e}");
+
+    let run = ["run", "--law", "LuGre", "--solver", "co-simulation", "--step", "0.02", "--check"];
+    let output = stribeck(&run);
+    let said = String::from_utf8(output.stdout).expect("text");
+    assert_eq!(output.status.code(), Some(3), "{said}");
+    assert!(said.starts_with("LuGre: reached; co-simulation"), "{said}");
+    assert!(said.contains("  a run with steps of 0.002 s differs by at most\n"), "{said}");
+    assert!(said.contains("\n    rig.position  "), "{said}");
+    assert!(said.contains("\n  the step does not hold: a run with steps of 0.002 s differs by up to "), "{said}");
 }
 
 #[test]

@@ -17,3 +17,7 @@ pub mod study;
 #[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod system;
 pub mod work;
+
+#[cfg(test)]
+#[path = "../tests/common/stick_slip.rs"]
+mod stick_slip;

@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 use stribeck_plot::picture::{self, Options, Theme};
 use stribeck_plot::report::{self, Facts};
 use stribeck_solve::job;
-use stribeck_solve::run::{Column, Configuration, Outcome, Settings, Vary, run};
+use stribeck_solve::run::{Check, Column, Configuration, Difference, Outcome, Settings, Vary, run};
 use stribeck_solve::solve::{End, Statistics};
 use stribeck_solve::system::{Fault, Setting, Source, System, read};
 
@@ -109,7 +109,10 @@ impl Choice<'_> {
             let runs: Vec<Value> = all.iter().map(|one| self.as_json(one)).collect();
             println!("{}", json!({ "runs": runs }));
         } else {
-            all.iter().for_each(|one| println!("{}", self.line(one)));
+            for one in &all {
+                println!("{}", self.line(one));
+                one.outcome.check.iter().for_each(print_check);
+            }
         }
         let verdict = all.iter().map(Ran::verdict).max().unwrap_or(Verdict::Done);
         self.illustrate(all)?;
@@ -168,7 +171,7 @@ impl Choice<'_> {
     /// A run as JSON; the results are arrays.
     fn as_json(&self, one: &Ran) -> Value {
         let varied = self.varied(one).map(|(name, value)| json!({ "name": name, "value": value }));
-        let Outcome { law, solver, time, columns, end, statistics, events, elapsed } = &one.outcome;
+        let Outcome { law, solver, time, columns, end, statistics, events, elapsed, check } = &one.outcome;
         let result = |column: &Column| (column.name.clone(), json!({ "unit": column.unit, "values": column.values }));
         json!({
             "law": law.map(|law| law.name),
@@ -182,6 +185,7 @@ impl Choice<'_> {
             "jacobians": statistics.jacobians,
             "events": events,
             "seconds": elapsed.as_secs_f64(),
+            "check": check,
             "time": time,
             "results": columns.iter().map(result).collect::<Map<String, Value>>(),
         })
@@ -220,16 +224,31 @@ impl Choice<'_> {
 
 impl Ran {
     fn verdict(&self) -> Verdict {
-        match self.outcome.end {
-            End::Reached => Verdict::Done,
-            End::Failed { .. } => Verdict::Diverged,
+        let end = self.outcome.check.as_ref().map_or(&self.outcome.end, |check| &check.end);
+        match end {
             End::Cancelled { .. } => Verdict::Cancelled,
+            _ if self.outcome.fault().is_some() => Verdict::Diverged,
+            _ => Verdict::Done,
         }
     }
 
     /// Law or value that distinguishes this run from the others.
     fn what(&self) -> String {
         self.value.map_or_else(|| self.outcome.law.map_or("", |law| law.name).to_owned(), |value| value.to_string())
+    }
+}
+
+/// What the finer run says: the difference of each result, and whether the tolerance holds.
+fn print_check(check: &Check) {
+    println!("  {} differs by at most", check.of.run(check.finer));
+    let width = check.differences.iter().map(|one| one.name.len()).max().unwrap_or(0);
+    for one in &check.differences {
+        let Difference { name, unit, largest, part, .. } = one;
+        let (unit, time) = (if unit == "1" { "" } else { unit }, one.shown_time());
+        println!("    {name:<width$}  {largest:9.2e} {unit:<5} {part:8.1e} of its range, at {time} s");
+    }
+    if let Some(fault) = &check.fault {
+        println!("  {fault}");
     }
 }
 

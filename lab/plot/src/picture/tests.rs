@@ -42,6 +42,7 @@ fn made_up(time: Vec<f64>, course: impl Fn(f64) -> f64) -> Outcome {
         statistics: Statistics::default(),
         events: Vec::new(),
         elapsed: std::time::Duration::ZERO,
+        check: None,
     }
 }
 

@@ -13,7 +13,7 @@ use stribeck::unit::UNITS;
 use crate::picture::{self, Options, Theme, escape, typeset_unit};
 use html::Page;
 pub use identification::Identification;
-use stribeck_solve::run::Outcome;
+use stribeck_solve::run::{Check, Difference, Outcome};
 use stribeck_solve::system::{Part, Place, Signal, System, WireSource};
 
 const STYLE: &str = include_str!("style.css");
@@ -50,6 +50,7 @@ pub fn html(system: &System, outcomes: &[(String, Outcome)], facts: &Facts) -> S
     warnings(&mut page, outcomes);
     pictures(&mut page, system, outcomes, facts);
     solver(&mut page, outcomes, facts);
+    checks(&mut page, outcomes);
     events(&mut page, outcomes, facts.events);
     parts(&mut page, system, facts);
     connections(&mut page, system);
@@ -63,10 +64,12 @@ pub fn html(system: &System, outcomes: &[(String, Outcome)], facts: &Facts) -> S
     page.end()
 }
 
-/// Runs that did not come to their end, before anything else.
+/// Runs that did not come to their end, or whose tolerance does not hold, before anything else.
 fn warnings(page: &mut Page, outcomes: &[(String, Outcome)]) {
-    for (law, outcome) in outcomes.iter().filter(|(_, outcome)| !outcome.is_reached()) {
-        page.paragraph("warning", &format!("{law}: {}. Its curves end there.", outcome.end));
+    for (law, outcome) in outcomes {
+        let Some(fault) = outcome.fault() else { continue };
+        let curves = if outcome.is_reached() { "" } else { " Its curves end there." };
+        page.paragraph("warning", &format!("{law}: {fault}.{curves}"));
     }
 }
 
@@ -89,6 +92,24 @@ fn solver(page: &mut Page, outcomes: &[(String, Outcome)], facts: &Facts) {
         (!outcome.is_reached(), cells)
     };
     page.marked_table(&head, outcomes.iter().map(row));
+}
+
+/// Differences from the finer runs, where there are some.
+fn checks(page: &mut Page, outcomes: &[(String, Outcome)]) {
+    let checks = || outcomes.iter().filter_map(|(law, outcome)| Some((law, outcome.check.as_ref()?)));
+    let Some((_, Check { of, finer, .. })) = checks().next() else { return };
+    page.heading("Check");
+    page.paragraph("note", &format!("Largest differences from {}.", of.run(*finer)));
+    let head = ["Law", "Result", "#Difference", "Unit", "#Part of its range", "#Time in s"];
+    let rows = checks().flat_map(|(law, check)| {
+        check.differences.iter().map(move |one| {
+            let Difference { name, unit, largest, part, .. } = one;
+            let unit = if unit == "1" { String::new() } else { typeset_unit(unit) };
+            let [largest, part] = [largest, part].map(|number| format!("{number:.2e}"));
+            (check.fault.is_some(), [law.clone(), name.clone(), largest, unit, part, one.shown_time()])
+        })
+    });
+    page.marked_table(&head, rows);
 }
 
 fn events(page: &mut Page, outcomes: &[(String, Outcome)], most: usize) {

@@ -160,6 +160,30 @@ fn a_run_that_did_not_converge_is_told_first() {
 }
 
 #[test]
+fn a_check_is_a_table_and_a_warning_if_the_tolerance_does_not_hold() {
+    let (systems, mut outcomes) = belt();
+    let html = |outcomes: &[(String, Outcome)]| super::html(&systems[0], outcomes, &Facts::default());
+    assert!(!html(&outcomes).contains("<h2>Check"), "nobody asked for one");
+    let settings = Settings { is_checked: true, until: 10.0, ..Settings::of(&systems[2]) };
+    let results = picture::needed(&systems[2]);
+    outcomes[2].1 = stribeck_solve::run::run(&systems[2], &settings, &results).unwrap();
+    let page = html(&outcomes);
+    let rows = table(&parse(&page), "Check");
+    let check = outcomes[2].1.check.clone().unwrap();
+    assert_eq!((rows.len(), check.fault), (results.len(), None));
+    for (row, one) in rows.iter().zip(&check.differences) {
+        assert_eq!(row[..2], ["LuGre".to_owned(), one.name.clone()]);
+        assert!((row[2].parse::<f64>().unwrap() - one.largest).abs() <= 0.01 * one.largest, "{row:?}");
+        assert!((row[5].parse::<f64>().unwrap() - one.time).abs() < 1e-9, "{row:?}");
+    }
+    assert!(page.contains("Largest differences from a run at 1e-9.") && !page.contains("class=\"warning\""));
+    outcomes[2].1.check.as_mut().unwrap().fault = Some("the tolerance does not hold: a < b".to_owned());
+    let page = html(&outcomes);
+    let warning = "<p class=\"warning\">LuGre: the tolerance does not hold: a &lt; b.</p>";
+    assert!(page.find(warning).unwrap() < page.find("<h2>").unwrap() && page.contains("class=\"failed\""));
+}
+
+#[test]
 fn hostile_texts_stay_texts() {
     let (mut systems, mut outcomes) = belt();
     let hostile = "</title></h1><script>alert('1')</script> & \"\u{0}\u{b}";

@@ -50,6 +50,10 @@ pub struct Configuration {
     #[arg(long)]
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub no_events: bool,
+    /// Repeat the run at a tenth of the tolerance (of the step in co-simulation), and report the difference
+    #[arg(long)]
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub check: bool,
     /// Results to record, such as rig.position or der(rig.block_velocity)
     #[arg(long, num_args = 1.., value_delimiter = ',')]
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -178,6 +182,7 @@ impl Configuration {
         settings.master.step = self.step.unwrap_or(settings.master.step);
         settings.master.jitter = self.jitter.unwrap_or(settings.master.jitter);
         settings.events = !self.no_events;
+        settings.is_checked = self.check;
         Ok(settings)
     }
 
@@ -207,13 +212,15 @@ mod tests {
     #[test]
     fn a_run_is_written_for_the_command_line_and_for_python() {
         let run = |text: &str| toml::from_str::<Configuration>(text).unwrap();
-        let one = run("system = \"belt\"\nlaw = [\"LuGre\"]\nuntil = 15\ntol = 1e-7\nset = { \"rig.mass\" = 1.5 }");
-        let command = "stribeck run --law LuGre --set rig.mass=1.5 --system belt --tol 1e-7 --until 15.0";
+        let one = run(
+            "system = \"belt\"\nlaw = [\"LuGre\"]\nuntil = 15\ntol = 1e-7\ncheck = true\nset = { \"rig.mass\" = 1.5 }",
+        );
+        let command = "stribeck run --check --law LuGre --set rig.mass=1.5 --system belt --tol 1e-7 --until 15.0";
         assert_eq!(one.command().unwrap(), command);
         assert_eq!(
             one.python().unwrap(),
-            "import stribeck\n\nsolution = stribeck.solve(\"belt\", \"LuGre\", set={\"rig.mass\": 1.5}, tol=1e-7, \
-             until=15.0)\n"
+            "import stribeck\n\nsolution = stribeck.solve(\"belt\", \"LuGre\", check=True, set={\"rig.mass\": 1.5}, \
+             tol=1e-7, until=15.0)\n"
         );
         let several = run("law = [\"LuGre\", \"Dahl\"]\nno-events = true\nset = { curve = \"Tustin\", flag = true }");
         assert_eq!(

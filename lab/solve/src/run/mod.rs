@@ -1,7 +1,9 @@
 //! Runs: a system, a solver, and what came of it.
 
+mod check;
 mod configuration;
 mod outcome;
+mod progress;
 mod solver;
 
 use std::time::{Duration, Instant};
@@ -9,7 +11,7 @@ use std::time::{Duration, Instant};
 use stribeck::model::Brief;
 
 pub use configuration::{Configuration, Vary, words};
-pub use outcome::{Column, Outcome, Passed};
+pub use outcome::{Check, Column, Difference, Finer, Outcome, Passed};
 pub use solver::{Kind, Solver};
 
 use crate::couple::{Exchange, Master, by_steps, co_simulation};
@@ -33,6 +35,8 @@ pub struct Settings<'a> {
     pub events: bool,
     /// The master, for co-simulation.
     pub master: Master,
+    /// Whether the run is repeated at a tenth of its tolerance, or of the master's step.
+    pub is_checked: bool,
     /// Set from outside to end the run early.
     pub cancel: Option<&'a std::sync::atomic::AtomicBool>,
     /// Listener to the progress.
@@ -42,13 +46,17 @@ pub struct Settings<'a> {
 /// Largest number of output times (chosen): a table of a gigabyte.
 const MOST_ROWS: f64 = 2e7;
 
+/// Least tolerance: a few roundings of a number.
+const LEAST_TOLERANCE: f64 = 1e-14;
+
 impl Settings<'_> {
     /// The settings of a system's description, with the default solver at 1e-8.
     pub fn of(system: &System) -> Settings<'static> {
         let (until, every) = (system.description.until, system.description.every);
         let master = Master { step: 1e-3, exchange: Exchange::Sequential, jitter: 0.0 };
         let (solver, tolerance) = (Solver::Auto, 1e-8);
-        Settings { solver, tolerance, until, every, events: true, master, cancel: None, progress: None }
+        let (events, is_checked) = (true, false);
+        Settings { solver, tolerance, until, every, events, master, is_checked, cancel: None, progress: None }
     }
 
     /// Refuses settings with which nothing can be run.
@@ -60,9 +68,12 @@ impl Settings<'_> {
                 return Err(Fault::value(format_args!("{name} = {}{unit}: must be > 0 and finite", Brief(value))));
             }
         }
-        if self.tolerance < 1e-14 || self.tolerance > 0.1 {
-            let text = format_args!("tolerance = {:e}: must be between 1e-14 and 0.1", self.tolerance);
+        if self.tolerance < LEAST_TOLERANCE || self.tolerance > 0.1 {
+            let text = format_args!("tolerance = {:e}: must be between {LEAST_TOLERANCE:e} and 0.1", self.tolerance);
             return Err(Fault::value(text));
+        }
+        if self.is_checked && self.solver != Solver::CoSimulation {
+            check::can_be_finer(self.tolerance)?;
         }
         let rows = self.until / self.every;
         if rows > MOST_ROWS {
@@ -91,8 +102,14 @@ impl Settings<'_> {
 }
 
 /// Runs a system and records the named results: variables such as `rig.position`, or `der(rig.block_velocity)`.
+/// If the settings ask for it, the run is repeated, and the outcome has the difference.
 pub fn run(system: &System, settings: &Settings, results: &[String]) -> Result<Outcome, Fault> {
     settings.check()?;
+    if settings.is_checked { check::checked(system, settings, results) } else { once(system, settings, results) }
+}
+
+/// Makes one run.
+fn once(system: &System, settings: &Settings, results: &[String]) -> Result<Outcome, Fault> {
     let sources = results.iter().map(|name| system.source(name)).collect::<Result<Vec<WireSource>, Fault>>()?;
     let solver = settings.solver.for_system(system);
     // A browser has its own clock, which the standard library does not know.
@@ -105,7 +122,7 @@ pub fn run(system: &System, settings: &Settings, results: &[String]) -> Result<O
     let events = statistics.events.iter().zip(parts).map(|(event, part)| Passed { time: event.time, part });
     let events = events.collect();
     let elapsed = begin.map_or(Duration::ZERO, |begin| begin.elapsed());
-    Ok(Outcome { law: system.law, solver, time, columns, end, statistics, events, elapsed })
+    Ok(Outcome { law: system.law, solver, time, columns, end, statistics, events, elapsed, check: None })
 }
 
 /// What a solver gives back.
@@ -198,5 +215,11 @@ impl Outcome {
     /// Whether the run came to its end.
     pub fn is_reached(&self) -> bool {
         self.end == End::Reached
+    }
+
+    /// Why the outcome is not what was asked for: the run did not come to its end, or a check says that its tolerance does
+    /// not hold.
+    pub fn fault(&self) -> Option<String> {
+        if self.is_reached() { self.check.as_ref()?.fault.clone() } else { Some(self.end.to_string()) }
     }
 }

@@ -1,10 +1,12 @@
 //! What came of a run.
 
+use std::fmt::Display;
 use std::io::{self, Write};
 use std::time::Duration;
 
-use serde::Serialize;
-use stribeck::model::ModelType;
+use serde::{Serialize, Serializer};
+use stribeck::model::{Brief, ModelType};
+use ts_rs::TS;
 
 use super::Solver;
 use crate::solve::{End, Statistics};
@@ -29,6 +31,78 @@ pub struct Passed {
     pub part: String,
 }
 
+/// The difference of a run from one at a tenth of its tolerance, or of its communication step.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct Check {
+    /// What was made finer.
+    pub of: Finer,
+    /// The tolerance of the finer run, or its communication step in s.
+    pub finer: f64,
+    /// How the finer run ended.
+    #[serde(serialize_with = "shown")]
+    #[ts(type = "string")]
+    pub end: End,
+    /// The largest difference of each recorded result.
+    pub differences: Vec<Difference>,
+    /// Why the tolerance or the step does not hold; none if it does.
+    pub fault: Option<String>,
+}
+
+/// What sets the accuracy of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
+#[serde(rename_all = "kebab-case")]
+pub enum Finer {
+    /// The tolerance.
+    Tolerance,
+    /// The communication step.
+    Step,
+}
+
+/// The largest difference of a result from that of the finer run, over the output times.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct Difference {
+    /// Name of the result.
+    pub name: String,
+    /// Unit of the result.
+    pub unit: String,
+    /// The difference, without sign.
+    pub largest: f64,
+    /// The same in parts of the range, from the smallest to the largest value of both runs; 0 without a difference.
+    pub part: f64,
+    /// Output time of the difference, in s.
+    pub time: f64,
+}
+
+impl Difference {
+    /// The time with ten digits: output times such as 30.01 have an error in their last.
+    pub fn shown_time(&self) -> String {
+        let text = format!("{:.9e}", self.time);
+        text.parse::<f64>().map_or(text, |time| time.to_string())
+    }
+}
+
+fn shown<S: Serializer>(what: &impl Display, to: S) -> Result<S::Ok, S::Error> {
+    to.collect_str(what)
+}
+
+impl Finer {
+    /// The finer run in words.
+    pub fn run(self, finer: f64) -> String {
+        match self {
+            Finer::Tolerance => format!("a run at {finer:e}"),
+            Finer::Step => format!("a run with steps of {} s", Brief(finer)),
+        }
+    }
+
+    /// Name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Finer::Tolerance => "tolerance",
+            Finer::Step => "step",
+        }
+    }
+}
+
 /// The outcome of a run.
 #[derive(Clone, Debug)]
 pub struct Outcome {
@@ -48,6 +122,8 @@ pub struct Outcome {
     pub events: Vec<Passed>,
     /// Time on the clock; zero in a browser, where this library has none.
     pub elapsed: Duration,
+    /// The difference from a finer run, if one was asked for and the run came to its end.
+    pub check: Option<Check>,
 }
 
 impl Outcome {

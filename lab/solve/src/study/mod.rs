@@ -196,8 +196,8 @@ impl Study {
         let names: Vec<String> = self.quantities.iter().filter_map(|one| one.result().map(str::to_owned)).collect();
         let settings = Settings { cancel: Some(cancel), ..settings };
         let outcome = run(&system, &settings, &names).map_err(|fault| fault.to_string())?;
-        if !outcome.is_reached() {
-            return Err(outcome.end.to_string());
+        if let Some(fault) = outcome.fault() {
+            return Err(fault);
         }
         Ok(self.quantities.iter().map(|quantity| quantity.of(&outcome)).collect())
     }

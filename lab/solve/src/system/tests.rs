@@ -4,10 +4,7 @@ use stribeck::catalogue::{Family, documented};
 
 use super::*;
 use crate::solve::{End, Equations, Grid, Method, Options, Recorder, Statistics, solve};
-
-#[path = "../../tests/common/stick_slip.rs"]
-mod stick_slip;
-use stick_slip::{BELT, StickSlip};
+use crate::stick_slip::{BELT, StickSlip};
 
 /// The belt with a law: statistics, and the recorded motion (time, position of the block).
 fn belt(law: &str, tolerance: f64) -> (Statistics, Vec<(f64, f64)>) {
