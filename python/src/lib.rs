@@ -40,5 +40,6 @@ fn _stribeck(module: &Bound<PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(study::merge_study, module)?)?;
     module.add_function(wrap_pyfunction!(systems::systems, module)?)?;
     module.add_function(wrap_pyfunction!(systems::solvers, module)?)?;
+    module.add_function(wrap_pyfunction!(systems::find_step, module)?)?;
     module.add_function(wrap_pyfunction!(systems::solve, module)?)
 }

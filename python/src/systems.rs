@@ -3,7 +3,10 @@
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stribeck_solve::run::{Check, Column, Configuration, Difference, Outcome, Settings, Solver, run, words};
+use stribeck_solve::run::{
+    Check, Column, CommunicationSteps, Configuration, Difference, Outcome, Settings, Solver, communication_steps, run,
+    words,
+};
 use stribeck_solve::solve::Statistics;
 use stribeck_solve::system::{BUILT_IN, Description, Fault, System};
 
@@ -44,6 +47,24 @@ pub fn solve<'py>(py: Python<'py>, entries: &Bound<'py, PyDict>) -> PyResult<Vec
         systems.iter().map(outcome).collect::<Result<Vec<Outcome>, Fault>>()
     })?;
     outcomes.map_err(refused)?.into_iter().map(|outcome| as_dict(py, outcome)).collect()
+}
+
+/// Searches for the largest communication step of a system with one law, or with its own; the answer as JSON. The entries
+/// are those of a file of `stribeck run`.
+#[pyfunction]
+pub fn find_step(py: Python, entries: &Bound<PyDict>) -> PyResult<String> {
+    let chosen: Configuration = described(entries)?;
+    if chosen.vary.is_some() {
+        return Err(refused("vary: a search is for one system"));
+    }
+    let found = interruptible(py, |cancel| -> Result<CommunicationSteps, Fault> {
+        let (systems, source) = chosen.systems()?;
+        let [system] = systems.as_slice() else { return Err(Fault::value("law: a search is for one law")) };
+        let (settings, search) = chosen.search(system)?;
+        let settings = Settings { cancel: Some(cancel), ..settings };
+        communication_steps(system, &settings, &chosen.results(&source), &search)
+    })?;
+    serde_json::to_string(&found.map_err(refused)?).map_err(refused)
 }
 
 fn as_dict<'py>(py: Python<'py>, outcome: Outcome) -> PyResult<Bound<'py, PyDict>> {

@@ -22,16 +22,31 @@ from stribeck.instances import Model, ShockAbsorber
 from stribeck.results import Result
 from stribeck.series import force, simulate
 from stribeck.studies import Table, study
-from stribeck.systems import Check, Comparison, Difference, NotConverged, Solution, compare, solve, solvers, systems
+from stribeck.systems import (
+    Check,
+    Comparison,
+    Deviation,
+    Difference,
+    FoundStep,
+    NotConverged,
+    Solution,
+    compare,
+    find_step,
+    solve,
+    solvers,
+    systems,
+)
 from stribeck.tyres import Tyre, TyreWrench
 
 __all__ = [
     "Check",
     "Comparison",
     "Description",
+    "Deviation",
     "Difference",
     "Estimate",
     "Fit",
+    "FoundStep",
     "Identification",
     "Model",
     "NotConverged",
@@ -46,6 +61,7 @@ __all__ = [
     "Variable",
     "__version__",
     "compare",
+    "find_step",
     "fmu",
     "force",
     "identify",

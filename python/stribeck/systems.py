@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -42,6 +43,31 @@ class Check:
     """The largest difference of each result."""
     fault: str | None
     """Why the tolerance or the step does not hold; None if it does."""
+
+
+@dataclass(frozen=True)
+class Deviation:
+    """A quantity of a co-simulation beside that of the solution."""
+
+    value: float
+    solution: float
+    unit: str
+    part: float
+    """The difference: of a time in parts of the interval, of a force or a velocity in parts of the largest one, of a
+    position in parts of its range, of a number as it is."""
+
+
+@dataclass(frozen=True)
+class FoundStep:
+    """The largest communication step of an order of exchange."""
+
+    step: float | None
+    """The largest step in s with which, and with all smaller ones that were tried, the motion is close to the solution;
+    None if there is none."""
+    deviations: dict[str, Deviation]
+    """The quantities at this step."""
+    trials: dict[float, str | None]
+    """The steps that were tried, from the largest on: why the motion is not close to the solution, or None if it is."""
 
 
 class Solution(Result):
@@ -171,6 +197,38 @@ def solve(system: str = "belt", law: str | Description | None = None, **options:
     return solution
 
 
+def find_step(system: str = "belt", law: str | Description | None = None, **options: Any) -> dict[str, FoundStep]:
+    """Largest communication steps with which a co-simulation is close to the solution of a system, by the order of
+    exchange. It is close if times of slip and rest through the whole motion, forces, velocities, positions and the
+    velocity at rest differ by no more than `within` (default 0.01).
+
+    >>> found = find_step("belt", "CoulombStiction", exchange="sequential", within=0.05, until=20.0)
+    >>> list(found), found["sequential"].step > 1e-4
+    (['sequential'], True)
+
+    Options as for `solve`. A system whose solution does not reach its end raises `stribeck.Refused`.
+    """
+    if law is not None and not isinstance(law, (str, Description)):
+        raise TypeError(f"law = {law!r}: must be one law")
+    names = [] if law is None else [str(law)]
+    search = {"solver": "co-simulation", "step": "find"}
+    answer = json.loads(_stribeck.find_step(_entries(system, names, {**search, **options})))
+    if answer["end"] != "reached":
+        raise Refused(f"{system}: the solution {answer['end']}")
+    return {order["exchange"]: _found(order) for order in answer["orders"]}
+
+
+def _found(order: Mapping[str, Any]) -> FoundStep:
+    deviations = {
+        one["name"]: Deviation(one["value"], one["solution"], one["unit"], one["part"])
+        for trial in order["trials"]
+        if trial["step"] == order["step"]
+        for one in trial["deviations"]
+    }
+    trials = {trial["step"]: trial["fault"] for trial in order["trials"]}
+    return FoundStep(order["step"], deviations, trials)
+
+
 def compare(
     system: str = "belt", law: str | Description | Sequence[str | Description] | None = None, **options: Any
 ) -> Comparison:
@@ -190,7 +248,8 @@ def compare(
     return Comparison(system, reached, failed)
 
 
-def _solutions(system: str, names: list[str], options: dict[str, Any]) -> list[Solution]:
+def _entries(system: str, names: list[str], options: dict[str, Any]) -> dict[str, Any]:
+    """What a file of `stribeck run` would hold."""
     if not isinstance(system, (str, os.PathLike)):
         raise TypeError(f"system: must be a name or a path, not {type(system).__name__}")
     entries = {name: value for name, value in options.items() if value is not None}
@@ -198,5 +257,9 @@ def _solutions(system: str, names: list[str], options: dict[str, Any]) -> list[S
         entries["no-events"] = True
     if isinstance(entries.get("record"), str):
         entries["record"] = [entries["record"]]
-    answer = _stribeck.solve({**entries, "system": str(system), "law": names})
+    return {**entries, "system": str(system), "law": names}
+
+
+def _solutions(system: str, names: list[str], options: dict[str, Any]) -> list[Solution]:
+    answer = _stribeck.solve(_entries(system, names, options))
     return [Solution(str(system), one) for one in answer]

@@ -487,6 +487,24 @@ def test_a_step_that_does_not_hold_is_no_solution():
     assert "LuGre: the step does not hold" in repr(both)
 
 
+def test_the_step_that_is_found_is_right_and_a_larger_one_is_not():
+    """Periods of runs made by hand, against the closed form: stiction's excess over the belt's speed, and the slip."""
+    found = stribeck.find_step("belt", "CoulombStiction", exchange="parallel")["parallel"]
+    assert found.trials[found.step] is None
+    above = min(step for step in found.trials if step > found.step)
+    assert " instead of " in found.trials[above]
+    w, drop = 2.0**0.5, 0.05 * 9.81 / 2.0
+    period = 2.0 * drop / 0.1 + 2.0 / w * (numpy.pi - numpy.arctan(drop * w / 0.1))
+    assert found.deviations["period of friction"].solution == pytest.approx(period, rel=1e-3)
+    options = {"solver": "co-simulation", "step": found.step, "exchange": "parallel", "every": 1e-3}
+    run = stribeck.solve("belt", "CoulombStiction", **options)
+    slips = numpy.flatnonzero(numpy.diff((numpy.abs(run["rig.velocity"]) > 4e-3).astype(int)) > 0)
+    assert len(slips) > 3
+    assert numpy.diff(run.time[slips]) == pytest.approx(period, rel=0.01)
+    with pytest.raises(stribeck.Refused, match="step = find: is a search and no run"):
+        stribeck.solve("belt", solver="co-simulation", step="find")
+
+
 STUDY = {
     "samples": 1500,
     "seed": 3,

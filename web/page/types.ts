@@ -98,9 +98,14 @@ until?: number,
  */
 every?: number, 
 /**
- * Communication step of co-simulation in s (default 1e-3)
+ * Communication step of co-simulation in s (default 1e-3); `find` searches for the largest one that is close to
+ * the solution
  */
-step?: number, 
+step?: number | "find", 
+/**
+ * Part by which co-simulation with the step that is found may differ from the solution (default 0.01)
+ */
+within?: number, 
 /**
  * Order of exchange in co-simulation
  */

@@ -139,6 +139,37 @@ fn a_check_says_what_a_finer_run_says() {
 }
 
 #[test]
+fn a_communication_step_is_found() {
+    let search = ["run", "--law", "CoulombStiction", "--solver", "co-simulation", "--step", "find"];
+    let output = stribeck(&[&search[..], &["--exchange", "parallel", "--json"]].concat());
+    let told: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let order = &told["steps"][0]["orders"][0];
+    assert_eq!((&order["exchange"], &told["steps"][0]["end"]), (&"parallel".into(), &"reached".into()));
+    let step = order["step"].as_f64().expect("a step");
+    let output = stribeck(&[&search[..], &["--within", "0.05"]].concat());
+    let said = String::from_utf8(output.stdout).expect("text");
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    assert!(
+        said.starts_with("CoulombStiction: communication steps within 5 % of the solution (rodas5p at 1e-8)"),
+        "{said}"
+    );
+    let found = said.lines().find_map(|line| line.strip_prefix("  parallel: ")?.strip_suffix(" s")).expect("a step");
+    assert!(found.parse::<f64>().expect("a number") >= step, "{said}");
+    for part in ["\n  sequential: ", "\n  feedthrough: ", "\n    period of friction ", " % off\n"] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    for (more, expected) in [
+        ("--out=o.csv", "step = find: is a search, without --vary and without results to write"),
+        ("--check", "check: step = find compares with the solution anyway"),
+        ("--within=2", "within = 2: must be between 0.0001 and 0.5"),
+    ] {
+        let refused = refusal(&[&search[..], &[more]].concat());
+        assert!(refused.starts_with(&format!("stribeck: {expected}")), "{refused}");
+    }
+    assert!(refusal(&["run", "--step", "find"]).ends_with("solver auto: step = find is for co-simulation"));
+}
+
+#[test]
 fn a_study_by_parts_is_the_whole_one() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();

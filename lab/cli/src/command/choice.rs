@@ -119,8 +119,24 @@ impl Choice<'_> {
         Ok(verdict)
     }
 
+    /// The results to record.
+    pub fn results(&self) -> Vec<String> {
+        self.run.results(&self.source)
+    }
+
+    /// Whether results, pictures or a report are to be written.
+    pub fn writes_files(&self) -> bool {
+        let Arguments { out, pictures, report, .. } = self.arguments;
+        out.is_some() || pictures.is_some() || report.is_some()
+    }
+
+    /// Whether the outcome is to be printed as JSON.
+    pub fn is_json(&self) -> bool {
+        self.arguments.json
+    }
+
     fn outcomes(&self, systems: Vec<System>) -> Result<Vec<Ran>, Failure> {
-        let results = self.run.results(&self.source);
+        let results = self.results();
         let (runs, mut all, mut bar) = (systems.len(), Vec::new(), None);
         for (number, system) in systems.into_iter().enumerate() {
             let settings = self.run.settings(&system)?;

@@ -1,8 +1,10 @@
 //! `stribeck compare`: a system with several laws.
 
+use stribeck_solve::run::Step;
 use stribeck_solve::system::{Fault, System};
 
 use super::choice::Arguments;
+use super::step::find_steps;
 use super::watch::heed_interrupts;
 use super::{Failure, Verdict, laws};
 
@@ -16,5 +18,8 @@ pub fn compare(arguments: &Arguments) -> Result<Verdict, Failure> {
     let system = |law: &String| choice.system(Some(law), None);
     let systems = laws(&choice.run.law).iter().map(system).collect::<Result<Vec<System>, Fault>>()?;
     System::refuse_unused(&systems)?;
+    if choice.run.step == Some(Step::Find) {
+        return find_steps(&choice, &systems);
+    }
     choice.conclude(systems, Some("law"))
 }

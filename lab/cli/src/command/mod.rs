@@ -9,6 +9,7 @@ mod identify;
 mod one;
 mod page;
 mod rig;
+mod step;
 mod study;
 mod watch;
 

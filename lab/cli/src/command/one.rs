@@ -1,8 +1,10 @@
 //! `stribeck run`: a system with one law.
 
+use stribeck_solve::run::Step;
 use stribeck_solve::system::{Fault, System};
 
 use super::choice::Arguments;
+use super::step::find_steps;
 use super::watch::heed_interrupts;
 use super::{Failure, Verdict};
 
@@ -20,9 +22,12 @@ pub fn run(arguments: &Arguments) -> Result<Verdict, Failure> {
         System::refuse_unused(std::slice::from_ref(&system))?;
         Ok(system)
     };
-    let systems = match &choice.vary {
+    let systems: Vec<System> = match &choice.vary {
         Some(vary) => vary.values.iter().map(|value| system(Some(*value))).collect::<Result<_, Fault>>()?,
         None => vec![system(None)?],
     };
+    if choice.run.step == Some(Step::Find) {
+        return find_steps(&choice, &systems);
+    }
     choice.conclude(systems, choice.vary.as_ref().map(|vary| vary.name.as_str()))
 }

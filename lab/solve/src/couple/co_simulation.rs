@@ -5,7 +5,8 @@ use crate::solve::{End, Grid, Options, Statistics};
 use crate::system::{Fault, Place, System, Wire, WireSource};
 
 /// Order in which a master exchanges values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
 pub enum Exchange {
     /// Laws and struts step first; the hosts then step with their forces (Gauss-Seidel).
     Sequential,
@@ -13,6 +14,16 @@ pub enum Exchange {
     Feedthrough,
     /// All parts step, then all values are exchanged (Jacobi): what most masters do.
     Parallel,
+}
+
+impl std::fmt::Display for Exchange {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str(match self {
+            Exchange::Sequential => "sequential",
+            Exchange::Feedthrough => "feedthrough",
+            Exchange::Parallel => "parallel",
+        })
+    }
 }
 
 /// A master.

@@ -18,8 +18,8 @@ const SANE: f64 = 1000.0;
 /// Largest difference in parts of the range, whatever the tolerance or the step (chosen).
 const GROSS: f64 = 0.05;
 
-/// Difference that is none, in tolerances of the state's nominal value (chosen): of a body at rest the range is tiny, and
-/// the tolerance is that of the nominal value.
+/// Difference that is none, in tolerances of the state's nominal value (chosen): of a body at rest the range is tiny,
+/// and the tolerance is that of the nominal value.
 const AT_REST: f64 = 10.0;
 
 /// Part of an interval up to which two times are the same.
@@ -55,8 +55,8 @@ pub(super) fn checked(system: &System, settings: &Settings, results: &[String]) 
     Ok(outcome)
 }
 
-/// The states by which a run is judged: those of bodies. They are continuous. A force may jump, and is off by the whole jump
-/// for as long as one of two runs has not jumped yet.
+/// The states by which a run is judged: those of bodies. They are continuous. A force may jump, and is off by the whole
+/// jump for as long as one of two runs has not jumped yet.
 fn states_of_bodies(system: &System) -> Vec<Place> {
     let bodies = (0..system.parts.len()).filter(|part| is_host(system, *part));
     let states = bodies.flat_map(|part| {
@@ -66,8 +66,8 @@ fn states_of_bodies(system: &System) -> Vec<Place> {
     states.filter(|place| system.variable(*place).meaning != Meaning::Energy).collect()
 }
 
-/// The settings of the finer run. A master has results at communication points only: where those of the first run are no
-/// output times, the second records as many as the first has steps.
+/// The settings of the finer run. A master has results at communication points only: where those of the first run are
+/// no output times, the second records as many as the first has steps.
 fn finer<'a>(run: &Outcome, settings: &Settings<'a>) -> Settings<'a> {
     let mut finer = *settings;
     finer.is_checked = false;
@@ -231,7 +231,8 @@ mod tests {
         }
     }
 
-    /// Steps of 20 ms are far too long for bristles with a natural frequency of 50 Hz. By the force alone nothing is said.
+    /// Steps of 20 ms are far too long for bristles with a natural frequency of 50 Hz. By the force alone nothing is
+    /// said.
     #[test]
     fn what_does_not_hold_is_said() {
         let system = belt("LuGre");

@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-use super::{Settings, Solver};
+use super::{Search, Settings, Solver, Step};
 use crate::couple::Exchange;
 use crate::job;
 use crate::system::{Fault, Setting, Source, System};
@@ -37,9 +37,14 @@ pub struct Configuration {
     /// Interval of the results in s
     #[arg(long)]
     pub every: Option<f64>,
-    /// Communication step of co-simulation in s (default 1e-3)
+    /// Communication step of co-simulation in s (default 1e-3); `find` searches for the largest one that is close to
+    /// the solution
     #[arg(long)]
-    pub step: Option<f64>,
+    #[ts(optional, type = "number | \"find\"")]
+    pub step: Option<Step>,
+    /// Part by which co-simulation with the step that is found may differ from the solution (default 0.01)
+    #[arg(long)]
+    pub within: Option<f64>,
     /// Order of exchange in co-simulation
     #[arg(long, value_parser = PossibleValuesParser::new(words::<Exchange>()))]
     pub exchange: Option<String>,
@@ -70,6 +75,12 @@ pub struct Configuration {
 
 /// Largest number of runs of one command (chosen).
 const MOST_RUNS: usize = 100_000;
+
+/// Part by which a motion may differ from the solution (chosen).
+const WITHIN: f64 = 0.01;
+
+const IS_SEARCH: &str =
+    "step = find: is a search and no run: `stribeck run --step find`, or stribeck.find_step in Python";
 
 /// A variable and the values it takes.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,6 +138,9 @@ impl Configuration {
             entries.insert("events".to_owned(), false.into());
         }
         entries.remove("law");
+        if self.step == Some(Step::Find) {
+            return self.python_search(system, &mut entries);
+        }
         let (function, laws) = match self.law.as_slice() {
             [] => ("solve", None),
             [law] => ("solve", Some(law.as_str().into())),
@@ -136,6 +150,18 @@ impl Configuration {
         let call = job::python_call(&format!("stribeck.{function}"), &begin, &entries);
         let result = if function == "solve" { "solution" } else { "solutions" };
         Ok(format!("import stribeck\n\n{result} = {call}\n"))
+    }
+
+    /// A search for the communication step in Python.
+    fn python_search(&self, system: toml::Value, entries: &mut toml::Table) -> Result<String, Fault> {
+        if self.law.len() > 1 {
+            return Err(Fault::value("step = find: in Python for one law at a time"));
+        }
+        entries.remove("step");
+        entries.remove("solver");
+        let laws = self.law.iter().map(|law| law.as_str().into());
+        let begin: Vec<toml::Value> = std::iter::once(system).chain(laws).collect();
+        Ok(format!("import stribeck\n\nfound = {}\n", job::python_call("stribeck.find_step", &begin, entries)))
     }
 
     /// Name of the system.
@@ -179,11 +205,38 @@ impl Configuration {
         settings.tolerance = self.tol.unwrap_or(settings.tolerance);
         settings.until = self.until.unwrap_or(settings.until);
         settings.every = self.every.unwrap_or(settings.every);
-        settings.master.step = self.step.unwrap_or(settings.master.step);
+        settings.master.step = match self.step {
+            Some(Step::Of(step)) => step,
+            Some(Step::Find) => return Err(Fault::value(IS_SEARCH)),
+            None => settings.master.step,
+        };
+        if self.within.is_some() {
+            return Err(Fault::value("within: is for step = find only"));
+        }
         settings.master.jitter = self.jitter.unwrap_or(settings.master.jitter);
         settings.events = !self.no_events;
         settings.is_checked = self.check;
         Ok(settings)
+    }
+
+    /// How a search for the communication step runs the system, and what is searched for.
+    pub fn search(&self, system: &System) -> Result<(Settings<'static>, Search), Fault> {
+        let run = Configuration { step: None, within: None, ..self.clone() };
+        let settings = run.settings(system)?;
+        if settings.solver != Solver::CoSimulation {
+            let solver = settings.solver;
+            return Err(Fault::value(format_args!("solver {solver}: step = find is for co-simulation")));
+        }
+        if self.check {
+            return Err(Fault::value("check: step = find compares with the solution anyway"));
+        }
+        let within = self.within.unwrap_or(WITHIN);
+        if !(1e-4..=0.5).contains(&within) {
+            return Err(Fault::value(format_args!("within = {within}: must be between 0.0001 and 0.5")));
+        }
+        let asked = self.exchange.is_some().then_some(settings.master.exchange);
+        let exchanges = asked.map_or_else(|| Exchange::value_variants().to_vec(), |one| vec![one]);
+        Ok((settings, Search { within, exchanges }))
     }
 
     /// The results to record: those that were asked for, or those that the system shows.
@@ -222,6 +275,11 @@ mod tests {
             "import stribeck\n\nsolution = stribeck.solve(\"belt\", \"LuGre\", check=True, set={\"rig.mass\": 1.5}, \
              tol=1e-7, until=15.0)\n"
         );
+        let search = run("law = [\"LuGre\"]\nsolver = \"co-simulation\"\nstep = \"find\"\nwithin = 0.02");
+        let command = "stribeck run --law LuGre --solver co-simulation --step find --within 0.02";
+        assert_eq!(search.command().unwrap(), command);
+        let python = "import stribeck\n\nfound = stribeck.find_step(\"belt\", \"LuGre\", within=0.02)\n";
+        assert_eq!(search.python().unwrap(), python);
         let several = run("law = [\"LuGre\", \"Dahl\"]\nno-events = true\nset = { curve = \"Tustin\", flag = true }");
         assert_eq!(
             several.command().unwrap(),
@@ -232,5 +290,28 @@ mod tests {
             "import stribeck\n\nsolutions = stribeck.compare(\"belt\", [\"LuGre\", \"Dahl\"], events=False, \
              set={\"curve\": \"Tustin\", \"flag\": True})\n"
         );
+    }
+
+    #[test]
+    fn a_step_is_a_number_or_a_search() {
+        let run = |text: &str| toml::from_str::<Configuration>(text);
+        for (text, step) in [("1e-3", Step::Of(1e-3)), ("1", Step::Of(1.0)), ("\"find\"", Step::Find)] {
+            let read = run(&format!("step = {text}")).unwrap();
+            assert_eq!((read.step, run(&read.text()).unwrap()), (Some(step), read));
+        }
+        let refused = run("step = \"soon\"").unwrap_err().to_string();
+        assert!(refused.contains("step = soon: must be a number of seconds, or find"), "{refused}");
+        let system = System::assemble(&Source::open("belt").unwrap(), None, &[]).unwrap();
+        let refusal = |text: &str| {
+            let run = run(text).unwrap();
+            let searched = run.search(&system).unwrap_err().to_string();
+            (run.settings(&system).map(|_| ()).unwrap_err().to_string(), searched)
+        };
+        let (run_refused, search_refused) = refusal("step = \"find\"");
+        assert!(run_refused.starts_with("step = find: is a search and no run: "), "{run_refused}");
+        assert_eq!(search_refused, "solver auto: step = find is for co-simulation");
+        let (run_refused, search_refused) = refusal("within = 0.7\nsolver = \"co-simulation\"");
+        assert_eq!(run_refused, "within: is for step = find only");
+        assert_eq!(search_refused, "within = 0.7: must be between 0.0001 and 0.5");
     }
 }

@@ -1,18 +1,24 @@
 //! Runs: a system, a solver, and what came of it.
 
 mod check;
+mod communication_step;
 mod configuration;
+mod likeness;
 mod outcome;
 mod progress;
 mod solver;
+mod step;
 
 use std::time::{Duration, Instant};
 
 use stribeck::model::Brief;
 
+pub use communication_step::{CommunicationSteps, Order, Search, Trial, communication_steps};
 pub use configuration::{Configuration, Vary, words};
+pub use likeness::Deviation;
 pub use outcome::{Check, Column, Difference, Finer, Outcome, Passed};
 pub use solver::{Kind, Solver};
+pub use step::Step;
 
 use crate::couple::{Exchange, Master, by_steps, co_simulation};
 #[cfg(feature = "foreign")]
@@ -217,8 +223,8 @@ impl Outcome {
         self.end == End::Reached
     }
 
-    /// Why the outcome is not what was asked for: the run did not come to its end, or a check says that its tolerance does
-    /// not hold.
+    /// Why the outcome is not what was asked for: the run did not come to its end, or a check says that its tolerance
+    /// does not hold.
     pub fn fault(&self) -> Option<String> {
         if self.is_reached() { self.check.as_ref()?.fault.clone() } else { Some(self.end.to_string()) }
     }

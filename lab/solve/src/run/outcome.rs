@@ -81,7 +81,8 @@ impl Difference {
     }
 }
 
-fn shown<S: Serializer>(what: &impl Display, to: S) -> Result<S::Ok, S::Error> {
+/// Writes a text.
+pub(super) fn shown<S: Serializer>(what: &impl Display, to: S) -> Result<S::Ok, S::Error> {
     to.collect_str(what)
 }
 
