@@ -137,6 +137,18 @@ fn rows_that_fail_keep_their_reason_and_the_others() {
 }
 
 #[test]
+fn a_row_whose_step_does_not_hold_fails() {
+    let text = "samples = 2\nkeep = [\"last rig.position\"]\n[vary]\nmu_k = { uniform = [0.09, 0.1] }\n[run]\n\
+                law = [\"CoulombStiction\", \"LuGre\"]\nsolver = \"co-simulation\"\nstep = 0.02\ncheck = true\n";
+    let (study, folder) = (study(text).unwrap(), tempfile::tempdir().unwrap());
+    assert_eq!(make(&study, folder.path(), ALL, 1).failed, 2);
+    let rows = table(&study, folder.path());
+    let ends: Vec<&str> = rows.lines().skip(1).map(|row| row.splitn(5, ',').nth(4).unwrap()).collect();
+    assert_eq!(ends[..2], ["reached", "reached"]);
+    assert!(ends[2..].iter().all(|end| end.contains("the step does not hold: ")), "{ends:?}");
+}
+
+#[test]
 fn mistakes_are_refused_before_anything_runs() {
     for (from, to, expected) in [
         ("rig.mass\" =", "rig.mas\" =", "variable of rig (BeltRig) 'mas' does not exist (did you mean 'mass'?)"),
