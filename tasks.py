@@ -411,7 +411,7 @@ def demo() -> None:
     setup()
     pack()
     run(PYTHON, "-m", "examples.fmpy.demo")
-    # It takes half a minute longer than optimised, and five minutes less to build; solvers to compare with take one more.
+    # It takes half a minute longer than optimised, and five minutes less to build; other crates' solvers take one more.
     stribeck = ["cargo", "run", "--package", "stribeck-cli", "--no-default-features", "--"]
     run(*stribeck, "compare", "--law", *LAWS_ON_BELT, "--pictures", "out/belt")
     run(*stribeck, "rig", "--law", "LuGre", "--out", "out/rig")
