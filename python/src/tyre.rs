@@ -13,9 +13,11 @@ use crate::refused;
 #[pyclass(frozen, module = "stribeck._stribeck")]
 pub struct Tyre {
     formula: MagicFormula,
-    stiffness: f64,
-    damping: f64,
+    stiffness: Option<f64>,
+    damping: Option<f64>,
     notes: Vec<String>,
+    unused: Vec<String>,
+    ignored: Vec<String>,
 }
 
 #[pymethods]
@@ -23,28 +25,36 @@ impl Tyre {
     /// Reads a file.
     #[new]
     fn new(path: PathBuf) -> PyResult<Tyre> {
-        let TyreFile { set, notes, .. } = tir::read(&path).map_err(refused)?;
+        let TyreFile { set, unused, ignored, notes } = tir::read(&path).map_err(refused)?;
         let mut formula: MagicFormula = start();
         let row = row_of_mut(&mut formula);
         for (column, variable) in MagicFormula::TABLE.iter().enumerate() {
             let name = format!("tyre.{}", variable.path);
             row[column] = set.get(&name).ok_or_else(|| refused(format!("{}: no {name}", path.display())))?;
         }
-        let vertical = |name: &str| {
-            let key = name.to_uppercase().replace("TYRE", "VERTICAL");
-            set.get(&format!("front.{name}")).ok_or_else(|| refused(format!("{}: no {key}", path.display())))
-        };
-        Ok(Tyre { formula, stiffness: vertical("tyre_stiffness")?, damping: vertical("tyre_damping")?, notes })
+        let [stiffness, damping] = ["front.tyre_stiffness", "front.tyre_damping"].map(|name| set.get(name));
+        let [unused, ignored] = [unused, ignored].map(|groups| groups.iter().map(ToString::to_string).collect());
+        Ok(Tyre { formula, stiffness, damping, notes, unused, ignored })
     }
 
-    /// Radius without load, vertical stiffness, vertical damping.
-    fn vertical(&self) -> (f64, f64, f64) {
+    /// Radius without load, and vertical stiffness and damping if the file gives them.
+    fn vertical(&self) -> (f64, Option<f64>, Option<f64>) {
         (self.formula.unloaded_radius, self.stiffness, self.damping)
     }
 
     /// Assumptions about what the file does not say.
     fn notes(&self) -> Vec<String> {
         self.notes.clone()
+    }
+
+    /// Keys that change no force, by what they are for.
+    fn unused(&self) -> Vec<String> {
+        self.unused.clone()
+    }
+
+    /// Keys that would change forces, but belong to what is not modelled.
+    fn ignored(&self) -> Vec<String> {
+        self.ignored.clone()
     }
 
     /// Forces along x and y and moments about x, y and z of the road on a left or right tyre; the contact is load,

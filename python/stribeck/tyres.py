@@ -22,14 +22,18 @@ class TyreWrench(NamedTuple):
 class Tyre:
     """A tyre from a tyre property file (`.tir`) with coefficients of the Magic Formula 5, that of `DoubleTrackCar`.
 
-    `radius` is the one without load, `stiffness` and `damping` are vertical; `notes` lists what had to be assumed
-    because the file does not say it. Raises `stribeck.Refused` for a file that makes no sense.
+    `radius` is the one without load, `stiffness` and `damping` are vertical, or None if the file does not give them.
+    `notes` lists what had to be assumed because the file does not say it, `unused` the keys that change no force, each
+    with what it is for, and `ignored` those that would change forces by effects which are not modelled, such as turn
+    slip. Raises `stribeck.Refused` for a file that makes no sense.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self._tyre = _stribeck.Tyre(Path(path))
         self.radius, self.stiffness, self.damping = self._tyre.vertical()
         self.notes = self._tyre.notes()
+        self.unused = self._tyre.unused()
+        self.ignored = self._tyre.ignored()
 
     def wrench(
         self,

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use stribeck_fit::identify::tyre::{Inquiry, TyreInquiryError, property_file, table};
-use stribeck_fit::tir::{self, TyreFile};
+use stribeck_fit::tir::{self, Group, TyreFile};
 use stribeck_solve::system::Fault;
 
 use crate::command::{Description, Failure, write};
@@ -33,18 +33,25 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn convert(inquiry: &Inquiry, out: Option<&Path>) -> Result<(), Failure> {
     inquiry.refuse_test()?;
-    let TyreFile { set, unused, notes } = tir::read(inquiry.file()?).map_err(refused)?;
+    let TyreFile { set, unused, ignored, notes } = tir::read(inquiry.file()?).map_err(refused)?;
     for note in notes {
         eprintln!("{note}");
     }
-    if !unused.is_empty() {
-        eprintln!("not used: {}", unused.join(", "));
-    }
+    tell("would change forces, but not here", &ignored);
+    tell("not used", &unused);
     match out {
         Some(path) => set.save(path).map_err(refused)?,
         None => print!("{}", set.to_csv()),
     }
     Ok(())
+}
+
+/// Writes groups of keys in one line to standard error.
+fn tell(what: &str, groups: &[Group]) {
+    if !groups.is_empty() {
+        let groups: Vec<String> = groups.iter().map(ToString::to_string).collect();
+        eprintln!("{what}: {}", groups.join("; "));
+    }
 }
 
 fn fit(inquiry: &Inquiry, out: Option<&Path>) -> Result<(), Failure> {

@@ -470,3 +470,25 @@ fn columns_of_a_tyre_test_have_the_names_that_were_given() {
         assert!(found.starts_with(&format!("stribeck: {expected}")), "{found}");
     }
 }
+
+/// A file as fitting tools write it: most of it is for other models, some of it is missing.
+#[test]
+fn a_tyre_property_file_is_converted_and_what_is_not_used_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("t.tir");
+    let file = "[MODEL]\nFITTYP = 6\nTYRESIDE = 'LEFT'\nROAD_INCREMENT =\n[D]\nUNLOADED_RADIUS = 0.2\nFNOMIN = 800\n\
+                PCY1 = 1.4\nPDY1 = 1.5D0\nPKY1 = -30\nPKY2 = 1.6\nPDXP1 = 0.4\nQSX4 = 0.1\nYAW_STIFFNESS = 5\nNEW = 1\n";
+    std::fs::write(&path, file).expect("a file");
+    let output = stribeck(&["tyre", path.to_str().expect("text")]);
+    assert!(output.status.success());
+    assert!(String::from_utf8_lossy(&output.stdout).contains("tyre.pdy1,1.5,"), "{output:?}");
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    for line in [
+        "without value, as if absent: ROAD_INCREMENT",
+        "VERTICAL_STIFFNESS: not in the file",
+        "would change forces, but not here: turn slip: PDXP1; Magic Formula 6: QSX4",
+        "not used: relaxation and structure: YAW_STIFFNESS; unknown: NEW",
+    ] {
+        assert!(told.lines().any(|other| other == line), "{line}: {told}");
+    }
+}

@@ -1,0 +1,94 @@
+//! Keys of tyre property files that the model does not use, by what they are for.
+
+use std::fmt;
+
+/// Keys that belong together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Group {
+    /// What they are for.
+    pub about: &'static str,
+    /// The keys, in the order of the file.
+    pub keys: Vec<String>,
+}
+
+impl fmt::Display for Group {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}: {}", self.about, self.keys.join(", "))
+    }
+}
+
+/// Adds a key to its group.
+pub(super) fn add(groups: &mut Vec<Group>, about: &'static str, key: &str) {
+    let at = groups.iter().position(|group| group.about == about).unwrap_or_else(|| {
+        groups.push(Group { about, keys: Vec::new() });
+        groups.len() - 1
+    });
+    let keys = &mut groups[at].keys;
+    if !keys.iter().any(|other| other == key) {
+        keys.push(key.into());
+    }
+}
+
+pub(super) const TURN_SLIP: &str = "turn slip";
+const PRESSURE: &str = "inflation pressure";
+const STRUCTURE: &str = "relaxation and structure";
+const DEFLECTION: &str = "deflection and rolling radius";
+
+/// Beginnings of keys.
+#[rustfmt::skip]
+const BEGINNINGS: [(&str, &[&str]); 4] = [
+    (TURN_SLIP, &["PDXP", "PKYP", "PDYP", "PHYP", "PECP", "QDTP", "QCRP", "QBRP", "QDRP", "LMP"]),
+    (PRESSURE, &["IP", "LIP", "INFLPRES", "NOMPRES"]),
+    (STRUCTURE, &[
+        "PTX", "PTY", "QTZ1", "MBELT", "LSGKP", "LSGAL", "LGYR", "LKG", "PCF", "PCMZ", "Q_BV", "FREQ_", "DAMP_", "YAW_",
+        "LATERAL_STIFF", "LONGITUDINAL_STIFF",
+    ]),
+    (DEFLECTION, &[
+        "BREFF", "DREFF", "FREFF", "Q_RE0", "Q_V", "Q_F", "Q_CAM", "PFZ1", "QPFZ1", "QFZ", "BOTTOM", "MC_CONTOUR", "LCZ",
+        "DYNAMIC_",
+    ]),
+];
+
+/// What a key that the model does not use is for: by the beginning of its name, else by its section.
+pub(super) fn about(key: &str, section: &str) -> &'static str {
+    let begins = |(_, all): &&(&str, &[&str])| all.iter().any(|begin| key.starts_with(begin));
+    if let Some((about, _)) = BEGINNINGS.iter().find(begins) {
+        return about;
+    }
+    match section {
+        "MDI_HEADER" | "MODEL" => "program that wrote or reads the file",
+        "DIMENSION" | "INERTIA" | "SHAPE" => "size and mass",
+        "STRUCTURAL" => STRUCTURE,
+        "CONTACT_PATCH" | "ROAD" => "contact patch and road",
+        "VERTICAL" => DEFLECTION,
+        _ if section.ends_with("_RANGE") => "ranges",
+        _ => "unknown",
+    }
+}
+
+/// Whether version 6 of the formula has a coefficient that version 5.2 has not.
+pub(super) fn is_of_six(key: &str) -> bool {
+    is_of_pressure(key) || SIX.contains(&key)
+}
+
+fn is_of_pressure(key: &str) -> bool {
+    ["PP", "QPX", "QPZ"].iter().any(|begin| key.starts_with(begin))
+}
+
+/// Whether this value of a coefficient of version 6 changes forces, so that version 5.2 loses something without it.
+/// `at_pressure` says whether the inflation pressure may differ from the nominal one.
+pub(super) fn is_lost_by_five(key: &str, value: f64, at_pressure: bool) -> bool {
+    match key {
+        _ if is_of_pressure(key) => at_pressure && value != 0.0,
+        "PKY4" => value != 2.0,
+        "LKYC" | "LKZC" => value != 1.0,
+        "QSY7" => value != 0.0 && value != 1.0,
+        _ => value != 0.0,
+    }
+}
+
+#[rustfmt::skip]
+const SIX: [&str; 27] = [
+    "LMUV", "LKYC", "LKZC", "RBX3", "PEY5", "PKY4", "PKY5", "PKY6", "PKY7", "RBY4", "QDZ10", "QDZ11", "QSX4", "QSX5",
+    "QSX6", "QSX7", "QSX8", "QSX9", "QSX10", "QSX11", "QSX12", "QSX13", "QSX14", "QSY5", "QSY6", "QSY7", "QSY8",
+];
