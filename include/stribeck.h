@@ -706,6 +706,14 @@ typedef enum stribeck_exchange_order {
   STRIBECK_EXCHANGE_ORDER_PARALLEL = 2,
 } stribeck_exchange_order;
 
+/** Choices of a variable of the type FormulaVersion. */
+typedef enum stribeck_formula_version {
+  /** Version 5.2, as PAC2002. */
+  STRIBECK_FORMULA_VERSION_FIVE = 1,
+  /** Versions 6.1 and 6.2, whose forces and moments are the same. */
+  STRIBECK_FORMULA_VERSION_SIX = 2,
+} stribeck_formula_version;
+
 /** Choices of a variable of the type FrictionModel. */
 typedef enum stribeck_friction_model {
   /** No friction. */
@@ -6115,7 +6123,7 @@ typedef enum stribeck_four_post_car_variable {
 } stribeck_four_post_car_variable;
 
 /** Guid of DoubleTrackCar for fmi2Instantiate. */
-#define STRIBECK_DOUBLE_TRACK_CAR_GUID "{f2f80c84-2a09-d80f-5af4-53182eb5c19a}"
+#define STRIBECK_DOUBLE_TRACK_CAR_GUID "{1e1e386a-4a78-6cf3-d82d-2cc8f86d0256}"
 
 /** DoubleTrackCar: Double-track car steered at constant speed, with Magic Formula tyres. Variables of "DoubleTrackCar". */
 typedef enum stribeck_double_track_car_variable {
@@ -6391,6 +6399,91 @@ typedef enum stribeck_double_track_car_variable {
   STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY4 = 1674720350,
   /** fixed [stribeck_side]: Side that the set was measured for; tyres on the other side are mirrored. (default Left) */
   STRIBECK_DOUBLE_TRACK_CAR_TYRE_SIDE = 110564140,
+  /** fixed [stribeck_formula_version]: Version of the formula. (default Five) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_VERSION = 989224761,
+  /** fixed [Pa]: Inflation pressure (default chosen); from version 6 on. (> 0, default 100000) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_INFLPRES = 391165364,
+  /** fixed [Pa]: Nominal inflation pressure of the set (default chosen); from version 6 on. (> 0, default 100000) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_NOMPRES = 1877248653,
+  /** fixed [1]: Decrease of friction with the speed of slip; from version 6 on, as all that follow.
+   *  (>= 0, default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMUV = 1877699727,
+  /** fixed [1]: Scale factor of the stiffness of F_y against camber. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LKYC = 126320626,
+  /** fixed [1]: Scale factor of the stiffness of M_z against camber. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LKZC = 394321245,
+  /** fixed [1]: Change of the slip stiffness with pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PPX1 = 1162686220,
+  /** fixed [1]: Change of the slip stiffness with the square of pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PPX2 = 1213019077,
+  /** fixed [1]: Change of the longitudinal friction with pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PPX3 = 1196241458,
+  /** fixed [1]: Change of the longitudinal friction with the square of pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PPX4 = 1112353363,
+  /** fixed [1]: Change of the stiffness of the reduction of F_x with the square of camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBX3 = 1210639994,
+  /** fixed [1]: Change of the curvature of F_y with the square of camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY5 = 1720387050,
+  /** fixed [1]: Shape of the cornering stiffness over load; 2 in version 5.2. (default 2) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY4 = 1476459687,
+  /** fixed [1]: Change of the load of the largest cornering stiffness with the square of camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY5 = 1459682068,
+  /** fixed [1]: Stiffness of F_y against camber per load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY6 = 1510014925,
+  /** fixed [1]: Change of the stiffness against camber with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY7 = 1493237306,
+  /** fixed [1]: Change of the cornering stiffness with pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PPY1 = 1095428649,
+  /** fixed [1]: Change of the load of the largest cornering stiffness with pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PPY2 = 1045095792,
+  /** fixed [1]: Change of the lateral friction with pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PPY3 = 1061873411,
+  /** fixed [1]: Change of the lateral friction with the square of pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PPY4 = 1145761506,
+  /** fixed [1]: Change of the stiffness against camber with pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PPY5 = 1162539125,
+  /** fixed [1]: Change of the stiffness of the reduction of F_y with the square of camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY4 = 1160160042,
+  /** fixed [1]: Change of the trail with pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PPZ1 = 1497944410,
+  /** fixed [1]: Change of the residual torque by camber with pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PPZ2 = 1481166791,
+  /** fixed [1]: Change of the residual torque with camber times its size. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ10 = 1210574161,
+  /** fixed [1]: Change of the residual torque with camber times its size, and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ11 = 1193796542,
+  /** fixed [1]: Change of the overturning couple by camber with pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PPMX1 = 1650135377,
+  /** fixed [1]: Overturning couple of load, lateral force and camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX4 = 1372870303,
+  /** fixed [1]: Change of that couple with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX5 = 1356092684,
+  /** fixed [1]: Load in that change. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX6 = 1406425541,
+  /** fixed [1]: Camber in that couple. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX7 = 1389647922,
+  /** fixed [1]: Lateral force in that couple. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX8 = 1439980779,
+  /** fixed [1]: Stiffness of the lateral force in that couple. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX9 = 1423203160,
+  /** fixed [1]: Overturning couple of load and camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX10 = 1647854544,
+  /** fixed [1]: Load in that couple. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX11 = 1664632163,
+  /** fixed [1]: Overturning couple of camber times its size. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX12 = 1681409782,
+  /** fixed [1]: Overturning couple per radius and lateral force. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX13 = 1698187401,
+  /** fixed [1]: Change of that couple with the size of camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX14 = 1714965020,
+  /** fixed [1]: Change of the rolling resistance with the square of camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY5 = 1691497969,
+  /** fixed [1]: Change of the rolling resistance with the square of camber and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY6 = 1641165112,
+  /** fixed [1]: Exponent of the load in the rolling resistance; 1 in version 5.2. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY7 = 1657942731,
+  /** fixed [1]: Exponent of the pressure in the rolling resistance. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY8 = 1607609874,
   /** state, out [m]: Position of the car's centre of gravity along the road. (default 0) */
   STRIBECK_DOUBLE_TRACK_CAR_POSITION_X = 1501920533,
   /** state, out [m]: Lateral position of the car's centre of gravity; positive to the left. (default 0) */

@@ -95,7 +95,7 @@ const FOLDERS: &[&str] = &[
 const LONGEST_FILE: usize = 700;
 
 /// Files that may be longer, with the reason.
-const LONG_FILES: &[(&str, &str)] = &[("src/host/magic_formula.rs", "table of 115 coefficients")];
+const LONG_FILES: &[(&str, &str)] = &[("src/host/magic_formula.rs", "table of 160 coefficients")];
 
 /// Longest function, in lines from `fn` to the closing brace.
 const LONGEST_FUNCTION: usize = 45;

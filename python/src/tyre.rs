@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
-use stribeck::host::{Contact, MagicFormula, Side, Wrench};
+use stribeck::host::{Contact, FormulaVersion, MagicFormula, Side, Wrench};
 use stribeck::model::{Columns, row_of_mut, start};
 use stribeck_fit::tir::{self, TyreFile};
 
@@ -47,6 +47,11 @@ impl Tyre {
         self.notes.clone()
     }
 
+    /// Inflation pressure, or none in a version without it.
+    fn pressure(&self) -> Option<f64> {
+        self.has_pressure().then_some(self.formula.inflpres)
+    }
+
     /// Keys that change no force, by what they are for.
     fn unused(&self) -> Vec<String> {
         self.unused.clone()
@@ -58,8 +63,8 @@ impl Tyre {
     }
 
     /// Forces along x and y and moments about x, y and z of the road on a left or right tyre; the contact is load,
-    /// longitudinal slip, side slip, camber and speed.
-    fn wrench(&self, left: bool, contact: [f64; 5]) -> PyResult<[f64; 5]> {
+    /// longitudinal slip, side slip, camber and speed. The inflation pressure is that of the file if not given.
+    fn wrench(&self, left: bool, contact: [f64; 5], pressure: Option<f64>) -> PyResult<[f64; 5]> {
         const NAMES: [&str; 5] = ["load", "longitudinal_slip", "side_slip", "camber", "speed"];
         if let Some((name, value)) = NAMES.iter().zip(contact).find(|(_, value)| !value.is_finite()) {
             return Err(refused(format!("{name} = {value}: must be finite")));
@@ -67,7 +72,25 @@ impl Tyre {
         let [load, longitudinal_slip, side_slip, camber, speed] = contact;
         let contact = Contact { load, longitudinal_slip, side_slip, camber, speed };
         let side = if left { Side::Left } else { Side::Right };
-        let Wrench { force_x, force_y, moment_x, moment_y, moment_z } = self.formula.wrench_on(side, &contact);
+        let Wrench { force_x, force_y, moment_x, moment_y, moment_z } = self.at(pressure)?.wrench_on(side, &contact);
         Ok([force_x, force_y, moment_x, moment_y, moment_z])
+    }
+}
+
+impl Tyre {
+    fn has_pressure(&self) -> bool {
+        FormulaVersion::of(self.formula.version) == FormulaVersion::Six
+    }
+
+    /// The formula at an inflation pressure.
+    fn at(&self, pressure: Option<f64>) -> PyResult<MagicFormula> {
+        let Some(inflpres) = pressure else { return Ok(self.formula) };
+        if !self.has_pressure() {
+            return Err(refused("pressure: the tyre file is of Magic Formula 5.2, which has none"));
+        }
+        if !(inflpres > 0.0 && inflpres.is_finite()) {
+            return Err(refused(format!("pressure = {inflpres}: must be > 0 and finite")));
+        }
+        Ok(MagicFormula { inflpres, ..self.formula })
     }
 }

@@ -48,8 +48,9 @@ crate::model! {
     /// a_y               = dv_y/dt + V r
     /// ```
     ///
-    /// $F_k$ and $M_k$ are lateral force and aligning torque of a tyre: the Magic Formula 5.2, for the load $f_tk$, the
-    /// side slip $alpha_k$ and no camber. Without shifts the force is
+    /// $F_k$ and $M_k$ are lateral force and aligning torque of a tyre: the Magic Formula 5.2, or 6.1 and 6.2 with the
+    /// inflation pressure, for the load $f_tk$, the side slip $alpha_k$ and no camber. In version 5.2 without shifts the
+    /// force is
     ///
     /// ```text
     /// F_k = D sin(C atan(B alpha_k - E (B alpha_k - atan(B alpha_k))))                  (4)
@@ -92,6 +93,8 @@ crate::model! {
     /// | p_2       | `tyre.pdy2`                | 1     | its change with load                                |
     /// | f_n       | `tyre.fnomin`              | N     | nominal load, here times `tyre.lfzo`                |
     /// |           | `tyre.side`                |       | side that the tyre set was measured for             |
+    /// |           | `tyre.version`             |       | version of the formula                              |
+    /// |           | `tyre.inflpres`            | Pa    | inflation pressure, from version 6 on               |
     /// | m_s       | `body_mass`                | kg    | mass of the body; $m$ is that of the car            |
     /// | I_yy      | `pitch_inertia`            | kg.m2 | moment of inertia of the body about $y$             |
     /// | I_xx      | `roll_inertia`             | kg.m2 | moment of inertia of the body about $x$             |
@@ -156,12 +159,12 @@ crate::model! {
     ///
     /// # Source
     /// (1) to (4): H. $B$. Pacejka, "Tyre and Vehicle Dynamics", 2nd ed., Butterworth-Heinemann (2006): two-track model
-    /// with the roll axis, section 1.3; Magic Formula, section 4.3.2, in the form of version 5.2; relaxation in its
-    /// simplest form, of the side slip. (5) to (8): rigid-body dynamics about a rest position. Defaults: body, wheels,
-    /// struts and axles as `FourPostCar`; from the same car ZR26 the yaw inertia and the heights of the roll centres;
-    /// `cg_height` is derived from the 0.293 m of that car less its wheels; tyres: an open set (Open-Car-Dynamics,
-    /// Apache-2.0), scaled from a nominal load of 3000 N to 700 N, without its shifts and its friction scale of 0.97.
-    /// Chosen: speed, relaxation length, height of the wheels.
+    /// with the roll axis, section 1.3; Magic Formula, section 4.3.2, in the form of version 5.2, and in the 3rd ed.
+    /// (2012) for version 6; relaxation in its simplest form, of the side slip. (5) to (8): rigid-body dynamics about a
+    /// rest position. Defaults: body, wheels, struts and axles as `FourPostCar`; from the same car ZR26 the yaw inertia
+    /// and the heights of the roll centres; `cg_height` is derived from the 0.293 m of that car less its wheels; tyres:
+    /// an open set (Open-Car-Dynamics, Apache-2.0), scaled from a nominal load of 3000 N to 700 N, without its shifts
+    /// and its friction scale of 0.97. Chosen: speed, relaxation length, height of the wheels.
     ///
     /// # Example
     /// The loads of the tyres carry the car, 288.64 kg, and the tyres push to the left in a turn to the left:

@@ -13,10 +13,24 @@ crate::choices! {
     }
 }
 
+crate::choices! {
+    /// Versions of the Magic Formula.
+    pub enum FormulaVersion {
+        /// Version 5.2, as PAC2002.
+        Five,
+        /// Versions 6.1 and 6.2, whose forces and moments are the same.
+        Six,
+    }
+}
+
 crate::part! {
-    /// Magic Formula 5.2: forces and moments of a rolling tyre in steady state, in pure and in combined slip.
+    /// Magic Formula 5.2, 6.1 and 6.2: forces and moments of a rolling tyre in steady state, in pure and in combined
+    /// slip.
     ///
-    /// The columns have the names of the keys of tyre property files, in lower case.
+    /// The columns have the names of the keys of tyre property files, in lower case. `version` says which formula they
+    /// are for; what only the other one has is not used. The equations here are those of version 5.2. Version 6 (in
+    /// `magic_formula_6.rs`) adds the inflation pressure, camber beyond small angles, the tangent of the side slip in
+    /// place of the angle, a camber stiffness of its own, and more terms in the moments.
     ///
     /// # Equations
     ///
@@ -84,8 +98,9 @@ crate::part! {
     ///
     /// # Limits
     /// Without load, all forces and moments are zero. Where a quotient above has the denominator 0 (no friction, no
-    /// stiffness), it counts as 0. Neither turn slip nor inflation pressure, nor speeds near 0. Far above the nominal
-    /// load the linear terms in df can change the sign of friction or stiffness: the formula is a fit, not a law.
+    /// stiffness), it counts as 0. No turn slip, no speeds near 0; in version 6 the side slip is within a right angle.
+    /// Far above the nominal load the linear terms in df can change the sign of friction or stiffness: the formula is a
+    /// fit, not a law.
     ///
     /// # Source
     /// H. B. Pacejka, "Tyre and Vehicle Dynamics", 2nd ed., Butterworth-Heinemann (2006), section 4.3.2, equations
@@ -331,6 +346,90 @@ crate::part! {
         qsy4: fixed = real("1", 0.0),
         /// Side that the set was measured for; tyres on the other side are mirrored.
         side: fixed = Side::Left.start(),
+        /// Version of the formula.
+        version: fixed = FormulaVersion::Five.start(),
+        /// Inflation pressure (default chosen); from version 6 on.
+        inflpres: fixed = real("Pa", 1e5).positive().nominal(1e5),
+        /// Nominal inflation pressure of the set (default chosen); from version 6 on.
+        nompres: fixed = real("Pa", 1e5).positive().nominal(1e5),
+        /// Decrease of friction with the speed of slip; from version 6 on, as all that follow.
+        lmuv: fixed = real("1", 0.0).at_least(0.0),
+        /// Scale factor of the stiffness of F_y against camber.
+        lkyc: fixed = real("1", 1.0),
+        /// Scale factor of the stiffness of M_z against camber.
+        lkzc: fixed = real("1", 1.0),
+        /// Change of the slip stiffness with pressure.
+        ppx1: fixed = real("1", 0.0),
+        /// Change of the slip stiffness with the square of pressure.
+        ppx2: fixed = real("1", 0.0),
+        /// Change of the longitudinal friction with pressure.
+        ppx3: fixed = real("1", 0.0),
+        /// Change of the longitudinal friction with the square of pressure.
+        ppx4: fixed = real("1", 0.0),
+        /// Change of the stiffness of the reduction of F_x with the square of camber.
+        rbx3: fixed = real("1", 0.0),
+        /// Change of the curvature of F_y with the square of camber.
+        pey5: fixed = real("1", 0.0),
+        /// Shape of the cornering stiffness over load; 2 in version 5.2.
+        pky4: fixed = real("1", 2.0),
+        /// Change of the load of the largest cornering stiffness with the square of camber.
+        pky5: fixed = real("1", 0.0),
+        /// Stiffness of F_y against camber per load.
+        pky6: fixed = real("1", 0.0),
+        /// Change of the stiffness against camber with load.
+        pky7: fixed = real("1", 0.0),
+        /// Change of the cornering stiffness with pressure.
+        ppy1: fixed = real("1", 0.0),
+        /// Change of the load of the largest cornering stiffness with pressure.
+        ppy2: fixed = real("1", 0.0),
+        /// Change of the lateral friction with pressure.
+        ppy3: fixed = real("1", 0.0),
+        /// Change of the lateral friction with the square of pressure.
+        ppy4: fixed = real("1", 0.0),
+        /// Change of the stiffness against camber with pressure.
+        ppy5: fixed = real("1", 0.0),
+        /// Change of the stiffness of the reduction of F_y with the square of camber.
+        rby4: fixed = real("1", 0.0),
+        /// Change of the trail with pressure.
+        ppz1: fixed = real("1", 0.0),
+        /// Change of the residual torque by camber with pressure.
+        ppz2: fixed = real("1", 0.0),
+        /// Change of the residual torque with camber times its size.
+        qdz10: fixed = real("1", 0.0),
+        /// Change of the residual torque with camber times its size, and load.
+        qdz11: fixed = real("1", 0.0),
+        /// Change of the overturning couple by camber with pressure.
+        ppmx1: fixed = real("1", 0.0),
+        /// Overturning couple of load, lateral force and camber.
+        qsx4: fixed = real("1", 0.0),
+        /// Change of that couple with load.
+        qsx5: fixed = real("1", 0.0),
+        /// Load in that change.
+        qsx6: fixed = real("1", 0.0),
+        /// Camber in that couple.
+        qsx7: fixed = real("1", 0.0),
+        /// Lateral force in that couple.
+        qsx8: fixed = real("1", 0.0),
+        /// Stiffness of the lateral force in that couple.
+        qsx9: fixed = real("1", 0.0),
+        /// Overturning couple of load and camber.
+        qsx10: fixed = real("1", 0.0),
+        /// Load in that couple.
+        qsx11: fixed = real("1", 0.0),
+        /// Overturning couple of camber times its size.
+        qsx12: fixed = real("1", 0.0),
+        /// Overturning couple per radius and lateral force.
+        qsx13: fixed = real("1", 0.0),
+        /// Change of that couple with the size of camber.
+        qsx14: fixed = real("1", 0.0),
+        /// Change of the rolling resistance with the square of camber.
+        qsy5: fixed = real("1", 0.0),
+        /// Change of the rolling resistance with the square of camber and load.
+        qsy6: fixed = real("1", 0.0),
+        /// Exponent of the load in the rolling resistance; 1 in version 5.2.
+        qsy7: fixed = real("1", 1.0),
+        /// Exponent of the pressure in the rolling resistance.
+        qsy8: fixed = real("1", 0.0),
     }
 }
 
@@ -389,6 +488,9 @@ impl<T: Scalar> MagicFormula<T> {
         let zero = T::zero();
         if contact.load.at_most(zero).holds() {
             return Wrench { force_x: zero, force_y: zero, moment_x: zero, moment_y: zero, moment_z: zero };
+        }
+        if FormulaVersion::of(self.version.value()) == FormulaVersion::Six {
+            return self.wrench_6(contact);
         }
         let longitudinal = self.pure_longitudinal(contact);
         let lateral = self.pure_lateral(contact);
@@ -539,25 +641,25 @@ impl<T: Scalar> MagicFormula<T> {
 }
 
 /// The angle S of the Magic Formula.
-fn phase<T: Scalar>(shape: T, curvature: T, x: T) -> T {
+pub(super) fn phase<T: Scalar>(shape: T, curvature: T, x: T) -> T {
     let one = T::from(1.0);
     let curvature = curvature.above(one).choose(|| one, || curvature);
     shape * (x - curvature * (x - x.atan())).atan()
 }
 
 /// The curve of a force: its peak, its slope at 0, its shape.
-fn sine<T: Scalar>(shape: T, curvature: T, peak: T, stiffness: T, slip: T) -> T {
+pub(super) fn sine<T: Scalar>(shape: T, curvature: T, peak: T, stiffness: T, slip: T) -> T {
     peak * phase(shape, curvature, quotient(stiffness, shape * peak) * slip).sin()
 }
 
 /// The weight G of combined slip; exactly 1 without slip.
-fn reduction<T: Scalar>(shape: T, curvature: T, stiffness: T, slip: T, shift: T) -> T {
+pub(super) fn reduction<T: Scalar>(shape: T, curvature: T, stiffness: T, slip: T, shift: T) -> T {
     let weight = |x: T| phase(shape, curvature, stiffness * x).cos();
     slip.is(0.0).choose(|| T::from(1.0), || quotient(weight(slip + shift), weight(shift)))
 }
 
 /// The equivalent side slip for both slips in trail and residual torque, which are even functions of it.
-fn equivalent<T: Scalar>(side_slip: T, slip: T) -> T {
+pub(super) fn equivalent<T: Scalar>(side_slip: T, slip: T) -> T {
     let both = || {
         let tangent = side_slip.sin() / side_slip.cos();
         (tangent * tangent + slip * slip).sqrt().atan()
@@ -566,7 +668,7 @@ fn equivalent<T: Scalar>(side_slip: T, slip: T) -> T {
 }
 
 /// a / b, and 0 for b = 0: a tyre without friction or stiffness has no force to divide.
-fn quotient<T: Scalar>(a: T, b: T) -> T {
+pub(super) fn quotient<T: Scalar>(a: T, b: T) -> T {
     b.vanishes().choose(|| T::zero(), || a / b)
 }
 
@@ -766,6 +868,8 @@ mod tests {
             tyre(&[("pdy1", 0.0), ("pdy2", 0.0), ("pdx1", 0.0), ("pdx2", 0.0), ("qbz10", 1.0)]),
             tyre(&[("pcy1", 0.0), ("pcx1", 0.0), ("rcx1", 0.0), ("rcy1", 0.0)]),
             tyre(&[("pky2", 0.0)]),
+            tyre(&[("version", 2.0), ("lmuv", 0.5), ("qdz6", 0.1), ("qsy7", 0.8), ("qsy8", -0.4), ("ppy1", 2.0)]),
+            tyre(&[("version", 2.0), ("pky2", 0.0), ("pkx1", 0.0), ("pkx2", 0.0), ("pdy1", 0.0), ("pdy2", 0.0)]),
         ];
         let slips = [-10.0, -1.0, -0.1, 0.0, 1e-300, 0.5, 10.0];
         for tyre in &tyres {

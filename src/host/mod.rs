@@ -18,4 +18,5 @@ crate::model::family! {
 }
 
 mod magic_formula;
-pub use magic_formula::{Contact, MagicFormula, Side, Wrench};
+mod magic_formula_6;
+pub use magic_formula::{Contact, FormulaVersion, MagicFormula, Side, Wrench};

@@ -392,6 +392,27 @@ def test_brakes_stop_the_car_and_lower_its_nose():
     assert abs(works.residual) < 1e-3 * -works.brakes
 
 
+def test_a_tyre_of_version_6_follows_its_pressure(tmp_path):
+    """With C = 1, E = 0 and a steep slope the force is nearly friction times load, mu = pdy1 (1 + ppy3 dp)."""
+    file = tmp_path / "six.tir"
+    keys = "FITTYP = 61\nUNLOADED_RADIUS = 0.2\nFNOMIN = 800\nINFLPRES = 1E5\nNOMPRES = 1E5\nPDXP1 = 0.4\nNEW = 1\n"
+    file.write_text(keys + "PCY1 = 1\nPDY1 = 1.5\nPKY1 = -1E9\nPKY2 = 1.6\nPPY3 = -0.2\n")
+    tyre = stribeck.Tyre(file)
+    assert (tyre.pressure, tyre.stiffness, tyre.damping) == (1e5, None, None)
+    assert (tyre.unused, tyre.ignored) == (["unknown: NEW"], ["turn slip: PDXP1"])
+    assert any(note.startswith("FITTYP = 61") for note in tyre.notes)
+    for pressure, friction in ((None, 1.5), (1e5, 1.5), (1.5e5, 1.35), (5e4, 1.65)):
+        force = tyre.wrench(800.0, side_slip=0.1, pressure=pressure).force_y
+        assert force == pytest.approx(-800.0 * friction, rel=1e-9), pressure
+    for pressure in (0.0, math.nan):
+        with pytest.raises(stribeck.Refused, match="pressure = "):
+            tyre.wrench(800.0, pressure=pressure)
+    other = stribeck.Tyre(PROJECT / "examples" / "tyres" / "formula_student.tir")
+    assert other.pressure is None
+    with pytest.raises(stribeck.Refused, match="Magic Formula 5.2"):
+        other.wrench(800.0, pressure=1e5)
+
+
 def test_tyre_of_the_package_gives_the_published_points():
     file = PROJECT / "examples" / "tyres" / "formula_student.tir"
     tyre, other = stribeck.Tyre(file), LateralTyre(fnomin=700.0)

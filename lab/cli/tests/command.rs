@@ -485,7 +485,7 @@ fn a_tyre_property_file_is_converted_and_what_is_not_used_is_told() {
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     for line in [
         "without value, as if absent: ROAD_INCREMENT",
-        "VERTICAL_STIFFNESS: not in the file",
+        "VERTICAL_STIFFNESS: not in the file, a car keeps its own",
         "would change forces, but not here: turn slip: PDXP1; Magic Formula 6: QSX4",
         "not used: relaxation and structure: YAW_STIFFNESS; unknown: NEW",
     ] {

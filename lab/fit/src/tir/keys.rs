@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use stribeck::host::FormulaVersion;
+
 /// Keys that belong together.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
@@ -23,10 +25,7 @@ pub(super) fn add(groups: &mut Vec<Group>, about: &'static str, key: &str) {
         groups.push(Group { about, keys: Vec::new() });
         groups.len() - 1
     });
-    let keys = &mut groups[at].keys;
-    if !keys.iter().any(|other| other == key) {
-        keys.push(key.into());
-    }
+    groups[at].keys.push(key.into());
 }
 
 pub(super) const TURN_SLIP: &str = "turn slip";
@@ -44,8 +43,8 @@ const BEGINNINGS: [(&str, &[&str]); 4] = [
         "LATERAL_STIFF", "LONGITUDINAL_STIFF",
     ]),
     (DEFLECTION, &[
-        "BREFF", "DREFF", "FREFF", "Q_RE0", "Q_V", "Q_F", "Q_CAM", "PFZ1", "QPFZ1", "QFZ", "BOTTOM", "MC_CONTOUR", "LCZ",
-        "DYNAMIC_",
+        "BREFF", "DREFF", "FREFF", "Q_RE0", "Q_V", "Q_F", "Q_CAM", "PFZ1", "QPFZ1", "QFZ", "BOTTOM", "MC_CONTOUR",
+        "LCZ", "DYNAMIC_",
     ]),
 ];
 
@@ -66,9 +65,40 @@ pub(super) fn about(key: &str, section: &str) -> &'static str {
     }
 }
 
+/// The name of a key that has several: PAC2002 has its own for pressures.
+pub(super) fn canonical(key: &str) -> &str {
+    match key {
+        "IP" => "INFLPRES",
+        "IP_NOM" => "NOMPRES",
+        _ => key,
+    }
+}
+
+/// Whether only the other version of the formula has a coefficient.
+pub(super) fn is_foreign(key: &str, version: FormulaVersion) -> bool {
+    match version {
+        FormulaVersion::Five => is_of_six(key),
+        FormulaVersion::Six => ["LGAX", "LGAY", "LGAZ", "PHY3"].contains(&key),
+    }
+}
+
+/// The value of a coefficient that a file does not give: scale factors are 1, the others 0, and those of version 6 what
+/// they are in version 5.2, which is what the model starts with.
+pub(crate) fn missing_value(key: &str, start: f64) -> f64 {
+    match key {
+        _ if is_of_six(key) => start,
+        _ if key.starts_with('L') => 1.0,
+        _ => 0.0,
+    }
+}
+
 /// Whether version 6 of the formula has a coefficient that version 5.2 has not.
 pub(super) fn is_of_six(key: &str) -> bool {
-    is_of_pressure(key) || SIX.contains(&key)
+    is_of_pressure(key) || is_pressure(key) || SIX.contains(&key)
+}
+
+pub(super) fn is_pressure(key: &str) -> bool {
+    ["INFLPRES", "NOMPRES"].contains(&canonical(key))
 }
 
 fn is_of_pressure(key: &str) -> bool {

@@ -1,8 +1,9 @@
 //! Tyre property files (`.tir`) with coefficients of the Magic Formula, as values for the variables of a car.
 //!
-//! Files for version 5 of the formula are supported: `FITTYP` 5, 6, 21 or 52, or the formats `PAC2002`, `MF_05` and
-//! `MF-TYRE`. Missing coefficients are 0 and missing scale factors 1, as the format prescribes; no value of the
-//! built-in tyre remains. Vertical stiffness and damping are used for the tyres of both axles.
+//! `FITTYP` decides the version of the formula: 5, 6, 21 and 52 are for 5.2, as are the formats `PAC2002`, `MF_05` and
+//! `MF-TYRE`; 60 and 61 are for 6.1, 62 is for 6.2. Missing coefficients are 0 and missing scale factors 1, as the
+//! format prescribes; no value of the built-in tyre remains. Vertical stiffness and damping are used for the tyres of
+//! both axles.
 //!
 //! Files are read as programs write them: sections and keys in any order, in any case, with any others between them. A
 //! key without value counts as absent. What is not used is told, and so is what would change forces but is not
@@ -11,6 +12,8 @@
 mod keys;
 mod lines;
 mod reader;
+#[cfg(test)]
+mod reference;
 #[cfg(test)]
 mod tests;
 mod twice;
@@ -24,6 +27,7 @@ use ssp::parameter_set::{ParameterSet, SetError};
 use thiserror::Error;
 
 pub use keys::Group;
+pub(crate) use keys::missing_value;
 use lines::Refusal;
 use reader::Contents;
 

@@ -1,6 +1,9 @@
 //! Values for a car from the keys of a tyre property file.
 
+use std::collections::BTreeMap;
+
 use stribeck::catalogue;
+use stribeck::host::FormulaVersion;
 use stribeck::model::ModelType;
 
 use super::keys::{self, Group};
@@ -35,24 +38,26 @@ pub(super) struct Contents {
 pub(super) fn read(text: &str) -> Result<Contents, Refusal> {
     let entries = lines::entries(text, is_used)?;
     let mut contents = Contents::default();
-    version::check(&entries, &mut contents.notes)?;
-    let units = Units::of(&entries, &mut contents.notes)?;
+    let version = version::of(&entries, &mut contents.notes)?;
+    contents.values.push((variable("VERSION"), version.number()));
+    let units = Units::of(&entries, version, &mut contents.notes)?;
     contents.note_marks(&entries)?;
     contents.take_side(&entries)?;
-    contents.take_all(&entries, &units)?;
+    contents.take_all(&entries, version, &units)?;
     contents.check_required(&entries)?;
     contents.check_axes()?;
-    contents.fill();
+    contents.fill_pressures(version);
+    contents.fill(version);
     Ok(contents)
 }
 
 /// Name of the variable of the car that a key is for.
 fn variable(key: &str) -> String {
-    format!("tyre.{}", key.to_lowercase())
+    format!("tyre.{}", keys::canonical(key).to_lowercase())
 }
 
 fn is_coefficient(key: &str) -> bool {
-    key != "SIDE" && car().find(&variable(key)).is_some()
+    !["SIDE", "VERSION"].contains(&key) && car().find(&variable(key)).is_some()
 }
 
 /// Whether the model needs the number of a key.
@@ -98,19 +103,19 @@ impl Contents {
     }
 
     /// Takes the numbers of the keys that the model uses, and sorts the other keys.
-    fn take_all(&mut self, entries: &[Entry], units: &Units) -> Result<(), Refusal> {
-        let at_pressure = may_differ(entries, &["IP", "INFLPRES"], &["IP_NOM", "NOMPRES"]);
+    fn take_all(&mut self, entries: &[Entry], version: FormulaVersion, units: &Units) -> Result<(), Refusal> {
+        let at_pressure = may_differ(entries, "INFLPRES", "NOMPRES");
         let mut empty: Vec<&str> = Vec::new();
         for (key, entries) in by_key(entries) {
             let Some(last) = entries.iter().rfind(|entry| !entry.value.is_empty()) else {
                 empty.push(key);
                 continue;
             };
-            if is_used(key) {
+            if is_used(key) && !keys::is_foreign(key, version) {
                 twice::last(entries.iter().copied(), &mut self.notes);
                 self.take(last, units)?;
             } else {
-                self.sort(last, at_pressure)?;
+                self.sort(last, version, at_pressure)?;
             }
         }
         if !empty.is_empty() {
@@ -139,12 +144,16 @@ impl Contents {
     }
 
     /// Tells apart what changes no force and what does, but is not modelled.
-    fn sort(&mut self, entry: &Entry, at_pressure: bool) -> Result<(), Refusal> {
+    fn sort(&mut self, entry: &Entry, version: FormulaVersion, at_pressure: bool) -> Result<(), Refusal> {
         let (key, value) = (entry.key.as_str(), entry.number().map_or(f64::NAN, |number| number.value));
         if key == "PCY2" && value != 0.0 {
             return Err(entry.refused("is for the camber thrust of a motorcycle tyre, which is not modelled"));
         }
-        if keys::is_of_six(key) {
+        if version == FormulaVersion::Six && keys::is_foreign(key, version) {
+            keys::add(&mut self.unused, "Magic Formula 5.2", key);
+            return Ok(());
+        }
+        if version == FormulaVersion::Five && keys::is_foreign(key, version) && !keys::is_pressure(key) {
             let lost = keys::is_lost_by_five(key, value, at_pressure);
             keys::add(if lost { &mut self.ignored } else { &mut self.unused }, "Magic Formula 6", key);
             return Ok(());
@@ -162,30 +171,48 @@ impl Contents {
         Err(empty.map_or_else(|| Refusal::of_file(format!("no {key}")), |entry| entry.refused("has no value")))
     }
 
-    /// Gives missing entries the values prescribed by the format: scale factors 1, coefficients 0.
-    fn fill(&mut self) {
-        let names = car().table.iter().map(|variable| variable.path.to_string());
-        let absent = names.filter(|name| name.starts_with("tyre.") && self.value(name).is_none());
-        let mut values: Vec<(String, f64)> = Vec::new();
-        for name in absent {
-            let value = match name.as_str() {
-                "tyre.longvl" => 16.7,
-                _ if name.starts_with("tyre.l") => 1.0,
-                _ => 0.0,
-            };
-            values.push((name, value));
+    /// Takes a missing pressure from the other one: without both, pressure has no effect.
+    fn fill_pressures(&mut self, version: FormulaVersion) {
+        let [actual, nominal] = ["INFLPRES", "NOMPRES"].map(|key| self.value(&variable(key)));
+        if version == FormulaVersion::Five || (actual.is_some() && nominal.is_some()) {
+            return;
         }
-        for number in [0.0, 1.0, 16.7] {
-            let with = values.iter().filter(|(_, value)| *value == number);
-            let keys: Vec<String> = with.map(|(name, _)| name["tyre.".len()..].to_uppercase()).collect();
-            if !keys.is_empty() {
-                self.notes.push(format!("not in the file, set to {number}: {}", keys.join(", ")));
+        let (missing, said) = match (actual, nominal) {
+            (Some(pressure), _) => (vec![("NOMPRES", pressure)], "NOMPRES: not in the file, set to INFLPRES"),
+            (_, Some(pressure)) => (vec![("INFLPRES", pressure)], "INFLPRES: not in the file, set to NOMPRES"),
+            _ => (vec![], "neither INFLPRES nor NOMPRES in the file: pressure has no effect"),
+        };
+        self.notes.push(said.into());
+        self.values.extend(missing.into_iter().map(|(key, pressure)| (variable(key), pressure)));
+    }
+
+    /// Gives missing entries the values prescribed by the format: scale factors 1, coefficients 0. Those that the
+    /// version does not have get them silently.
+    fn fill(&mut self, version: FormulaVersion) {
+        let mut told: Vec<(f64, Vec<String>)> = Vec::new();
+        for one in car().table.iter() {
+            let name = one.path.to_string();
+            let Some(key) = name.strip_prefix("tyre.").map(str::to_uppercase) else { continue };
+            if self.value(&name).is_some() {
+                continue;
+            }
+            let value = if key == "LONGVL" { one.start } else { keys::missing_value(&key, one.start) };
+            self.values.push((name, value));
+            // Files do not have LMUV: it is of the book only.
+            if keys::is_foreign(&key, version) || keys::is_pressure(&key) || key == "LMUV" {
+                continue;
+            }
+            match told.iter_mut().find(|(number, _)| *number == value) {
+                Some((_, keys)) => keys.push(key),
+                None => told.push((value, vec![key])),
             }
         }
-        self.values.append(&mut values);
+        told.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let note = |(value, keys): &(f64, Vec<String>)| format!("not in the file, set to {value}: {}", keys.join(", "));
+        self.notes.extend(told.iter().map(note));
         for (key, name) in BOTH {
             if self.value(&format!("front.{name}")).is_none() {
-                self.notes.push(format!("{key}: not in the file"));
+                self.notes.push(format!("{key}: not in the file, a car keeps its own"));
             }
         }
     }
@@ -205,22 +232,24 @@ impl Contents {
 /// The entries of each key that is not read on its own, in the order of the file.
 fn by_key<'a, 'b>(entries: &'a [Entry<'b>]) -> Vec<(&'a str, Vec<&'a Entry<'b>>)> {
     let mut all: Vec<(&str, Vec<&Entry>)> = Vec::new();
+    let mut places: BTreeMap<&str, usize> = BTreeMap::new();
     for entry in entries {
         if SAID.contains(&entry.key.as_str()) || ["UNITS", "MDI_HEADER"].contains(&entry.section.as_str()) {
             continue;
         }
-        match all.iter_mut().find(|(key, _)| *key == entry.key) {
-            Some((_, same)) => same.push(entry),
-            None => all.push((&entry.key, vec![entry])),
+        let place = *places.entry(keys::canonical(&entry.key)).or_insert(all.len());
+        if place == all.len() {
+            all.push((&entry.key, Vec::new()));
         }
+        all[place].1.push(entry);
     }
     all
 }
 
-/// Whether two quantities, each with several names, are not said to be equal.
-fn may_differ(entries: &[Entry], names: &[&str], others: &[&str]) -> bool {
-    let value = |names: &[&str]| entries.iter().rfind(|entry| names.contains(&entry.key.as_str()))?.number().ok();
-    match (value(names), value(others)) {
+/// Whether the values of two keys are not said to be equal.
+fn may_differ(entries: &[Entry], key: &str, other: &str) -> bool {
+    let value = |key| entries.iter().rfind(|entry| keys::canonical(&entry.key) == key)?.number().ok();
+    match (value(key), value(other)) {
         (Some(one), Some(other)) => one.value != other.value,
         _ => true,
     }

@@ -49,7 +49,7 @@ fn missing_entries_are_neutral_and_not_built_in() {
     }
     let notes = parse("x.tir", &text).unwrap().notes;
     let ones = notes.iter().find(|note| note.starts_with("not in the file, set to 1: ")).unwrap();
-    assert!(ones.contains(": LFZO, LCX, "), "{ones}");
+    assert!(ones.contains(": LFZO, LCX, ") && !ones.contains("LKYC"), "{ones}");
     assert_eq!(notes.iter().filter(|note| note.starts_with("not in the file, set to ")).count(), 2, "{notes:?}");
 }
 
@@ -217,12 +217,10 @@ fn other_versions_units_and_axes_are_rejected() {
         assert!(text.contains(from), "{from}");
         refusal(&text.replace(from, to))
     };
-    let version = change("PROPERTY_FILE_FORMAT = 'PAC2002'", "FITTYP = 61");
-    assert!(version.starts_with("x.tir:8: FITTYP = 61: only 5, 6, 21 and 52 mean version 5"), "{version}");
-    assert_eq!(
-        change("'PAC2002'", "'FTIRE'"),
-        "x.tir:8: PROPERTY_FILE_FORMAT = 'FTIRE': must be one of PAC2002, MF_05, MF_52, MF-TYRE"
-    );
+    let version = change("PROPERTY_FILE_FORMAT = 'PAC2002'", "FITTYP = 51");
+    assert!(version.starts_with("x.tir:8: FITTYP = 51: must be 5, 6, 21 or 52 for Magic Formula 5.2, "), "{version}");
+    let format = change("'PAC2002'", "'FTIRE'");
+    assert!(format.starts_with("x.tir:8: PROPERTY_FILE_FORMAT = 'FTIRE': must be one of PAC2002, "), "{format}");
     for without in ["", "PROPERTY_FILE_FORMAT = 'USER'\n"] {
         assert_eq!(
             change("PROPERTY_FILE_FORMAT = 'PAC2002'\n", without),
@@ -244,4 +242,43 @@ fn degrees_change_no_coefficient() {
     let file = parse("x.tir", &small("").replace("'radians'", "deg")).unwrap();
     assert_eq!(file.set, read_small("").set);
     assert!(file.notes.contains(&"ANGLE: degrees are for the ranges alone; the coefficients are for radians".into()));
+}
+
+/// A minimal file of version 6, with `more` at its end.
+fn six(more: &str) -> String {
+    small(more).replace("PROPERTY_FILE_FORMAT = 'PAC2002'", "FITTYP = 61")
+}
+
+#[test]
+fn files_of_version_6_have_pressures() {
+    let pressures = |text: &str| ["tyre.inflpres", "tyre.nompres"].map(|name| get(text, name));
+    assert_eq!(pressures(&six("INFLPRES = 2E5\nNOMPRES = 220000")), [2e5, 2.2e5]);
+    assert_eq!(pressures(&six("NOMPRES = 220000")), [2.2e5; 2]);
+    assert_eq!(pressures(&six("INFLPRES = 220000")), [2.2e5; 2]);
+    assert_eq!(pressures(&six("IP = 80\nIP_NOM = 83\n[UNITS]\nPRESSURE = kPa")), [8e4, 8.3e4]);
+    let imperial = six("NOMPRES = 12").replace("'meter'", "inch").replace("'newton'", "pound_force");
+    assert!(abs_diff_eq!(pressures(&imperial)[1], 12.0 * 6_894.757_293_168, epsilon = 1e-6));
+    for (text, note) in [
+        (six("NOMPRES = 220000"), "INFLPRES: not in the file, set to NOMPRES"),
+        (six("INFLPRES = 220000"), "NOMPRES: not in the file, set to INFLPRES"),
+        (six(""), "neither INFLPRES nor NOMPRES in the file: pressure has no effect"),
+    ] {
+        let notes = parse("x.tir", &text).unwrap().notes;
+        assert!(notes.contains(&note.into()), "{notes:?}");
+    }
+    assert!(refusal(&six("NOMPRES = 0")).ends_with("tyre.nompres = 0: must be > 0 and finite"));
+    assert!(refusal(&six("[UNITS]\nPRESSURE = mmHg")).starts_with("x.tir:21: PRESSURE = mmHg: must be one of pascal"));
+}
+
+#[test]
+fn coefficients_count_in_their_version() {
+    let file = parse("x.tir", &six("PHY3 = 0.1\nLGAY = 1\nPKY6 = -1\nPDXP1 = 0.4\n")).unwrap();
+    assert_eq!(told(&file.unused), ["Magic Formula 5.2: PHY3, LGAY"]);
+    assert_eq!(told(&file.ignored), ["turn slip: PDXP1"]);
+    let values =
+        ["version", "pky6", "pky4", "qsy7", "lkyc", "lmuv", "ppy1"].map(|key| file.set.get(&format!("tyre.{key}")));
+    assert_eq!(values.map(Option::unwrap), [2.0, -1.0, 2.0, 1.0, 1.0, 0.0, 0.0]);
+    assert!(file.notes.iter().any(|note| note == "not in the file, set to 2: PKY4"), "{:?}", file.notes);
+    assert!(!file.notes.iter().any(|note| note.contains("LMUV") || note.contains("LGAX")), "{:?}", file.notes);
+    assert_eq!([get(&small("PKY6 = -1"), "tyre.pky6"), get(&small("PKY6 = -1"), "tyre.version")], [0.0, 1.0]);
 }

@@ -1,5 +1,8 @@
 //! Units of a tyre property file.
 
+use stribeck::host::FormulaVersion;
+
+use super::keys;
 use super::lines::{Entry, Refusal};
 use super::twice;
 
@@ -43,35 +46,45 @@ const TIMES: &[(&str, f64)] = &[
     ("hour", 3600.0),
 ];
 
+const PRESSURES: &[(&str, f64)] =
+    &[("pascal", 1.0), ("pa", 1.0), ("kpa", 1e3), ("mpa", 1e6), ("bar", 1e5), ("psi", 6_894.757_293_168_36)];
+
 /// SI units per unit of the file.
 pub(super) struct Units {
     pub length: f64,
     pub force: f64,
     pub time: f64,
+    pub pressure: f64,
 }
 
 impl Units {
-    pub fn of(entries: &[Entry], notes: &mut Vec<String>) -> Result<Units, Refusal> {
-        let mut unit = |key: &str, known: &[(&str, f64)]| {
+    pub fn of(entries: &[Entry], version: FormulaVersion, notes: &mut Vec<String>) -> Result<Units, Refusal> {
+        let mut unit = |key: &str, known: &[(&str, f64)], default: Option<&str>| {
             let is_unit = |entry: &&Entry| ["UNITS", ""].contains(&entry.section.as_str()) && entry.key == key;
             let Some(entry) = twice::last(entries.iter().filter(is_unit), notes) else {
-                notes.push(format!("no unit of {key}: assumed to be {}", known[0].0));
-                return Ok(1.0);
+                notes.extend(default.map(|default| format!("no unit of {key}: assumed to be {default}")));
+                return Ok(None);
             };
             let factor = known.iter().find(|(name, _)| name.eq_ignore_ascii_case(entry.value));
             let names = || known.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
-            factor.map(|(_, factor)| *factor).ok_or_else(|| entry.refused(format!("must be one of {}", names())))
+            let refused = || entry.refused(format!("must be one of {}", names()));
+            factor.map(|(_, factor)| Some(*factor)).ok_or_else(refused)
         };
-        let (length, force, time) = (unit("LENGTH", LENGTHS)?, unit("FORCE", FORCES)?, unit("TIME", TIMES)?);
-        if unit("ANGLE", ANGLES)? == DEGREE {
+        let mut basic = |key: &str, known: &[(&str, f64)]| Ok(unit(key, known, Some(known[0].0))?.unwrap_or(1.0));
+        let (length, force, time) = (basic("LENGTH", LENGTHS)?, basic("FORCE", FORCES)?, basic("TIME", TIMES)?);
+        let angle = basic("ANGLE", ANGLES)?;
+        // The format derives pressures from force and length where it gives them no unit.
+        let own = if version == FormulaVersion::Six { unit("PRESSURE", PRESSURES, None)? } else { None };
+        if angle == DEGREE {
             notes.push("ANGLE: degrees are for the ranges alone; the coefficients are for radians".into());
         }
-        Ok(Units { length, force, time })
+        Ok(Units { length, force, time, pressure: own.unwrap_or(force / (length * length)) })
     }
 
     /// SI units per unit of a key. Coefficients have none.
     pub fn factor(&self, key: &str) -> f64 {
         match key {
+            _ if keys::is_pressure(key) => self.pressure,
             "FNOMIN" => self.force,
             "UNLOADED_RADIUS" => self.length,
             "LONGVL" => self.length / self.time,

@@ -1,35 +1,50 @@
 //! Version of the Magic Formula of a tyre property file.
 
+use stribeck::host::FormulaVersion;
+
 use super::lines::{Entry, Refusal};
 use super::twice;
 
-/// Values of `FITTYP` for version 5 of the formula.
-const FIVE: [f64; 4] = [5.0, 6.0, 21.0, 52.0];
+/// Values of `FITTYP` and formats, without signs, with the version that they mean and its name.
+const FITTYPS: [(f64, FormulaVersion, &str); 7] = [
+    (5.0, FormulaVersion::Five, "5.2"),
+    (6.0, FormulaVersion::Five, "5.2"),
+    (21.0, FormulaVersion::Five, "5.2"),
+    (52.0, FormulaVersion::Five, "5.2"),
+    (60.0, FormulaVersion::Six, "6.1"),
+    (61.0, FormulaVersion::Six, "6.1"),
+    (62.0, FormulaVersion::Six, "6.2"),
+];
+const FORMATS: [(&str, FormulaVersion, &str); 7] = [
+    ("PAC2002", FormulaVersion::Five, "5.2"),
+    ("MF05", FormulaVersion::Five, "5.2"),
+    ("MF52", FormulaVersion::Five, "5.2"),
+    ("MFTYRE", FormulaVersion::Five, "5.2"),
+    ("MF60", FormulaVersion::Six, "6.1"),
+    ("MF61", FormulaVersion::Six, "6.1"),
+    ("MF62", FormulaVersion::Six, "6.2"),
+];
 
-/// Formats for version 5 of the formula, without signs.
-const FIVE_FORMATS: [&str; 4] = ["PAC2002", "MF05", "MF52", "MFTYRE"];
-
-/// Checks that the version is supported, and notes which one it is.
-pub(super) fn check(entries: &[Entry], notes: &mut Vec<String>) -> Result<(), Refusal> {
+/// The version, which is noted.
+pub(super) fn of(entries: &[Entry], notes: &mut Vec<String>) -> Result<FormulaVersion, Refusal> {
     let mut of = |key: &str| twice::last(entries.iter().filter(|entry| entry.key == key), notes);
     let (fittyp, format) = (of("FITTYP"), of("PROPERTY_FILE_FORMAT"));
     if let Some(entry) = fittyp {
-        let version = entry.number()?.value;
-        if !FIVE.contains(&version) {
-            let why = "only 5, 6, 21 and 52 mean version 5 of the Magic Formula; 60 and above mean version 6";
-            return Err(entry.refused(why));
-        }
-        notes.push(format!("FITTYP = {version}: read as Magic Formula 5.2"));
-        return Ok(());
+        let number = entry.number()?.value;
+        let known = FITTYPS.iter().find(|(value, ..)| *value == number);
+        let why = "must be 5, 6, 21 or 52 for Magic Formula 5.2, 60, 61 or 62 for 6.1 and 6.2";
+        let (_, version, name) = known.ok_or_else(|| entry.refused(why))?;
+        notes.push(format!("FITTYP = {number}: read as Magic Formula {name}"));
+        return Ok(*version);
     }
     // Programs with their own subroutines write USER, which says nothing.
     let Some(entry) = format.filter(|entry| !entry.value.eq_ignore_ascii_case("USER")) else {
         return Err(Refusal::of_file("neither FITTYP nor PROPERTY_FILE_FORMAT gives the version"));
     };
     let plain: String = entry.value.to_uppercase().chars().filter(char::is_ascii_alphanumeric).collect();
-    if !FIVE_FORMATS.contains(&plain.as_str()) {
-        return Err(entry.refused("must be one of PAC2002, MF_05, MF_52, MF-TYRE"));
-    }
-    notes.push(format!("PROPERTY_FILE_FORMAT = {}: read as Magic Formula 5.2", entry.value.to_uppercase()));
-    Ok(())
+    let known = FORMATS.iter().find(|(format, ..)| *format == plain);
+    let why = "must be one of PAC2002, MF_05, MF_52, MF-TYRE, MF_60, MF_61, MF_62";
+    let (_, version, name) = known.ok_or_else(|| entry.refused(why))?;
+    notes.push(format!("PROPERTY_FILE_FORMAT = {}: read as Magic Formula {name}", entry.value.to_uppercase()));
+    Ok(*version)
 }

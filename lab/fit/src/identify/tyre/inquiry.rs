@@ -16,8 +16,8 @@ use crate::sheet::Sheet;
 #[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Inquiry {
-    /// The tyre property file (.tir), with coefficients of the Magic Formula 5; or a table of a tyre test, with the
-    /// columns FZ, SA (alpha), FY, and perhaps SR (kappa), IA (gamma), FX and MZ
+    /// The tyre property file (.tir), with coefficients of the Magic Formula 5.2, 6.1 or 6.2; or a table of a tyre
+    /// test, with the columns FZ, SA (alpha), FY, and perhaps SR (kappa), IA (gamma), FX and MZ
     pub record: Option<PathBuf>,
     /// Name of a column in the table of a test: SA=Schraeglaufwinkel
     #[arg(long, value_name = "NAME=COLUMN")]

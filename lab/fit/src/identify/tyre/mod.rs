@@ -24,6 +24,7 @@ pub use inquiry::{Inquiry, SideChoice, TyreInquiryError};
 
 use super::loss::Loss;
 use super::uncertainty::{DETERMINED, Known, WIDTH, residuals};
+use crate::tir::missing_value;
 use coefficient::{ALIGNING, ARM, COMBINED_X, COMBINED_Y, Coefficient, LATERAL, LONGITUDINAL};
 use problem::{Channel, Rows, TyreProblem, column};
 use stribeck_solve::system::Fault;
@@ -159,8 +160,8 @@ fn neutral(task: &TyreTask, nominal: f64) -> MagicFormula {
     let row = row_of_mut(&mut formula);
     for (column, variable) in MagicFormula::TABLE.iter().enumerate() {
         let name = variable.path.to_string();
-        if !["fnomin", "unloaded_radius", "longvl", "side"].contains(&name.as_str()) {
-            row[column] = f64::from(u8::from(name.starts_with('l')));
+        if !["fnomin", "unloaded_radius", "longvl", "side", "version"].contains(&name.as_str()) {
+            row[column] = missing_value(&name.to_uppercase(), variable.start);
         }
     }
     formula.fnomin = nominal;
