@@ -96,8 +96,9 @@ pub struct Options {
     pub compression_positive: bool,
     /// Sign of the force that the file must have; found in the file if not given.
     pub force_sign: Option<ForceSign>,
-    /// Number of points of the table, including 0: 3 to [`MOST_POINTS`].
-    pub points: usize,
+    /// Number of points of the table, including 0: 3 to [`MOST_POINTS`]. Without it a curve of so many points is kept as
+    /// it is, and a table has 11 (chosen).
+    pub points: Option<usize>,
     /// Speed below which samples distinguish friction from damping, m/s.
     pub low_speed: f64,
     /// Speed below which friction still falls with speed, m/s, if known: slower samples do not count at rest.
@@ -107,12 +108,12 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// 11 points, 0.05 m/s (chosen).
+    /// 0.05 m/s (chosen).
     fn default() -> Options {
         Options {
             compression_positive: false,
             force_sign: None,
-            points: 11,
+            points: None,
             low_speed: 0.05,
             falling: 0.0,
             gas_force: None,
@@ -313,8 +314,8 @@ fn out_of_range(samples: &[Sample]) -> DynoError {
 
 fn check(options: &Options) -> Result<(), DynoError> {
     let refuse = |name, value, wanted| Err(DynoError::Option { name, value, wanted });
-    if !(3..=MOST_POINTS).contains(&options.points) {
-        return refuse("points", options.points as f64, "3 to 16");
+    if let Some(points) = options.points.filter(|points| !(3..=MOST_POINTS).contains(points)) {
+        return refuse("points", points as f64, "3 to 16");
     }
     if !(options.low_speed > 0.0 && options.low_speed.is_finite()) {
         return refuse("low speed", options.low_speed, "> 0 m/s and finite");
@@ -523,20 +524,24 @@ impl Offset {
     }
 }
 
+/// Number of points of a table (chosen).
+const USUAL_POINTS: usize = 11;
+
 /// The damper table: monotone, 0 at rest.
-fn table(samples: &[Sample], offset: &Offset, points: usize, warnings: &mut Vec<String>) -> Vec<(f64, f64)> {
+fn table(samples: &[Sample], offset: &Offset, points: Option<usize>, warnings: &mut Vec<String>) -> Vec<(f64, f64)> {
+    let curves = [false, true].map(|is_extension| curve(hydraulic(samples, offset, is_extension)));
+    let is_kept = points.is_none() && curves.iter().map(Vec::len).sum::<usize>() < MOST_POINTS;
+    let slots = if is_kept { MOST_POINTS } else { (points.unwrap_or(USUAL_POINTS) - 1) / 2 };
     let mut correction: f64 = 0.0;
-    let mut side = |is_extension| {
-        let (speeds, forces): (Vec<f64>, Vec<f64>) =
-            curve(hydraulic(samples, offset, is_extension)).into_iter().unzip();
+    let [compression, extension] = curves.map(|curve| {
+        let (speeds, forces): (Vec<f64>, Vec<f64>) = curve.into_iter().unzip();
         let monotone = isotonic(&forces);
         let shifts = forces.iter().zip(&monotone).map(|(force, monotone)| (force - monotone).abs());
         correction = shifts.fold(correction, f64::max);
         let points_from_rest: Vec<(f64, f64)> =
             [(0.0, 0.0)].into_iter().chain(speeds.into_iter().zip(monotone)).collect();
-        polyline(&points_from_rest, (points - 1) / 2)
-    };
-    let [compression, extension] = [side(false), side(true)];
+        polyline(&points_from_rest, slots)
+    });
     if correction > 0.0 {
         warnings.push(format!("the measured curve is not monotone: points were moved by up to {correction:.1} N"));
     }

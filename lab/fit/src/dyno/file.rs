@@ -102,7 +102,10 @@ mod tests {
         assert_eq!(refusal(""), "no column 'velocity'; there are no columns");
         assert_eq!(refusal("velocity,force\n"), "the table has no rows");
         assert_eq!(refusal("velocity,force,velocity [mm/s]\n1,2,3\n"), "two columns 'velocity'");
-        assert_eq!(refusal("velocity [km/h],force\n1,2\n"), "velocity: unit 'km/h', must be one of m/s, mm/s, in/s");
+        assert_eq!(
+            refusal("velocity [kn],force\n1,2\n"),
+            "velocity: unit 'kn', must be one of m/s, mm/s, in/s, km/h, kph, mph"
+        );
         assert_eq!(refusal("velocity,force\n1,2\n3,x\n"), "line 3, force: 'x' is not a finite number");
         assert_eq!(refusal("velocity;force\n1;\n"), "line 2, force: '' is not a finite number");
         assert_eq!(refusal("velocity,force\n1,inf\n"), "line 2, force: 'inf' is not a finite number");

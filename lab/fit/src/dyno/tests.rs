@@ -197,6 +197,24 @@ fn few_monotone_points_are_kept_exactly() {
     assert!(damper.warnings[0].starts_with("too few samples below 0.05 m/s in extension"), "{:?}", damper.warnings);
 }
 
+/// As long as no number of points is asked for: a table of 11 points would be off by more than the test.
+#[test]
+fn a_curve_of_at_most_sixteen_points_is_kept() {
+    let rows: Vec<(f64, f64)> = (-7..=8).map(|at| f64::from(at) * 0.13).map(|v| (v, 1000.0 * v * (1.0 + v))).collect();
+    let curve = |rows: &[(f64, f64)]| {
+        let lines: String = rows.iter().map(|(v, force)| format!("{v},{force}\n")).collect();
+        find(&Test::parse(&format!("velocity,force\n{lines}")).unwrap())
+    };
+    let monotone: Vec<(f64, f64)> = rows.iter().copied().filter(|(v, _)| *v > -0.45).collect();
+    let kept = curve(&monotone);
+    assert_eq!(kept.table.len(), monotone.len());
+    for ((v, force), (of, found)) in monotone.iter().zip(&kept.table) {
+        assert!(abs_diff_eq!(v, of, epsilon = 1e-15) && abs_diff_eq!(force, found, epsilon = 1e-12), "{v} {force}");
+    }
+    let seventeen: Vec<(f64, f64)> = (-8..=8).map(|at| (f64::from(at) * 0.1, f64::from(at) * 90.0)).collect();
+    assert_eq!([curve(&seventeen[1..]).table.len(), curve(&seventeen).table.len()], [16, 11]);
+}
+
 #[test]
 fn peaks_of_many_speeds_give_back_friction() {
     let speeds = [0.005, 0.01, 0.02, 0.03, 0.04, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.75, 1.0];
@@ -292,8 +310,8 @@ fn half_tests_and_bad_options_are_rejected() {
     let turned = Options { compression_positive: true, ..Options::default() };
     assert!(refusal(&half, &turned).starts_with("0 samples in extension"));
     for (options, answer) in [
-        (Options { points: 2, ..Options::default() }, "points = 2: must be 3 to 16"),
-        (Options { points: 17, ..Options::default() }, "points = 17: must be 3 to 16"),
+        (Options { points: Some(2), ..Options::default() }, "points = 2: must be 3 to 16"),
+        (Options { points: Some(17), ..Options::default() }, "points = 17: must be 3 to 16"),
         (Options { low_speed: 0.0, ..Options::default() }, "low speed = 0: must be > 0 m/s and finite"),
         (Options { low_speed: f64::NAN, ..Options::default() }, "low speed = NaN: must be > 0 m/s and finite"),
         (Options { gas_force: Some(f64::NAN), ..Options::default() }, "gas force = NaN: must be finite"),

@@ -17,7 +17,8 @@ use crate::dyno::{Damper, DynoError, ForceSign, Options, Test, find_damper};
 pub struct Inquiry {
     /// Table with the columns velocity and force, optionally displacement and temperature; units in brackets
     pub record: Option<PathBuf>,
-    /// Number of points of the damper table, including 0: 3 to 16 (default: 11)
+    /// Number of points of the damper table, including 0: 3 to 16 (default: a curve of at most 16 points as it is, else
+    /// 11)
     #[arg(long)]
     pub points: Option<usize>,
     /// Velocity and displacement in the file are positive in compression
@@ -73,7 +74,7 @@ impl Inquiry {
         Options {
             compression_positive: self.compression_positive,
             force_sign: self.force_sign,
-            points: self.points.unwrap_or(usual.points),
+            points: self.points,
             low_speed: self.low_speed.unwrap_or(usual.low_speed),
             gas_force: self.gas_force,
             ..usual
@@ -110,7 +111,7 @@ mod tests {
                    gas_force = 90\nlaw = \"Dahl\"\nseed = 3";
         let Options { compression_positive, force_sign, points, low_speed, falling, gas_force } =
             toml::from_str::<Inquiry>(all).unwrap().options();
-        assert_eq!((compression_positive, force_sign, points), (true, Some(ForceSign::Reaction), 7));
+        assert_eq!((compression_positive, force_sign, points), (true, Some(ForceSign::Reaction), Some(7)));
         assert_eq!((low_speed, falling, gas_force), (0.1, 0.0, Some(90.0)));
         let refusal = |text: &str| toml::from_str::<Inquiry>(text).unwrap().answer().unwrap_err().to_string();
         assert_eq!(refusal(""), "no record was given");
