@@ -1,7 +1,7 @@
 //! Tables of measurements as rigs and dynamometers write them.
 //!
 //! A heading names the columns, each with its unit in brackets if it is not the SI unit; a row of units may follow it
-//! instead. The separator (tab, semicolon, comma, or blanks if there is none of these) is that of the heading; unless it
+//! instead, with any units for columns that nobody reads. The separator (tab, semicolon, comma, or blanks if there is none of these) is that of the heading; unless it
 //! is a comma, numbers may have a decimal comma. `#` begins a comment; unused columns are ignored.
 
 mod binary;
@@ -27,14 +27,25 @@ pub struct Quantity {
 }
 
 /// Time.
-pub const TIME: Quantity =
-    Quantity { name: "time", units: &[("s", 1.0, 0.0), ("ms", 1e-3, 0.0), ("us", 1e-6, 0.0), ("min", 60.0, 0.0)] };
+pub const TIME: Quantity = Quantity {
+    name: "time",
+    units: &[("s", 1.0, 0.0), ("sec", 1.0, 0.0), ("ms", 1e-3, 0.0), ("us", 1e-6, 0.0), ("min", 60.0, 0.0)],
+};
 /// Velocity.
-pub const VELOCITY: Quantity =
-    Quantity { name: "velocity", units: &[("m/s", 1.0, 0.0), ("mm/s", 1e-3, 0.0), ("in/s", 0.0254, 0.0)] };
+pub const VELOCITY: Quantity = Quantity {
+    name: "velocity",
+    units: &[
+        ("m/s", 1.0, 0.0),
+        ("mm/s", 1e-3, 0.0),
+        ("in/s", 0.0254, 0.0),
+        ("km/h", KPH, 0.0),
+        ("kph", KPH, 0.0),
+        ("mph", MPH, 0.0),
+    ],
+};
 /// Force.
 pub const FORCE: Quantity =
-    Quantity { name: "force", units: &[("N", 1.0, 0.0), ("kN", 1e3, 0.0), ("lbf", 4.448_221_615_260_5, 0.0)] };
+    Quantity { name: "force", units: &[("N", 1.0, 0.0), ("kN", 1e3, 0.0), ("lbf", POUND, 0.0), ("lb", POUND, 0.0)] };
 /// Normal force.
 pub const NORMAL_FORCE: Quantity = Quantity { name: "normal_force", units: FORCE.units };
 /// Displacement.
@@ -52,17 +63,36 @@ pub const TEMPERATURE: Quantity = Quantity {
 pub const ANGLE: Quantity = Quantity { name: "angle", units: &[("rad", 1.0, 0.0), ("deg", DEGREE, 0.0)] };
 /// Longitudinal slip.
 pub const SLIP: Quantity = Quantity { name: "slip", units: &[("1", 1.0, 0.0), ("%", 0.01, 0.0)] };
+/// Pressure.
+pub const PRESSURE: Quantity = Quantity {
+    name: "pressure",
+    units: &[("Pa", 1.0, 0.0), ("kPa", 1e3, 0.0), ("bar", 1e5, 0.0), ("psi", POUND / (0.0254 * 0.0254), 0.0)],
+};
 /// Moment.
-pub const MOMENT: Quantity =
-    Quantity { name: "moment", units: &[("N.m", 1.0, 0.0), ("Nm", 1.0, 0.0), ("N*m", 1.0, 0.0)] };
+pub const MOMENT: Quantity = Quantity {
+    name: "moment",
+    units: &[
+        ("N.m", 1.0, 0.0),
+        ("Nm", 1.0, 0.0),
+        ("N*m", 1.0, 0.0),
+        ("N-m", 1.0, 0.0),
+        ("ft-lb", 0.3048 * POUND, 0.0),
+        ("lbf.ft", 0.3048 * POUND, 0.0),
+    ],
+};
 
 /// Quantities that differ in their units.
-const QUANTITIES: [&Quantity; 8] = [&TIME, &VELOCITY, &FORCE, &DISPLACEMENT, &TEMPERATURE, &ANGLE, &SLIP, &MOMENT];
+const QUANTITIES: [&Quantity; 9] =
+    [&TIME, &VELOCITY, &FORCE, &DISPLACEMENT, &TEMPERATURE, &ANGLE, &SLIP, &PRESSURE, &MOMENT];
 
 /// Quantities of signals, which a factor converts: the moment of a drive, its angle, its current in percent.
 const OF_SIGNALS: [&Quantity; 3] = [&ANGLE, &SLIP, &MOMENT];
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
+/// SI values of a kilometre per hour, a mile per hour and the force of a pound.
+const KPH: f64 = 1.0 / 3.6;
+const MPH: f64 = 0.447_04;
+const POUND: f64 = 4.448_221_615_260_5;
 
 /// Error in a table.
 #[derive(Debug, Error)]
@@ -247,8 +277,9 @@ impl Sheet {
         let mut rows = records.map_err(|error| of_rows(error, separator))?;
         if rows.first().is_some_and(is_of_units) {
             for (heading, text) in headings.iter_mut().zip(rows.remove(0).iter()) {
-                if heading.unit.is_empty() {
-                    heading.unit = plain(text.trim_matches(['[', ']', '(', ')']));
+                let unit = plain(text.trim_matches(['[', ']', '(', ')']));
+                if heading.unit.is_empty() && !NO_UNIT.contains(&unit.as_str()) {
+                    heading.unit = unit;
                 }
             }
         }
@@ -477,16 +508,16 @@ fn plain(unit: &str) -> String {
     }
 }
 
-/// Whether a row has units: each of its cells is one, or empty, or a hyphen.
+/// Words that stand for no unit.
+const NO_UNIT: [&str; 3] = ["", "-", "none"];
+
+/// Whether a row has units: at least one that is known, and no number but the unit 1.
 fn is_of_units(row: &csv::StringRecord) -> bool {
-    let is_unit = |text: &str| {
-        let text = plain(text.trim_matches(['[', ']', '(', ')']));
-        // The unit 1 looks like a number.
-        text.parse::<f64>().is_err()
-            && QUANTITIES.iter().any(|quantity| quantity.units.iter().any(|unit| unit.0 == text))
+    let cells: Vec<String> = row.iter().map(|text| plain(text.trim_matches(['[', ']', '(', ')']))).collect();
+    let is_known = |text: &String| {
+        text != "1" && QUANTITIES.iter().any(|quantity| quantity.units.iter().any(|unit| unit.0 == text))
     };
-    let mut cells = row.iter().filter(|cell| !cell.is_empty() && *cell != "-").peekable();
-    cells.peek().is_some() && cells.all(is_unit)
+    cells.iter().any(is_known) && cells.iter().all(|text| text == "1" || text.parse::<f64>().is_err())
 }
 
 #[cfg(test)]
@@ -500,6 +531,24 @@ mod tests {
         assert_eq!(sheet.column(&DISPLACEMENT).unwrap(), Some(vec![4e-3]));
         assert_eq!([sheet.line(0), sheet.len() as u64], [3, 1]);
         assert_eq!(sheet.column(&VELOCITY).unwrap(), None);
+    }
+
+    /// Units of columns that nobody reads may be any; what is read must have one that is known.
+    #[test]
+    fn a_row_of_units_may_have_any_for_other_columns() {
+        let sheet = Sheet::parse("ET,V,N,P,FZ,MZ,SR,TSTC\nsec,kph,rpm,psi,lb,ft-lb,none,deg C\n1,36,7,10,1,1,0.5,20\n");
+        let sheet = sheet.unwrap();
+        let read = |name: &str, quantity: &Quantity| sheet.column_named(name, quantity).unwrap().unwrap()[0];
+        let close = |value: f64, expected: f64| assert!((value / expected - 1.0).abs() < 1e-6, "{value} {expected}");
+        close(read("V", &VELOCITY), 10.0);
+        close(read("P", &PRESSURE), 68_947.57);
+        close(read("FZ", &FORCE), 4.448_222);
+        close(read("MZ", &MOMENT), 1.355_818);
+        assert_eq!([read("ET", &TIME), read("SR", &SLIP)], [1.0, 0.5]);
+        let text = sheet.column_named("N", &VELOCITY).unwrap_err().to_string();
+        assert!(text.starts_with("N: unit 'rpm', must be one of m/s, "), "{text}");
+        assert_eq!(Sheet::parse("time,note\ns,first\n1,a\n").unwrap().len(), 1);
+        assert_eq!(Sheet::parse("slip,note\n1,first\n1,a\n").unwrap().len(), 2);
     }
 
     /// In UTF-8, as a Greek letter, and in Latin-1.

@@ -273,7 +273,7 @@ mod tests {
         // A factor does not turn a length into a force.
         let (_, tables) = applied("t,F [mm],x\n1,2,3\n", &[("force", 2.0)]);
         let error = tables[0].column(&FORCE).unwrap_err().to_string();
-        assert_eq!(error, "force: unit 'mm', must be one of N, kN, lbf");
+        assert_eq!(error, "force: unit 'mm', must be one of N, kN, lbf, lb");
         for (columns, part) in [
             (Columns { factors: vec![("force".into(), 0.0)], ..Columns::default() }, "must be finite and not 0"),
             (

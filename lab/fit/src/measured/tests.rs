@@ -193,10 +193,10 @@ fn spoilt_headings_are_refused_by_name() {
         (plain("time,force,x"), "no column 'displacement'; there are time, force, x"),
         (plain("time,time,displacement"), "two columns 'time'"),
         (plain("time,force,Force"), "two columns 'force'"),
-        (plain("time [h],force,displacement"), "time: unit 'h', must be one of s, ms, us, min"),
-        (plain("time,force [kg],displacement"), "force: unit 'kg', must be one of N, kN, lbf"),
+        (plain("time [h],force,displacement"), "time: unit 'h', must be one of s, sec, ms, us, min"),
+        (plain("time,force [kg],displacement"), "force: unit 'kg', must be one of N, kN, lbf, lb"),
         (plain("time,force,displacement (deg)"), "displacement: unit 'deg', must be one of m, mm, um, in"),
-        (plain("time,force [mm],displacement"), "force: unit 'mm', must be one of N, kN, lbf"),
+        (plain("time,force [mm],displacement"), "force: unit 'mm', must be one of N, kN, lbf, lb"),
     ]);
 }
 
@@ -231,7 +231,7 @@ fn spoilt_tables_are_refused_with_line_and_column() {
         ),
         (spoil(3, "time,force,displacement"), "line 5, time: 'time' is not a finite number"),
         (spoil(0, "Zeit,Kraft,Weg"), "line 2, time: 'Zeit' is not a finite number"),
-        (spoil(0, "s,N,furlong"), "line 2, time: 's' is not a finite number"),
+        (spoil(0, "s,N,furlong"), "displacement: unit 'furlong', must be one of m, mm, um, in"),
         (spoil(3, "0.1,1,0.1"), "line 5, time: 0.1 s after 0.1 s; times must ascend"),
         (spoil(3, "-1,1,0.1"), "line 5, time: -1 s after 0.1 s; times must ascend"),
         (rows("time,force,displacement", |_| good(0)), "line 3, time: 0 s after 0 s; times must ascend"),
@@ -249,7 +249,7 @@ fn spoilt_tables_are_refused_with_line_and_column() {
         ),
         (
             rows("time,force,displacement,normal_force [m]", |k| good(k) + ",1"),
-            "normal_force: unit 'm', must be one of N, kN, lbf",
+            "normal_force: unit 'm', must be one of N, kN, lbf, lb",
         ),
         (good(0) + "\n" + &good(1), "no column 'time'; there are 0, "),
         ("time,force,displacement\n0,1,0\n1,1,1\n".into(), "2 samples; at least 20 are needed"),

@@ -20,6 +20,7 @@ pub fn property_file(fit: &TyreFit) -> String {
     let formula = &fit.formula;
     let mut text =
         "$ Coefficients of the Magic Formula 5.2, fitted to a test by stribeck. Axes: ISO 8855.\n".to_owned();
+    text += &notes(fit, "$ ");
     text += &residuals(fit, "$ ");
     let side = if Side::of(formula.side) == Side::Left { "LEFT" } else { "RIGHT" };
     let _ = write!(
@@ -61,6 +62,11 @@ fn note(TyreEstimate { value, verdict, .. }: &TyreEstimate) -> Result<String, &s
     }
 }
 
+/// The notes, each in a line with a mark.
+fn notes(fit: &TyreFit, mark: &str) -> String {
+    fit.notes.iter().map(|note| format!("{mark}{note}\n")).collect()
+}
+
 /// The residuals of the channels, each in a line with a mark.
 fn residuals(fit: &TyreFit, mark: &str) -> String {
     let line = |(name, unit, rms, most): &(&str, &str, f64, f64)| {
@@ -83,5 +89,5 @@ pub fn table(fit: &TyreFit) -> String {
         (Ok(note), _) => format!("  {:<6} {} {note}\n", one.key, digits(one.value)),
         (Err(reason), _) => format!("  {:<6} not determined: {reason}\n", one.key),
     };
-    residuals(fit, "") + &fit.estimates.iter().map(line).collect::<String>()
+    notes(fit, "") + &residuals(fit, "") + &fit.estimates.iter().map(line).collect::<String>()
 }

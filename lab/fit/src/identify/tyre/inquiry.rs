@@ -17,7 +17,7 @@ use crate::sheet::Sheet;
 #[serde(deny_unknown_fields, default)]
 pub struct Inquiry {
     /// The tyre property file (.tir), with coefficients of the Magic Formula 5.2, 6.1 or 6.2; or a table of a tyre
-    /// test, with the columns FZ, SA (alpha), FY, and perhaps SR (kappa), IA (gamma), FX and MZ
+    /// test, with the columns FZ, SA (alpha), FY, and perhaps SR (kappa), IA (gamma), FX, MZ and P
     pub record: Option<PathBuf>,
     /// Name of a column in the table of a test: SA=Schraeglaufwinkel
     #[arg(long, value_name = "NAME=COLUMN")]
@@ -29,6 +29,9 @@ pub struct Inquiry {
     /// Radius of the tested tyre without load, in m
     #[arg(long)]
     pub radius: Option<f64>,
+    /// Inflation pressure of the samples that are fitted, in Pa (default: that with the most samples)
+    #[arg(long)]
+    pub pressure: Option<f64>,
     /// Nominal load of the coefficients, in N (default: the mean load of the test)
     #[arg(long)]
     pub nominal_load: Option<f64>,
@@ -78,7 +81,9 @@ impl Inquiry {
         if *self == (Inquiry { record: self.record.clone(), ..Inquiry::default() }) {
             return Ok(());
         }
-        Err(Fault::value("axes, radius, nominal_load, side, column and fix: are for a tyre test, not for a .tir file"))
+        Err(Fault::value(
+            "axes, radius, pressure, nominal_load, side, column and fix: are for a tyre test, not for a .tir file",
+        ))
     }
 
     /// Fits the tyre.
@@ -89,7 +94,8 @@ impl Inquiry {
         let side = if self.side == Some(SideChoice::Right) { Side::Right } else { Side::Left };
         let refused = |source: TyreTestError| TyreInquiryError::Test { path: path.into(), source };
         let sheet = self.renamed(Sheet::load(path).map_err(|error| refused(error.into()))?, path)?;
-        let test = TyreTest::of(&sheet, axes).map_err(refused)?;
+        let mut test = TyreTest::of(&sheet, axes).map_err(refused)?;
+        test.at_pressure(self.pressure).map_err(refused)?;
         let fixed = self.fix.iter().map(|Entry(key, value)| (key.clone(), *value)).collect();
         Ok(fit_tyre(&test, &TyreTask { radius, nominal_load: self.nominal_load, side, fixed })?)
     }

@@ -71,6 +71,8 @@ pub struct TyreEstimate {
 pub struct TyreFit {
     /// The coefficients, in the order of the formula.
     pub estimates: Vec<TyreEstimate>,
+    /// What was left aside or is doubtful, and why.
+    pub notes: Vec<String>,
     /// For each measured channel its name, unit, RMS residual, and largest value.
     pub left: Vec<(&'static str, &'static str, f64, f64)>,
     /// The formula.
@@ -103,7 +105,7 @@ const GROUPS: [&[Coefficient]; 6] = [LATERAL, LONGITUDINAL, COMBINED_X, COMBINED
 pub fn fit_tyre(test: &TyreTest, task: &TyreTask) -> Result<TyreFit, Fault> {
     let nominal = check(test, task)?;
     let formula = neutral(task, nominal);
-    let mut fitter = Fitter { test, task, formula, dropped: Vec::new(), kept: Vec::new() };
+    let mut fitter = Fitter { test, task, formula, dropped: Vec::new(), kept: Vec::new(), notes: test.notes.clone() };
     let pure = |slip: &[f64]| -> Vec<usize> { (0..slip.len()).filter(|at| slip[*at].abs() <= PURE).collect() };
     let [side, straight] = [pure(&test.longitudinal_slip), pure(&test.side_slip)];
     let all: Vec<usize> = (0..test.load.len()).collect();
@@ -200,6 +202,7 @@ struct Fitter<'a> {
     formula: MagicFormula,
     kept: Vec<&'static Coefficient>,
     dropped: Vec<(&'static Coefficient, String)>,
+    notes: Vec<String>,
 }
 
 /// The parameter of which least is known, if that is not enough; one that its group can do without, if there is one.
@@ -260,10 +263,11 @@ impl Fitter<'_> {
         let variance = 2.0 * ends[0].0 / count as f64;
         let level = self.test.force_y.iter().map(|force| force * force).sum::<f64>();
         if 2.0 * (ends[1].0 - ends[0].0) > variance.max(1e-9 * level) {
-            return Err(Fault::value(
-                "fits of the side force from different starts end at different values: sweep the side slip to both \
-                 sides, beyond the peak of the force",
-            ));
+            self.notes.push(
+                "fits of the side force from different starts end at different values: this is the best one; sweep the \
+                 side slip to both sides, beyond the peak of the force"
+                    .to_owned(),
+            );
         }
         self.formula = ends[0].1;
         self.prune(parameters, rows)
@@ -358,7 +362,7 @@ impl Fitter<'_> {
             let rms = (left.iter().map(|one| one * one).sum::<f64>() / left.len().max(1) as f64).sqrt();
             (channel.name(), channel.unit(), rms, channel.largest(self.test))
         });
-        TyreFit { estimates, left: left.collect(), formula: self.formula }
+        TyreFit { estimates, notes: self.notes.clone(), left: left.collect(), formula: self.formula }
     }
 }
 

@@ -208,3 +208,43 @@ fn spoilt_tests_are_refused() {
     assert_eq!(refused(task(0.0, None)), "radius = 0: must be > 0 and finite, in m");
     assert_eq!(refused(task(0.2, Some(f64::NAN))), "nominal load = NaN: must be > 0 and finite, in N");
 }
+
+/// A cornering test as a machine writes it: two pressures with passages between them, a slip of -1 that is no measurement.
+#[test]
+fn a_machine_writes_a_slip_that_is_none_and_several_pressures() {
+    let truth = truth();
+    let contacts = contacts(&[0.0, 0.05], &LOADS, false);
+    let text = written(&truth, &contacts, 0.005, Axes::Sae);
+    let (heading, rows) = text.split_once('\n').unwrap();
+    let row = |(number, line): (usize, &str), pressure: f64, scale: f64| {
+        let mut cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
+        cells[2] = -0.9997 + 3e-4 * (number as f64).sin();
+        cells[5] *= scale;
+        let cells: Vec<String> = cells.iter().map(f64::to_string).collect();
+        format!("{},{}\n", cells.join(","), pressure + 0.3 * (number as f64).sin())
+    };
+    let low: String = rows.lines().enumerate().map(|one| row(one, 68.0, 0.9)).collect();
+    let passing: String =
+        rows.lines().take(4).enumerate().map(|one| row(one, 72.0 + 2.0 * one.0 as f64, 0.95)).collect();
+    let high: String = rows.lines().chain(rows.lines().take(20)).enumerate().map(|one| row(one, 83.0, 1.0)).collect();
+    let test = test_of(&format!("{heading},P [kPa]\n{low}{passing}{high}"), Axes::Sae).unwrap();
+    assert!(test.longitudinal_slip.iter().all(|slip| *slip == 0.0));
+    assert!(test.notes[0].starts_with("SR is -0.9997 throughout, which is no measurement"), "{:?}", test.notes);
+    let chosen = |pressure: Option<f64>| {
+        let mut test = test.clone();
+        test.at_pressure(pressure).map(|()| test)
+    };
+    let count = contacts.len();
+    let [usual, lower] = [None, Some(68e3)].map(|pressure| chosen(pressure).unwrap());
+    assert_eq!([usual.load.len(), lower.load.len()], [count + 20, count]);
+    assert!(usual.notes[1].contains("of 68.0, 83.0 kPa: fitted to the 188 samples at 83.0 kPa"), "{:?}", usual.notes);
+    let peak = |test: &TyreTest| {
+        let fit = fit_tyre(test, &task(&[])).unwrap();
+        assert!(table(&fit).starts_with("SR is"), "{}", table(&fit));
+        crate::tir::parse("fitted.tir", &property_file(&fit)).unwrap();
+        estimate(&fit, "PDY1").value
+    };
+    assert_relative_eq!(peak(&lower) / peak(&usual), 0.9, max_relative = 0.01);
+    let refused = chosen(Some(75e3)).unwrap_err().to_string();
+    assert_eq!(refused, "pressure = 75000 Pa: must be one of those of the test, 68.0, 83.0 kPa");
+}
