@@ -26,7 +26,8 @@ pub(crate) trait Branches<T: Real>: Curve<T> {
 /// Event indicators of a law with two curves: of its phase, of the change between the curves twice, and of its load.
 pub(crate) const EVENTS_ON_BRANCHES: usize = 4;
 
-/// Acceleration whose sign counts as that of 0 (chosen), so that no indicator stays at 0.
+/// Acceleration, and part of the level, whose sign counts as that of 0 (chosen), so that no indicator stays at 0: on the
+/// lower curve a body comes ever closer to a steady velocity.
 const LEAST: f64 = 1e-9;
 
 impl<T: Real, L: Branches<T>> OnCurve<'_, T, L> {
@@ -58,7 +59,7 @@ impl<L: Branches<f64>> OnCurve<'_, f64, L> {
             Some(direction) => {
                 let along = direction * self.external_force;
                 let size = self.law.level() + along.abs();
-                let excess = |level: f64| if size > 0.0 { (along - level) / size } else { NO_EVENT };
+                let excess = |level: f64| if size > 0.0 { (along - level) / size - LEAST } else { NO_EVENT };
                 self.law.levels(self.extended()).map(excess)
             }
         };
