@@ -153,7 +153,7 @@ impl<T: Scalar> MagicFormula<T> {
     }
 
     /// K_ya (4.E25), for gamma* and dp_i.
-    pub(super) fn cornering_stiffness_6(&self, load: T, lean: T, dp: T) -> T {
+    fn cornering_stiffness_6(&self, load: T, lean: T, dp: T) -> T {
         let (one, nominal) = (T::from(1.0), self.lfzo * self.fnomin);
         let largest_at = (self.pky2 + self.pky5 * lean * lean) * (one + self.ppy2 * dp);
         let bend = self.pky4 * (load / nominal / largest_at).atan();

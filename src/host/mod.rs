@@ -18,5 +18,6 @@ crate::model::family! {
 }
 
 mod magic_formula;
+mod magic_formula_5;
 mod magic_formula_6;
 pub use magic_formula::{Contact, FormulaVersion, MagicFormula, Side, Wrench};

@@ -473,7 +473,7 @@ fn columns_of_a_tyre_test_have_the_names_that_were_given() {
 
 /// A file as fitting tools write it: most of it is for other models, some of it is missing.
 #[test]
-fn a_tyre_property_file_is_converted_and_what_is_not_used_is_told() {
+fn a_tyre_property_file_is_converted_and_what_is_not_used_is_listed() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("t.tir");
     let file = "[MODEL]\nFITTYP = 6\nTYRESIDE = 'LEFT'\nROAD_INCREMENT =\n[D]\nUNLOADED_RADIUS = 0.2\nFNOMIN = 800\n\

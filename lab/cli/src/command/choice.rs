@@ -254,7 +254,7 @@ impl Ran {
     }
 }
 
-/// What the finer run says: the difference of each result, and whether the tolerance holds.
+/// Prints a check: the difference of each result from the finer run, and whether the tolerance holds.
 fn print_check(check: &Check) {
     println!("  {} differs by at most", check.of.run(check.finer));
     let width = check.differences.iter().map(|one| one.name.len()).max().unwrap_or(0);

@@ -38,7 +38,7 @@ pub fn find_steps(choice: &Choice, systems: &[System]) -> Result<Verdict, Failur
     Ok(all.iter().map(|found| verdict(Some(found))).max().unwrap_or(Verdict::Done))
 }
 
-/// A search for which there is no solution did not converge; an order of exchange without a step is an answer.
+/// Verdict on a search: without a solution it did not converge; that no step holds in an order of exchange is a result.
 fn verdict(found: Option<&CommunicationSteps>) -> Verdict {
     match found.map(|found| &found.end) {
         Some(End::Failed { .. }) => Verdict::Diverged,

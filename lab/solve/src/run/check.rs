@@ -164,8 +164,7 @@ fn difference(times: &[f64], values: &[f64], finer: &[f64], points: &[(usize, f6
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Mutex;
-
+    use super::super::progress::Heard;
     use super::super::{Settings, Solver, run};
     use super::*;
     use crate::couple::Master;
@@ -265,16 +264,6 @@ mod tests {
         let text = "tolerance = 9e-14: a check needs a tenth of it, and that must be at least 1e-14";
         assert_eq!(at(9e-14).unwrap_err().to_string(), text);
         assert_eq!([1e-13, 1e-5].map(|tolerance| at(tolerance).unwrap().check.unwrap().finer), [1e-14, 1e-6]);
-    }
-
-    /// Times that a listener heard of.
-    #[derive(Debug, Default)]
-    struct Heard(Mutex<Vec<f64>>);
-
-    impl Progress for Heard {
-        fn reached(&self, time: f64) {
-            self.0.lock().unwrap().push(time);
-        }
     }
 
     #[test]

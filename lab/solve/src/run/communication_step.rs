@@ -217,10 +217,10 @@ impl Seeker<'_> {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Mutex;
     use std::sync::atomic::AtomicBool;
 
     use super::super::Configuration;
+    use super::super::progress::Heard;
     use super::*;
     use crate::stick_slip::StickSlip;
     use crate::system::Source;
@@ -301,15 +301,6 @@ mod tests {
         assert_eq!((none.found().is_none(), none.by_chance(), none.limit().unwrap().step), (true, vec![2e-3], 1e-3));
         let tried = steps(40.0);
         assert_eq!((tried.len(), tried[0], tried[1], tried[tried.len() - 1]), (15, 0.5, 0.2, 1e-5));
-    }
-
-    #[derive(Debug, Default)]
-    struct Heard(Mutex<Vec<f64>>);
-
-    impl Progress for Heard {
-        fn reached(&self, time: f64) {
-            self.0.lock().unwrap().push(time);
-        }
     }
 
     #[test]

@@ -37,7 +37,7 @@ pub struct TyreTest {
     pub moment_z: Option<Vec<f64>>,
     /// Inflation pressure, Pa, if it was measured.
     pub pressure: Option<Vec<f64>>,
-    /// What was left aside, and why.
+    /// Notes on data that were ignored, with the reason.
     pub notes: Vec<String>,
 }
 
@@ -134,8 +134,7 @@ fn measured_slip(name: &str, slip: Vec<f64>) -> (Vec<f64>, Option<String>) {
     if mean.abs() <= MEASURED || square.sqrt() >= MEASURED {
         return (slip, None);
     }
-    let note =
-        format!("{name} is {} throughout, which is no measurement: the wheel is taken to roll freely", digits(mean));
+    let note = format!("{name} is {} throughout and is ignored as not measured: free rolling is assumed", digits(mean));
     (vec![0.0; slip.len()], Some(note))
 }
 

@@ -71,7 +71,7 @@ pub struct TyreEstimate {
 pub struct TyreFit {
     /// The coefficients, in the order of the formula.
     pub estimates: Vec<TyreEstimate>,
-    /// What was left aside or is doubtful, and why.
+    /// Notes on data that were ignored and on results that are doubtful, with the reason.
     pub notes: Vec<String>,
     /// For each measured channel its name, unit, RMS residual, and largest value.
     pub left: Vec<(&'static str, &'static str, f64, f64)>,

@@ -209,9 +209,9 @@ fn spoilt_tests_are_refused() {
     assert_eq!(refused(task(0.2, Some(f64::NAN))), "nominal load = NaN: must be > 0 and finite, in N");
 }
 
-/// A cornering test as a machine writes it: two pressures with passages between them, a slip of -1 that is no measurement.
+/// A cornering test as a machine writes it: two pressures with transitions between them, and a slip ratio of -1 that was not measured.
 #[test]
-fn a_machine_writes_a_slip_that_is_none_and_several_pressures() {
+fn a_slip_that_was_not_measured_and_several_pressures_are_noted() {
     let truth = truth();
     let contacts = contacts(&[0.0, 0.05], &LOADS, false);
     let text = written(&truth, &contacts, 0.005, Axes::Sae);
@@ -229,7 +229,7 @@ fn a_machine_writes_a_slip_that_is_none_and_several_pressures() {
     let high: String = rows.lines().chain(rows.lines().take(20)).enumerate().map(|one| row(one, 83.0, 1.0)).collect();
     let test = test_of(&format!("{heading},P [kPa]\n{low}{passing}{high}"), Axes::Sae).unwrap();
     assert!(test.longitudinal_slip.iter().all(|slip| *slip == 0.0));
-    assert!(test.notes[0].starts_with("SR is -0.9997 throughout, which is no measurement"), "{:?}", test.notes);
+    assert!(test.notes[0].starts_with("SR is -0.9997 throughout and is ignored as not measured"), "{:?}", test.notes);
     let chosen = |pressure: Option<f64>| {
         let mut test = test.clone();
         test.at_pressure(pressure).map(|()| test)
