@@ -1,11 +1,11 @@
 //! Whether a step whose estimated error is small can be believed.
 //!
 //! L-stable methods damp whatever is fast, and their estimate of the error with it, even a motion that grows: a block that is
-//! about to break away would go on sticking for as long as the step lasts. Two looks at the end of the step find this out,
-//! with the rates and the Jacobian there, which the next step needs anyway:
+//! about to break away would go on sticking for as long as the step lasts. Two looks at the step find this out, with the rates
+//! and the Jacobian at its end, which the next step needs anyway:
 //!
 //! ```text
-//! growth   max Re lambda(J_1) h <= 1
+//! growth   max Re lambda(J_0) h <= 1, max Re lambda(J_1) h <= 1
 //! defect   (I / (h gamma) - J_1) e = f(x_1) - p'(1) / h,   |e| <= a part of the tolerance
 //! ```
 //!

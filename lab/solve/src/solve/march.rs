@@ -288,7 +288,9 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             return Ok(Some(change(excess, S::ERROR_ORDER).min(DOUBT)));
         }
         self.ahead = Some(ahead);
-        Ok(judge::grows(&ahead.jacobian, length).then_some(DOUBT))
+        // The law may hold the body at the end: then only the beginning knows that the motion grew away from there.
+        let grows = [&self.begin.jacobian, &ahead.jacobian].into_iter().any(|jacobian| judge::grows(jacobian, length));
+        Ok(grows.then_some(DOUBT))
     }
 
     /// Factor by which the next step is longer.
