@@ -1,6 +1,6 @@
 //! State of a contact at a communication point and its motion over a step, shared by models.
 
-pub(crate) mod branching;
+pub mod branching;
 pub(crate) mod conditions;
 pub(crate) mod delay_line;
 pub(crate) mod elements;

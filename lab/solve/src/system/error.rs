@@ -32,6 +32,14 @@ pub enum Fault {
         /// The input.
         input: String,
     },
+    /// A law with a balance of forces gets none.
+    #[error(
+        "{input} is held at 0, but with acceleration_source = Balance friction follows it: connect it, or set Input"
+    )]
+    Unbalanced {
+        /// The external force.
+        input: String,
+    },
     /// Outputs depend on each other in a circle.
     #[error("{outputs} depend on each other at one instant: such a loop cannot be solved")]
     Loop {

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::OnceLock;
 
+use stribeck::contact::branching::AccelerationSource;
 use stribeck::model::{Kind, Meaning, ModelType, Role, Variable};
 
 use super::file::{Description, PartDescription, Source};
@@ -346,6 +347,11 @@ impl System {
             }
             self.parts[place.part].row[place.column] = value;
         }
+        for (place, signal) in &self.signals {
+            if matches!(signal, Signal::Constant(0.0)) && self.parts[place.part].balances(place.column) {
+                return Err(Fault::Unbalanced { input: self.name(*place) });
+            }
+        }
         for part in &self.parts {
             part.model.check(&part.row).map_err(|fault| prefixed(&part.name, Fault::value(fault.0)))?;
         }
@@ -419,6 +425,18 @@ impl Part {
     /// Whether an output depends on an input of either sign while the contact slides or rests.
     pub fn uses(&self, input: usize) -> bool {
         is_used(self.model, &self.row, input)
+    }
+
+    /// Whether an input is the external force by which a law knows how the contact slides.
+    fn balances(&self, input: usize) -> bool {
+        let name = AccelerationSource::CHOICES.name;
+        let is_balance = |(column, variable): (usize, Variable)| {
+            matches!(variable.kind, Kind::Enumeration(choices) if choices.name == name)
+                && AccelerationSource::Balance.is(self.row[column])
+        };
+        self.model.table.at(input).meaning == Meaning::ExternalForce
+            && self.model.variables().any(is_balance)
+            && self.uses(input)
     }
 
     /// Gives a column a value unless it was set.

@@ -295,6 +295,21 @@ fn every_law_runs_in_every_system() {
     assert_eq!(open, expected);
 }
 
+/// A balance of forces without the force of the bodies around the contact would slide on the wrong curve.
+#[test]
+fn a_balance_of_forces_needs_its_force() {
+    let assembled = |name: &str, law: &str| {
+        let balance = [Setting { name: "friction.acceleration_source".into(), value: "Balance".into() }];
+        System::assemble(&Source::open(name).unwrap(), Some(law), &balance)
+    };
+    for (name, input) in [("quarter-car", "strut"), ("dyno", "strut"), ("motion", "friction")] {
+        let fault = assembled(name, "NonReversible").err().unwrap().to_string();
+        assert!(fault.starts_with(&format!("{input}.external_force is held at 0, but with")), "{name}: {fault}");
+    }
+    assert!(assembled("belt", "NonReversible").is_ok());
+    assert!(assembled("quarter-car", "LuGre").is_ok());
+}
+
 /// A built-in system with a law and settings, solved; the recorded values of some results at each output time.
 fn solved(name: &str, law: &str, settings: &[(&str, &str)], tolerance: f64, results: &[&str]) -> crate::run::Outcome {
     let settings: Vec<Setting> =
