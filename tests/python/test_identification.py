@@ -1,8 +1,10 @@
 """Identification in Python against the command line and closed forms; and what it refuses."""
 
 import json
+import math
 import re
 
+import mujoco
 import numpy
 import pandas
 import pytest
@@ -42,6 +44,59 @@ def test_identify_gives_the_numbers_of_the_command_line(rig):
     text = found.best.estimates["mu_k"].text
     assert text.startswith(f"{found.best.values['mu_k']:.5f} (95 %: {low:.5f} to {high:.5f}; repeated ")
     assert f"  mu_k: {text}\n" in repr(found)
+
+
+@pytest.fixture(scope="module")
+def exported(tmp_path_factory):
+    """A LuGre contact, identified and written for other programs; the folder and what the program said."""
+    folder = tmp_path_factory.mktemp("exported")
+    values = ["--set", "mu_k=0.2", "--set", "mu_s=0.3", "--set", "sigma_0=2e4"]
+    program("rig", "--law", "LuGre", "--duration", "2", *values, "--out", folder)
+    known = ["--law", "LuGre", "--mass", "2", "--normal-force", "20", "--repetitions", "0"]
+    said = {
+        ending: program("identify", folder / "force.csv", *known, "--out", folder / f"law.{ending}").stderr
+        for ending in ("xml", "urdf", "py")
+    }
+    return folder, said
+
+
+def dragged(model, force: float, rise: float, time: float):
+    """The slider in MuJoCo under a force that rises from 0 and then stays."""
+    data = mujoco.MjData(model)
+    model.opt.timestep = 1e-4
+    while data.time < time:
+        data.qfrc_applied[0] = force * min(1.0, data.time / rise)
+        mujoco.mj_step(model, data)
+    return data.qpos[0], data.qvel[0]
+
+
+def test_a_fitted_lugre_contact_moves_in_mujoco(exported):
+    folder, said = exported
+    assert "Not carried over: " in (folder / "law.xml").read_text()
+    assert "has no place for mu_k" not in said["xml"]
+    model = mujoco.MjModel.from_xml_path(str(folder / "law.xml"))
+    # Pre-sliding under a slow rise, dz/dx = 1 - sigma_0 z / f_s: held at half of the breakaway force.
+    deflection, velocity = dragged(model, 3.0, 1.0, 1.1)
+    assert deflection == pytest.approx(6.0 / 2e4 * math.log(2.0), rel=0.05)
+    assert abs(velocity) < 1e-5
+    # Twice of it: m a = F - f_C.
+    (_, before), (_, after) = (dragged(model, 12.0, 1e-3, time) for time in (0.1, 0.2))
+    assert (after - before) / 0.1 == pytest.approx((12.0 - 4.0) / 2.0, rel=0.01)
+
+
+def test_a_fitted_level_is_that_of_a_joint_in_urdf(exported):
+    folder, said = exported
+    model = mujoco.MjModel.from_xml_path(str(folder / "law.urdf"))
+    assert model.dof_frictionloss[0] == pytest.approx(4.0, rel=0.01)
+    assert model.body_mass[1] == 2.0
+    assert "law.urdf: has no place for sigma_0 = " in said["urdf"]
+
+
+def test_a_fitted_law_is_a_module_of_python(exported):
+    names = {}
+    exec((exported[0] / "law.py").read_text(), names)
+    assert names["force"](0.1, 20.0) == stribeck.force("LuGre", 0.1, 20.0, **names["VALUES"])
+    assert names["VALUES"]["mu_k"] == pytest.approx(0.2, rel=0.01)
 
 
 def test_identify_takes_arrays_and_gives_no_number_for_what_is_not_determined(rig):

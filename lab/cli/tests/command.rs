@@ -437,7 +437,7 @@ fn files_that_cannot_be_written_are_refused_first() {
     let tyre = ["tyre", "absent.csv", "--axes", "sae", "--radius", "0.2"];
     let damper = ["damper", "absent.csv"];
     for (command, option, name, expected) in [
-        (&identify[..], "--out", &text, "must end in .toml, .csv or .ssv".to_owned()),
+        (&identify[..], "--out", &text, "must end in .toml, .csv, .ssv, .py, .xml or .urdf".to_owned()),
         (&identify[..], "--out", &nowhere, format!("folder {} does not exist", file("absent"))),
         (&identify[..], "--report", &page, "must end in .html".to_owned()),
         (&identify[..], "--curves", &taken, format!("must be a folder; {taken} is a file")),

@@ -6,8 +6,8 @@ use clap::Args;
 use ssp::parameter_set::ParameterSet;
 use stribeck::model::ModelType;
 use stribeck_fit::identify::{
-    Answer, Data, Experiment, Files, Fit, Inquiry, Rank, Ranking, Reference, Searches, Settings, Validation, Verdict,
-    Watch, fit, of_law, preset,
+    Answer, Data, Experiment, Exported, Files, Fit, Format, Inquiry, Rank, Ranking, Reference, Searches, Settings,
+    Validation, Verdict, Watch, fit, of_law, preset,
 };
 use stribeck_fit::measured::{Quality, Record, average};
 use stribeck_plot::report::{Identification, identification};
@@ -32,7 +32,7 @@ pub struct Arguments {
     /// Values to compare with: a preset of the law, or a parameter set (.toml, .csv, .ssv)
     #[arg(long, value_name = "PRESET|FILE")]
     reference: Option<String>,
-    /// Parameter set of the best law (.toml for `run --config`, .csv, .ssv)
+    /// The best law: a parameter set (.toml for `run --config`, .csv, .ssv), a module of Python (.py), a joint of MuJoCo (.xml) or URDF (.urdf)
     #[arg(long, short)]
     out: Option<PathBuf>,
     /// Folder for friction over time, displacement and velocity: tables and pictures
@@ -52,7 +52,7 @@ const CHECK: u64 = 400;
 impl Arguments {
     /// Rejects output files that cannot be written, before the search.
     fn refuse_outputs(&self) -> Result<(), Fault> {
-        self.out.as_ref().map_or(Ok(()), |path| outputs::file(path, &["toml", "csv", "ssv"]))?;
+        self.out.as_ref().map_or(Ok(()), |path| outputs::file(path, &endings()))?;
         self.report.as_ref().map_or(Ok(()), |path| outputs::file(path, &["html"]))?;
         self.curves.as_ref().map_or(Ok(()), |path| outputs::folder(path))?;
         if self.check && self.json { Err(Fault::value("--check: writes no JSON")) } else { Ok(()) }
@@ -164,7 +164,7 @@ fn tell(arguments: &Arguments, facts: &Identification, data: &Data) -> Result<En
     if let Some(path) = &arguments.report {
         write(path, identification::html(facts)?)?;
     }
-    save(arguments, best)?;
+    save(arguments, best, &data.experiments)?;
     Ok(if best.is_cancelled { Ending::Cancelled } else { Ending::Done })
 }
 
@@ -275,8 +275,19 @@ fn worst(validation: &[Validation]) -> Option<f64> {
     validation.iter().map(|one| one.rms).reduce(f64::max)
 }
 
-fn save(arguments: &Arguments, best: &Fit) -> Result<(), Failure> {
+/// Endings of the files for a law.
+fn endings() -> Vec<&'static str> {
+    ["toml", "csv", "ssv"].into_iter().chain(Format::ALL.map(|(ending, _)| ending)).collect()
+}
+
+fn save(arguments: &Arguments, best: &Fit, experiments: &[Experiment]) -> Result<(), Failure> {
     let Some(path) = &arguments.out else { return Ok(()) };
+    let notice = |text: &str| eprintln!("stribeck: {}: {text}", path.display());
+    if let Some((_, format)) = Format::ALL.into_iter().find(|(ending, _)| outputs::has_ending(path, ending)) {
+        let Exported { text, lost } = best.exported(format, experiments)?;
+        lost.iter().for_each(|one| notice(&format!("has no place for {one}")));
+        return write(path, text);
+    }
     let left: Vec<&str> = best.undetermined().filter(|name| best.law.find(name).is_some()).collect();
     if outputs::has_ending(path, "toml") {
         write(path, best.configuration().text())?;
@@ -284,11 +295,11 @@ fn save(arguments: &Arguments, best: &Fit) -> Result<(), Failure> {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         best.parameter_set(&name)?.save(path).map_err(|error| Fault::File(error.to_string()))?;
         if best.axis_load.is_some() {
-            eprintln!("stribeck: {}: the law only; mass and offset of the axis go into a .toml file", path.display());
+            notice("the law only; mass and offset of the axis go into a .toml file");
         }
     }
     if !left.is_empty() {
-        eprintln!("stribeck: {}: left out, because it is not determined: {}", path.display(), left.join(", "));
+        notice(&format!("left out, because it is not determined: {}", left.join(", ")));
     }
     Ok(())
 }

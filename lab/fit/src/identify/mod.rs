@@ -19,6 +19,7 @@ pub mod damper;
 mod ended_tests;
 mod estimate;
 mod experiment;
+mod export;
 mod inquiry;
 #[cfg(test)]
 mod inquiry_tests;
@@ -52,6 +53,7 @@ use stribeck::model::ModelType;
 pub use answer::{Answer, FittedLaw, FittedParameter, RefusedLaw};
 pub use estimate::Estimate;
 pub use experiment::{Experiment, Rest, names};
+pub use export::{Exported, Format};
 
 pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source};
 pub use output::{Difference, EARLY, Reference, difference, known, of_law, preset, respond};
