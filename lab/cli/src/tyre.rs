@@ -2,11 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use stribeck_fit::identify::tyre::{Inquiry, TyreInquiryError, property_file, table};
+use stribeck_fit::identify::tyre::{Inquiry, TyreInquiryError, fit_tyre, property_file, table};
 use stribeck_fit::tir::{self, Group, TyreFile};
+use stribeck_plot::picture::{Theme, tyre};
 use stribeck_solve::system::Fault;
 
-use crate::command::{Description, Failure, write};
+use crate::command::{Description, Failure, draw, folder, write};
 use crate::outputs;
 
 /// A tyre property file or a tyre test, and the file for the result.
@@ -19,6 +20,9 @@ pub struct Arguments {
     /// File to write: a parameter set (.csv, .ssv), from a test a tyre property file (.tir); standard output if not given
     #[arg(long)]
     out: Option<PathBuf>,
+    /// Folder for pictures of the test and of what was fitted to it
+    #[arg(long, value_name = "FOLDER")]
+    pictures: Option<PathBuf>,
 }
 
 /// Writes the result to the file or to standard output, and messages to standard error.
@@ -28,7 +32,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let endings: &[&str] = if is_property_file { &["csv", "ssv"] } else { &["tir"] };
     let out = arguments.out.as_deref();
     out.map_or(Ok(()), |out| outputs::file(out, endings))?;
-    if is_property_file { convert(&inquiry, out) } else { fit(&inquiry, out) }
+    arguments.pictures.as_ref().map_or(Ok(()), |folder| outputs::folder(folder))?;
+    if is_property_file && arguments.pictures.is_some() {
+        return Err(Fault::value("--pictures: is for a tyre test, not for a .tir file").into());
+    }
+    if is_property_file { convert(&inquiry, out) } else { fit(arguments, &inquiry) }
 }
 
 fn convert(inquiry: &Inquiry, out: Option<&Path>) -> Result<(), Failure> {
@@ -54,15 +62,23 @@ fn tell(what: &str, groups: &[Group]) {
     }
 }
 
-fn fit(inquiry: &Inquiry, out: Option<&Path>) -> Result<(), Failure> {
-    let answer = inquiry.answer().map_err(|error| match error {
+fn fit(arguments: &Arguments, inquiry: &Inquiry) -> Result<(), Failure> {
+    let task = inquiry.task()?;
+    let test = inquiry.test().map_err(|error| match error {
         TyreInquiryError::Fault(fault) => fault,
         error => Fault::File(error.to_string()),
     })?;
+    let answer = fit_tyre(&test, &task)?;
+    if let Some(path) = &arguments.pictures {
+        folder(path)?;
+        for picture in tyre(&test, &answer.formula, Theme::Light) {
+            draw(&picture, &path.join(picture.name()))?;
+        }
+    }
     let text = property_file(&answer);
     // What is written must be readable.
     tir::parse("fitted.tir", &text).map_err(refused)?;
-    match out {
+    match arguments.out.as_deref() {
         Some(out) => {
             write(out, text)?;
             print!("{}", table(&answer));

@@ -442,6 +442,7 @@ fn files_that_cannot_be_written_are_refused_first() {
         (&identify[..], "--report", &page, "must end in .html".to_owned()),
         (&identify[..], "--curves", &taken, format!("must be a folder; {taken} is a file")),
         (&tyre[..], "--out", &text, "must end in .tir".to_owned()),
+        (&tyre[..], "--pictures", &taken, format!("must be a folder; {taken} is a file")),
         (&["tyre", "absent.tir"][..], "--out", &text, "must end in .csv or .ssv".to_owned()),
         (&damper[..], "--out", &text, "must end in .csv or .ssv".to_owned()),
     ] {

@@ -90,7 +90,7 @@ pub fn folder(path: &Path) -> Result<(), Failure> {
 const PIXELS: u32 = 2000;
 
 /// Writes a picture as SVG and as PNG.
-fn draw(picture: &Picture, path: &Path) -> Result<(), Failure> {
+pub fn draw(picture: &Picture, path: &Path) -> Result<(), Failure> {
     write(&path.with_extension("svg"), &picture.svg)?;
     write(&path.with_extension("png"), picture.png(PIXELS)?)
 }

@@ -37,7 +37,7 @@ const BETWEEN: f64 = 20.0;
 
 /// A curve with its name.
 pub struct Line {
-    /// Name in the legend.
+    /// Name in the legend; without one it has no entry.
     pub name: String,
     /// Points in the units of the axes.
     pub points: Vec<Point>,
@@ -65,11 +65,16 @@ impl Drawing<'_> {
     /// The picture.
     pub fn svg(&self) -> String {
         let frame = self.frame();
-        let legend = Legend::of(self.lines, &frame);
+        let legend = Legend::of(&self.named(), &frame);
         let height = frame.bottom + LEGEND + ROW * (legend.rows as f64 - 1.0) + MARGIN;
         let (paper, grid, texts) = (self.paper(height), self.grid(&frame), self.texts(&frame));
         let (curves, legend) = (self.curves(&frame), self.legend(&frame, &legend));
         format!("{paper}{grid}{texts}{curves}{legend}</svg>\n")
+    }
+
+    /// The lines of the legend with their numbers.
+    fn named(&self) -> Vec<(usize, &Line)> {
+        self.lines.iter().enumerate().filter(|(_, line)| !line.name.is_empty()).collect()
     }
 
     /// The beginning of the picture with its background.
@@ -165,11 +170,11 @@ impl Drawing<'_> {
 
     fn legend(&self, frame: &Frame, legend: &Legend) -> String {
         let ink = self.theme.colours().ink;
-        let entry = |(number, line): (usize, &Line)| {
+        let entry = |(number, (line_number, line)): (usize, &(usize, &Line))| {
             let x = frame.left + legend.column * (number % legend.columns) as f64;
             let y = frame.bottom + LEGEND + ROW * (number / legend.columns) as f64;
             let (end, middle, text) = (x + SAMPLE, y - 4.2, x + SAMPLE + BEHIND);
-            let look = line.look.unwrap_or(number);
+            let look = line.look.unwrap_or(*line_number);
             let (class, stroke) = (look + 1, self.stroke(look));
             let name = escape(&fitted(&line.name, TICK_SIZE, legend.column - SAMPLE - BEHIND));
             format!(
@@ -177,7 +182,7 @@ impl Drawing<'_> {
                  <text class=\"ink\" fill=\"{ink}\" x=\"{text:.2}\" y=\"{y:.2}\">{name}</text></g>\n"
             )
         };
-        let entries: String = self.lines.iter().enumerate().map(entry).collect();
+        let entries: String = self.named().iter().enumerate().map(entry).collect();
         format!("<g class=\"legend\" fill=\"none\" stroke-width=\"1.8\" font-size=\"{TICK_SIZE}\">\n{entries}</g>\n")
     }
 }
@@ -191,9 +196,9 @@ struct Legend {
 }
 
 impl Legend {
-    fn of(lines: &[Line], frame: &Frame) -> Legend {
+    fn of(lines: &[(usize, &Line)], frame: &Frame) -> Legend {
         let room = frame.right - frame.left;
-        let widest = lines.iter().map(|line| width(&line.name, TICK_SIZE)).fold(0.0, f64::max);
+        let widest = lines.iter().map(|(_, line)| width(&line.name, TICK_SIZE)).fold(0.0, f64::max);
         let column = (SAMPLE + BEHIND + widest + 0.5).min(room);
         let columns = (((room + BETWEEN) / (column + BETWEEN)) as usize).clamp(1, lines.len().max(1));
         let rows = lines.len().div_ceil(columns).max(1);

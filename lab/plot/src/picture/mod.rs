@@ -3,6 +3,7 @@
 pub mod drawing;
 pub mod quantity;
 mod text;
+mod tyre;
 mod zoom;
 
 use std::fmt;
@@ -14,6 +15,8 @@ pub use crate::palette::{MOST_LAWS, Theme};
 pub(crate) use stribeck_draw::text::{escape, typeset_unit};
 
 use drawing::{Drawing, Line};
+pub use tyre::tyre;
+
 use quantity::Quantity;
 use stribeck_draw::axis::Axis;
 use stribeck_draw::text::digits;
@@ -39,10 +42,16 @@ pub enum Kind {
     ForceOverVelocity,
     /// Friction force over displacement.
     ForceOverDisplacement,
+    /// Side force of a tyre over side slip.
+    SideForce,
+    /// Aligning moment of a tyre over side slip.
+    AligningMoment,
+    /// Longitudinal force of a tyre over longitudinal slip.
+    LongitudinalForce,
 }
 
 impl Kind {
-    /// All of them.
+    /// Those of a run.
     pub const ALL: [Kind; 7] = [
         Kind::Position,
         Kind::Velocity,
@@ -62,6 +71,9 @@ impl Kind {
             Kind::Force | Kind::Zoom => [Quantity::Time, Quantity::Force],
             Kind::ForceOverVelocity => [Quantity::Velocity, Quantity::Force],
             Kind::ForceOverDisplacement => [Quantity::Displacement, Quantity::Force],
+            Kind::SideForce => [Quantity::SideSlip, Quantity::SideForce],
+            Kind::AligningMoment => [Quantity::SideSlip, Quantity::AligningMoment],
+            Kind::LongitudinalForce => [Quantity::LongitudinalSlip, Quantity::LongitudinalForce],
         }
     }
 
@@ -83,6 +95,9 @@ impl fmt::Display for Kind {
             Kind::Zoom => "zoom",
             Kind::ForceOverVelocity => "force-over-velocity",
             Kind::ForceOverDisplacement => "force-over-displacement",
+            Kind::SideForce => "side-force",
+            Kind::AligningMoment => "aligning-moment",
+            Kind::LongitudinalForce => "longitudinal-force",
         })
     }
 }
@@ -165,6 +180,8 @@ fn shown(system: &System, quantity: Quantity) -> Option<&str> {
         Quantity::Force => named("force"),
         // Of runs, not in them.
         Quantity::Evaluations | Quantity::Error | Quantity::SwitchingError => None,
+        Quantity::SideSlip | Quantity::LongitudinalSlip => None,
+        Quantity::SideForce | Quantity::LongitudinalForce | Quantity::AligningMoment => None,
     }
 }
 

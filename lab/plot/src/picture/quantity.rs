@@ -21,6 +21,16 @@ pub enum Quantity {
     Error,
     /// Error of the times of switching.
     SwitchingError,
+    /// Side slip of a tyre.
+    SideSlip,
+    /// Longitudinal slip of a tyre.
+    LongitudinalSlip,
+    /// Side force of a tyre.
+    SideForce,
+    /// Longitudinal force of a tyre.
+    LongitudinalForce,
+    /// Aligning moment of a tyre.
+    AligningMoment,
 }
 
 impl Quantity {
@@ -31,8 +41,10 @@ impl Quantity {
             Quantity::Position | Quantity::Displacement | Quantity::Error => "m",
             Quantity::Velocity => "m/s",
             Quantity::Acceleration => "m/s2",
-            Quantity::Force => "N",
-            Quantity::Evaluations => "1",
+            Quantity::Force | Quantity::SideForce | Quantity::LongitudinalForce => "N",
+            Quantity::AligningMoment => "N.m",
+            Quantity::SideSlip => "rad",
+            Quantity::Evaluations | Quantity::LongitudinalSlip => "1",
         }
     }
 
@@ -47,6 +59,11 @@ impl Quantity {
             Quantity::Force => ("Friction force", "f", "f"),
             Quantity::Evaluations => ("Evaluations of the rates", "n", ""),
             Quantity::Error => ("Largest error of the position", "e", "x"),
+            Quantity::SideSlip => ("Side slip", "\u{3b1}", ""),
+            Quantity::LongitudinalSlip => ("Longitudinal slip", "\u{3ba}", ""),
+            Quantity::SideForce => ("Side force", "F", "y"),
+            Quantity::LongitudinalForce => ("Longitudinal force", "F", "x"),
+            Quantity::AligningMoment => ("Aligning moment", "M", "z"),
             Quantity::SwitchingError => ("Largest error of a time of switching", "e", "t"),
         }
     }

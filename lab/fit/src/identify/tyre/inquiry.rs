@@ -9,7 +9,7 @@ use stribeck_solve::job::{self, Entry};
 use stribeck_solve::system::Fault;
 use thiserror::Error;
 
-use super::{Axes, TyreFit, TyreTask, TyreTest, TyreTestError, fit_tyre};
+use super::{Axes, TyreTask, TyreTest, TyreTestError};
 use crate::sheet::Sheet;
 
 /// A tyre test, and what is known of it.
@@ -86,18 +86,23 @@ impl Inquiry {
         ))
     }
 
-    /// Fits the tyre.
-    pub fn answer(&self) -> Result<TyreFit, TyreInquiryError> {
+    /// Reads the test.
+    pub fn test(&self) -> Result<TyreTest, TyreInquiryError> {
         let path = self.file()?;
         let axes = self.axes.ok_or_else(|| Fault::value("axes: a tyre test needs iso or sae"))?;
-        let radius = self.radius.ok_or_else(|| Fault::value("radius: a tyre test needs the radius without load"))?;
-        let side = if self.side == Some(SideChoice::Right) { Side::Right } else { Side::Left };
         let refused = |source: TyreTestError| TyreInquiryError::Test { path: path.into(), source };
         let sheet = self.renamed(Sheet::load(path).map_err(|error| refused(error.into()))?, path)?;
         let mut test = TyreTest::of(&sheet, axes).map_err(refused)?;
         test.at_pressure(self.pressure).map_err(refused)?;
+        Ok(test)
+    }
+
+    /// What is known of the tyre.
+    pub fn task(&self) -> Result<TyreTask, Fault> {
+        let radius = self.radius.ok_or_else(|| Fault::value("radius: a tyre test needs the radius without load"))?;
+        let side = if self.side == Some(SideChoice::Right) { Side::Right } else { Side::Left };
         let fixed = self.fix.iter().map(|Entry(key, value)| (key.clone(), *value)).collect();
-        Ok(fit_tyre(&test, &TyreTask { radius, nominal_load: self.nominal_load, side, fixed })?)
+        Ok(TyreTask { radius, nominal_load: self.nominal_load, side, fixed })
     }
 
     /// The table with the names of columns as they are here.
@@ -124,10 +129,11 @@ mod tests {
     #[test]
     fn what_a_test_needs_and_a_property_file_does_not_have_is_refused() {
         let described = |text: &str| toml::from_str::<Inquiry>(text).unwrap();
-        let refusal = |text: &str| described(text).answer().unwrap_err().to_string();
+        let refusal = |text: &str| described(text).test().unwrap_err().to_string();
         assert_eq!(refusal(""), "no record was given");
         assert_eq!(refusal("record = \"a\""), "axes: a tyre test needs iso or sae");
-        assert_eq!(refusal("record = \"a\"\naxes = \"sae\""), "radius: a tyre test needs the radius without load");
+        let refusal = described("axes = \"sae\"").task().unwrap_err().to_string();
+        assert_eq!(refusal, "radius: a tyre test needs the radius without load");
         assert!(described("record = \"a.tir\"").refuse_test().is_ok());
         for option in
             ["axes = \"iso\"", "radius = 0.3", "side = \"left\"", "fix = { PKY2 = 1.7 }", "column = { SA = \"a\" }"]

@@ -90,7 +90,7 @@ const ESSENTIAL: [&[&str]; 6] = [
 ];
 
 /// Slips up to which the other slip counts as pure (chosen).
-const PURE: f64 = 0.01;
+pub const PURE: f64 = 0.01;
 
 /// Distance from an end of a range, as a part of it, that counts as the end (chosen).
 const AT_END: f64 = 1e-4;
