@@ -7,7 +7,7 @@ use ssp::parameter_set::ParameterSet;
 use stribeck::model::ModelType;
 use stribeck_fit::identify::{
     Answer, Data, Experiment, Exported, Files, Fit, Format, Inquiry, Rank, Ranking, Reference, Searches, Settings,
-    Validation, Verdict, Watch, fit, of_law, preset,
+    Validation, Verdict, Watch, digits, evaluate, fit, of_law, preset,
 };
 use stribeck_fit::measured::{Quality, Record, average};
 use stribeck_plot::report::{Identification, identification};
@@ -150,12 +150,16 @@ fn search(inquiry: &Inquiry, data: &Data) -> Result<Ranking, Failure> {
 
 /// Prints the result and writes the requested files.
 fn tell(arguments: &Arguments, facts: &Identification, data: &Data) -> Result<Ending, Failure> {
-    let Identification { records, ranking, reference, .. } = *facts;
+    let Identification { records, ranking, reference, task, .. } = *facts;
     let best = ranking.best();
     if arguments.json {
         println!("{}", serde_json::to_string(&Answer::of(ranking, data)).map_err(Fault::value)?);
     } else {
         print!("{}{}", table(ranking), best.table(reference));
+        if let Some(values) = reference {
+            let known = evaluate(best, values, &data.experiments, task)?;
+            print!("{}", beside(&known, best));
+        }
     }
     if let Some(folder) = &arguments.curves {
         super::folder(folder)?;
@@ -166,6 +170,14 @@ fn tell(arguments: &Arguments, facts: &Identification, data: &Data) -> Result<En
     }
     save(arguments, best, &data.experiments)?;
     Ok(if best.is_cancelled { Ending::Cancelled } else { Ending::Done })
+}
+
+/// What the reference values leave, beside what the fit leaves.
+fn beside(known: &Fit, fit: &Fit) -> String {
+    let [rms, least] = [known, fit].map(|one| digits(one.residuals.rms));
+    let mut text = format!("reference: RMS residual {rms} N, that of the fit {least} N\n");
+    known.warnings.iter().for_each(|warning| text += &format!("reference: {warning}\n"));
+    text
 }
 
 /// The command line as it was typed, quoted for a shell; empty if it can't be.

@@ -18,6 +18,7 @@ pub mod damper;
 #[cfg(test)]
 mod ended_tests;
 mod estimate;
+mod evaluated;
 mod experiment;
 mod export;
 mod inquiry;
@@ -52,6 +53,7 @@ use stribeck::model::ModelType;
 
 pub use answer::{Answer, FittedLaw, FittedParameter, RefusedLaw};
 pub use estimate::Estimate;
+pub use evaluated::evaluate;
 pub use experiment::{Experiment, Rest, names};
 pub use export::{Exported, Format};
 
@@ -288,7 +290,9 @@ impl Contest<'_> {
         }
         self.side_by_side(begin, true, |_, law| {
             let task = self.quick(law);
-            problem(law, self.experiments, &task).ok().map(|problem| first_search(&problem, &task, self.watch))
+            let problem = problem(law, self.experiments, &task).ok();
+            let fitted = problem.filter(|problem| !problem.parameters.is_empty());
+            fitted.map(|problem| first_search(&problem, &task, self.watch))
         })
     }
 
@@ -365,6 +369,9 @@ fn fit_from(
     let (prepared, anew) = (prepared(law, experiments, task), OnceLock::new());
     let folds = if first.is_far { 0 } else { task.folds };
     let problem = problem(law, prepared.as_deref().unwrap_or(experiments), task)?;
+    if problem.parameters.is_empty() {
+        return evaluated::evaluated(problem);
+    }
     let (mut fitter, found) = Fitter::of(problem, task, watch, first)?;
     let mut best = fitter.refine(found);
     if let Some(experiments) = at_rest_anew(&fitter.problem, &best.found.point) {
@@ -557,33 +564,13 @@ impl<'a> Fitter<'a> {
 
     /// Everything about a best point.
     fn finish(&self, best: &Refined, judged: &Judged) -> Result<Fit, Fault> {
-        let (problem, Judged { residuals, trust }) = (&self.problem, judged);
+        let Judged { residuals, trust } = judged;
         let (estimates, is_cancelled) = self.estimates(&best.found, judged);
-        let physical = problem.physical(&best.found.point);
-        let predicted = problem.predicted(&mut Instance::new(problem.law), &physical, problem.parts);
-        let mut predicted = predicted.map_err(|reason| refused(problem.law, reason))?.into_iter();
-        let part = |one: &Experiment| predicted.by_ref().take(one.time.len()).collect();
-        Ok(Fit {
-            law: problem.law,
-            correlation: trust.correlation.row_iter().map(|row| row.iter().copied().collect()).collect(),
-            condition: trust.condition,
-            residuals: *residuals,
-            samples: problem.samples(),
-            level: problem.measured().iter().fold(0.0, |most: f64, force| most.max(force.abs())),
-            evaluations: best.found.evaluations,
-            searches: self.searches,
-            is_cancelled,
-            is_exact: problem.exact.is_some(),
-            predicted: problem.experiments.iter().map(part).collect(),
-            fitted: problem.experiments.iter().map(Experiment::fitted).collect(),
-            physical,
-            held: problem.held.clone(),
-            axis_load: axis::load(problem.experiments),
-            parts: problem.parts,
-            validation: Vec::new(),
-            warnings: warnings(problem, residuals, &estimates, self.searches, best.shift),
-            estimates,
-        })
+        let warnings = warnings(&self.problem, residuals, &estimates, self.searches, best.shift);
+        let correlation = trust.correlation.row_iter().map(|row| row.iter().copied().collect()).collect();
+        let as_is = as_is(&self.problem, &best.found, *residuals)?;
+        let (searches, condition) = (self.searches, trust.condition);
+        Ok(Fit { estimates, correlation, condition, searches, is_cancelled, warnings, ..as_is })
     }
 
     /// The parameters at a best point, and whether the fit was ended before all intervals were found.
@@ -595,6 +582,35 @@ impl<'a> Fitter<'a> {
         let is_cancelled = self.watch.is_cancelled();
         (optimum.estimates(self.task.profiles && !is_cancelled, &repeated), is_cancelled)
     }
+}
+
+/// What is known of a point without its uncertainty.
+fn as_is(problem: &Problem, at: &Found, residuals: Residuals) -> Result<Fit, Fault> {
+    let physical = problem.physical(&at.point);
+    let predicted = problem.predicted(&mut Instance::new(problem.law), &physical, problem.parts);
+    let mut predicted = predicted.map_err(|reason| refused(problem.law, reason))?.into_iter();
+    let part = |one: &Experiment| predicted.by_ref().take(one.time.len()).collect();
+    Ok(Fit {
+        law: problem.law,
+        estimates: Vec::new(),
+        correlation: Vec::new(),
+        condition: 1.0,
+        residuals,
+        samples: problem.samples(),
+        level: problem.measured().iter().fold(0.0, |most: f64, force| most.max(force.abs())),
+        evaluations: at.evaluations,
+        searches: Searches::Agree,
+        is_cancelled: false,
+        is_exact: problem.exact.is_some(),
+        predicted: problem.experiments.iter().map(part).collect(),
+        fitted: problem.experiments.iter().map(Experiment::fitted).collect(),
+        physical,
+        held: problem.held.clone(),
+        axis_load: axis::load(problem.experiments),
+        parts: problem.parts,
+        validation: Vec::new(),
+        warnings: Vec::new(),
+    })
 }
 
 /// Calls not determined what depends on more than straight lines around the best point show.

@@ -208,6 +208,9 @@ impl Fit {
         for one in &self.validation {
             let _ = writeln!(text, "validation record {}: RMS residual {} N", one.name, digits(one.rms));
         }
+        if self.estimates.is_empty() {
+            return text + "all parameters are held: nothing was fitted\n";
+        }
         let how = if self.is_exact { "exact" } else { "by differences" };
         let _ =
             writeln!(text, "{} evaluations, sensitivities {how}, condition {:.1e}", self.evaluations, self.condition);
@@ -243,7 +246,9 @@ fn compared(one: &Estimate, reference: Option<&Reference>) -> String {
         return "; reference 0".to_owned();
     }
     let Difference { to_reference, to_mean } = difference(one.value, known);
-    format!("; reference {}, difference {to_reference:.1} % of it, {to_mean:.1} % of the mean", digits(known))
+    let [low, high] = one.interval();
+    let place = if (low..=high).contains(&known) { "" } else { " outside" };
+    format!("; reference {}{place}, difference {to_reference:.1} % of it, {to_mean:.1} % of the mean", digits(known))
 }
 
 /// Reference value of a fitted parameter; that of the excess `mu_s - mu_k` is the difference of two.

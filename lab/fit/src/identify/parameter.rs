@@ -253,7 +253,7 @@ pub(super) fn refused(law: &ModelType, reason: impl Display) -> Fault {
 pub(super) const OF_RIG: [&str; 3] = ["mass", "offset", "delay"];
 
 /// The parameters of a law that can be fitted.
-fn known(law: &ModelType) -> Vec<(usize, Variable)> {
+pub(super) fn known(law: &ModelType) -> Vec<(usize, Variable)> {
     let can_be_set = |variable: &Variable| matches!(variable.role, Role::Fixed | Role::Tunable);
     law.variables().filter(|(_, variable)| is_parameter(variable) && can_be_set(variable)).collect()
 }
@@ -269,7 +269,7 @@ fn excess(law: &ModelType) -> Option<String> {
     Some(excess_name(law, of?, over?))
 }
 
-/// The parameters of a fit, in the order of the table, then those of the rig.
+/// The parameters of a fit, in the order of the table, then those of the rig; none if all are held.
 pub(super) fn parameters(
     law: &ModelType,
     experiments: &[Experiment],
@@ -292,7 +292,6 @@ pub(super) fn parameters(
         Some(Parameter { name, range: [low, high], .. }) => {
             Err(refused(law, format_args!("the data give no range for {name} ({low:e} to {high:e}); give one")))
         }
-        None if list.is_empty() => Err(refused(law, "nothing is left to fit")),
         None => Ok(list),
     }
 }

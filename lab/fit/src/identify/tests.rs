@@ -515,11 +515,6 @@ fn impossible_wishes_are_refused() {
         ("Dahl", range("mu_k", [0.2, 0.1]), "mu_k = 0.2:0.1: must be LOW:HIGH with LOW < HIGH, both finite"),
         ("Dahl", range("mu_k", [-0.2, 0.1]), "mu_k = -0.2:0.1: both must be >= 0 and finite"),
         ("Dahl", range("alpha", [0.5, 2.0]), "Dahl: alpha has a range and is not fitted"),
-        (
-            "Dahl",
-            Selection { fixed: vec![("mu_k".into(), 0.1), ("sigma_0".into(), 1e5)], ..none() },
-            "Dahl: nothing is left to fit",
-        ),
     ];
     for (law, selection, wanted) in cases {
         let found = refusal(law, selection);
