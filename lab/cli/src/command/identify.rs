@@ -172,7 +172,7 @@ fn tell(arguments: &Arguments, facts: &Identification, data: &Data) -> Result<En
     Ok(if best.is_cancelled { Ending::Cancelled } else { Ending::Done })
 }
 
-/// What the reference values leave, beside what the fit leaves.
+/// RMS residuals of the reference values and of the fit, with the warnings of the former.
 fn beside(known: &Fit, fit: &Fit) -> String {
     let [rms, least] = [known, fit].map(|one| digits(one.residuals.rms));
     let mut text = format!("reference: RMS residual {rms} N, that of the fit {least} N\n");
@@ -297,7 +297,7 @@ fn save(arguments: &Arguments, best: &Fit, experiments: &[Experiment]) -> Result
     let notice = |text: &str| eprintln!("stribeck: {}: {text}", path.display());
     if let Some((_, format)) = Format::ALL.into_iter().find(|(ending, _)| outputs::has_ending(path, ending)) {
         let Exported { text, lost } = best.exported(format, experiments)?;
-        lost.iter().for_each(|one| notice(&format!("has no place for {one}")));
+        lost.iter().for_each(|one| notice(&format!("not carried over: {one}")));
         return write(path, text);
     }
     let left: Vec<&str> = best.undetermined().filter(|name| best.law.find(name).is_some()).collect();

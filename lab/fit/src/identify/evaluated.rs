@@ -1,4 +1,4 @@
-//! Laws at values that are given, without a search.
+//! Laws at given values, without a search.
 
 use std::sync::atomic::AtomicBool;
 
@@ -38,8 +38,8 @@ pub(super) fn evaluated(mut problem: Problem) -> Result<Fit, Fault> {
     Ok(Fit { warnings, ..as_is(&problem, &at, found)? })
 }
 
-/// A law at known values, those that are not named at their start values, in the same experiments as a fit of it and with
-/// its rig: what is left there, beside what the fit leaves.
+/// Evaluates the law of a fit at other values, in the same experiments and with the mass, offset and delay of the fit.
+/// Parameters that are not named have the values at which the task holds them, otherwise their start values.
 pub fn evaluate(fit: &Fit, values: &Reference, experiments: &[Experiment], task: &Settings) -> Result<Fit, Fault> {
     let law = fit.law;
     let of_law = known(law).into_iter().filter(|(_, variable)| matches!(variable.kind, Kind::Real(_)));

@@ -1,4 +1,4 @@
-//! Fitted laws in the formats of other programs, and what these have no place for.
+//! Fitted laws in the formats of other programs, and a list of what those cannot hold.
 
 use std::collections::BTreeMap;
 
@@ -31,7 +31,7 @@ impl Format {
 pub struct Exported {
     /// The file.
     pub text: String,
-    /// What the format has no place for.
+    /// Parameters and facts of the rig that are not in the file, with their values.
     pub lost: Vec<String>,
 }
 

@@ -584,7 +584,7 @@ impl<'a> Fitter<'a> {
     }
 }
 
-/// What is known of a point without its uncertainty.
+/// A fit at a point, without estimates or uncertainty.
 fn as_is(problem: &Problem, at: &Found, residuals: Residuals) -> Result<Fit, Fault> {
     let physical = problem.physical(&at.point);
     let predicted = problem.predicted(&mut Instance::new(problem.law), &physical, problem.parts);

@@ -7,7 +7,7 @@ use stribeck::host::FormulaVersion;
 /// Keys that belong together.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
-    /// What they are for.
+    /// Their purpose.
     pub about: &'static str,
     /// The keys, in the order of the file.
     pub keys: Vec<String>,
@@ -48,7 +48,7 @@ const BEGINNINGS: [(&str, &[&str]); 4] = [
     ]),
 ];
 
-/// What a key that the model does not use is for: by the beginning of its name, else by its section.
+/// Purpose of a key that the model does not use, by the beginning of its name, otherwise by its section.
 pub(super) fn about(key: &str, section: &str) -> &'static str {
     let begins = |(_, all): &&(&str, &[&str])| all.iter().any(|begin| key.starts_with(begin));
     if let Some((about, _)) = BEGINNINGS.iter().find(begins) {

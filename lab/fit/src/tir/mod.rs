@@ -6,8 +6,8 @@
 //! both axles.
 //!
 //! Files are read as programs write them: sections and keys in any order, in any case, with any others between them. A
-//! key without value counts as absent. What is not used is told, and so is what would change forces but is not
-//! modelled. Only what makes forces wrong is refused.
+//! key without value counts as absent. Keys that are not used are listed, and so are those that would change
+//! forces but are not modelled. Only what makes forces wrong is refused.
 
 mod keys;
 mod lines;

@@ -16,7 +16,7 @@ pub(super) fn car() -> &'static ModelType {
     catalogue::by_name("DoubleTrackCar").expect("a model of the library")
 }
 
-/// Without these there is no lateral force.
+/// Keys without which there is no lateral force.
 const REQUIRED: [&str; 6] = ["FNOMIN", "UNLOADED_RADIUS", "PCY1", "PDY1", "PKY1", "PKY2"];
 
 /// Keys for the tyres of both axles, with the names of the variables.
@@ -25,7 +25,7 @@ const BOTH: [(&str, &str); 2] = [("VERTICAL_STIFFNESS", "tyre_stiffness"), ("VER
 /// Keys that are read on their own.
 const SAID: [&str; 3] = ["FITTYP", "PROPERTY_FILE_FORMAT", "TYRESIDE"];
 
-/// What a file gives.
+/// Values and notes from a file.
 #[derive(Default)]
 pub(super) struct Contents {
     pub values: Vec<(String, f64)>,

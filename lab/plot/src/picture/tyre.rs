@@ -23,42 +23,27 @@ const DOTS: usize = 400;
 /// Points of a curve (chosen).
 const POINTS: usize = 201;
 
-/// What a picture shows over which slip.
+/// Measured values over one slip, while the other is 0.
 struct View<'a> {
     kind: Kind,
     slip: &'a [f64],
-    /// The slip that is 0 in it.
+    /// The slip that is 0.
     other: &'a [f64],
     measured: &'a [f64],
     of: fn(&Wrench) -> f64,
 }
 
-/// What was measured, as dots, and the formula, as curves, at the loads of the test and the least camber in it: side force
-/// and aligning moment in pure side slip, longitudinal force in pure longitudinal slip.
+/// Draws the test as dots and the formula as curves, at the loads of the test and the least camber in it: side force and
+/// aligning moment in pure side slip, longitudinal force in pure longitudinal slip.
 pub fn tyre(test: &TyreTest, formula: &MagicFormula, theme: Theme) -> Vec<Picture> {
-    let (side, along) = (&test.side_slip, &test.longitudinal_slip);
+    let (side, along) = (&test.side_slip[..], &test.longitudinal_slip[..]);
+    let over_side = |kind, measured, of| View { kind, slip: side, other: along, measured, of };
+    let over_along = |kind, measured, of| View { kind, slip: along, other: side, measured, of };
+    let (moment_z, force_x) = (test.moment_z.as_deref(), test.force_x.as_deref());
     let views = [
-        Some(View {
-            kind: Kind::SideForce,
-            slip: side,
-            other: along,
-            measured: &test.force_y,
-            of: |wrench| wrench.force_y,
-        }),
-        test.moment_z.as_ref().map(|measured| View {
-            kind: Kind::AligningMoment,
-            slip: side,
-            other: along,
-            measured,
-            of: |wrench| wrench.moment_z,
-        }),
-        test.force_x.as_ref().map(|measured| View {
-            kind: Kind::LongitudinalForce,
-            slip: along,
-            other: side,
-            measured,
-            of: |wrench| wrench.force_x,
-        }),
+        Some(over_side(Kind::SideForce, &test.force_y, |wrench| wrench.force_y)),
+        moment_z.map(|measured| over_side(Kind::AligningMoment, measured, |wrench| wrench.moment_z)),
+        force_x.map(|measured| over_along(Kind::LongitudinalForce, measured, |wrench| wrench.force_x)),
     ];
     views.into_iter().flatten().filter_map(|view| view.picture(test, formula, theme)).collect()
 }

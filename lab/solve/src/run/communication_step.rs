@@ -28,7 +28,7 @@ const MOST_RESULTS: f64 = 2e5;
 /// Part of the progress that is that of the solution (chosen).
 const SOLUTION: f64 = 0.1;
 
-/// What is searched for.
+/// Settings of a search for the communication step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Search {
     /// Largest part by which a quantity may differ from that of the solution.

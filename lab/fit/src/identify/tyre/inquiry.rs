@@ -97,7 +97,7 @@ impl Inquiry {
         Ok(test)
     }
 
-    /// What is known of the tyre.
+    /// Properties of the tyre that the test does not show.
     pub fn task(&self) -> Result<TyreTask, Fault> {
         let radius = self.radius.ok_or_else(|| Fault::value("radius: a tyre test needs the radius without load"))?;
         let side = if self.side == Some(SideChoice::Right) { Side::Right } else { Side::Left };
