@@ -1,211 +1,35 @@
 //! Tables of measurements as rigs and dynamometers write them.
 //!
 //! A heading names the columns, each with its unit in brackets if it is not the SI unit; a row of units may follow it
-//! instead, with any units for columns that nobody reads. The separator (tab, semicolon, comma, or blanks if there is none of these) is that of the heading; unless it
-//! is a comma, numbers may have a decimal comma. `#` begins a comment; unused columns are ignored.
+//! instead, with any units for columns that nobody reads. The separator (tab, semicolon, comma, or blanks if there is
+//! none of these) is that of the heading; unless it is a comma, numbers may have a decimal comma. `#` or `%` at the start
+//! of a line begins a comment; unused columns are ignored. A column of time may have time stamps: times of day, or dates
+//! and times by ISO 8601.
 
 mod binary;
+mod error;
+mod guard;
+#[cfg(feature = "mat")]
+mod mat;
+#[cfg(feature = "spreadsheet")]
+mod spreadsheet;
+mod time_stamp;
+mod units;
 
+use std::borrow::Cow;
 use std::fs;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use thiserror::Error;
-
-pub use binary::tables;
+pub use binary::{table, tables};
+pub use error::SheetError;
+use time_stamp::Stamp;
+pub use units::{
+    ANGLE, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, PRESSURE, Quantity, SLIP, TEMPERATURE, TIME, VELOCITY,
+};
+use units::{OF_SIGNALS, QUANTITIES};
 
 /// Largest file that is read, in bytes (chosen: some ten million rows).
 const LARGEST: u64 = 1 << 30;
-
-/// A quantity, with its possible units in files: SI value = factor (value + offset). The first unit is the SI one.
-#[derive(Debug)]
-pub struct Quantity {
-    /// Name of the column.
-    pub name: &'static str,
-    /// Units, factors and offsets.
-    pub units: &'static [(&'static str, f64, f64)],
-}
-
-/// Time.
-pub const TIME: Quantity = Quantity {
-    name: "time",
-    units: &[("s", 1.0, 0.0), ("sec", 1.0, 0.0), ("ms", 1e-3, 0.0), ("us", 1e-6, 0.0), ("min", 60.0, 0.0)],
-};
-/// Velocity.
-pub const VELOCITY: Quantity = Quantity {
-    name: "velocity",
-    units: &[
-        ("m/s", 1.0, 0.0),
-        ("mm/s", 1e-3, 0.0),
-        ("in/s", 0.0254, 0.0),
-        ("km/h", KPH, 0.0),
-        ("kph", KPH, 0.0),
-        ("mph", MPH, 0.0),
-    ],
-};
-/// Force.
-pub const FORCE: Quantity =
-    Quantity { name: "force", units: &[("N", 1.0, 0.0), ("kN", 1e3, 0.0), ("lbf", POUND, 0.0), ("lb", POUND, 0.0)] };
-/// Normal force.
-pub const NORMAL_FORCE: Quantity = Quantity { name: "normal_force", units: FORCE.units };
-/// Displacement.
-pub const DISPLACEMENT: Quantity = Quantity {
-    name: "displacement",
-    units: &[("m", 1.0, 0.0), ("mm", 1e-3, 0.0), ("um", 1e-6, 0.0), ("in", 0.0254, 0.0)],
-};
-/// Temperature.
-pub const TEMPERATURE: Quantity = Quantity {
-    name: "temperature",
-    units: &[("K", 1.0, 0.0), ("degC", 1.0, 273.15), ("C", 1.0, 273.15), ("degF", 5.0 / 9.0, 459.67)],
-};
-
-/// Angle.
-pub const ANGLE: Quantity = Quantity { name: "angle", units: &[("rad", 1.0, 0.0), ("deg", DEGREE, 0.0)] };
-/// Longitudinal slip.
-pub const SLIP: Quantity = Quantity { name: "slip", units: &[("1", 1.0, 0.0), ("%", 0.01, 0.0)] };
-/// Pressure.
-pub const PRESSURE: Quantity = Quantity {
-    name: "pressure",
-    units: &[("Pa", 1.0, 0.0), ("kPa", 1e3, 0.0), ("bar", 1e5, 0.0), ("psi", POUND / (0.0254 * 0.0254), 0.0)],
-};
-/// Moment.
-pub const MOMENT: Quantity = Quantity {
-    name: "moment",
-    units: &[
-        ("N.m", 1.0, 0.0),
-        ("Nm", 1.0, 0.0),
-        ("N*m", 1.0, 0.0),
-        ("N-m", 1.0, 0.0),
-        ("ft-lb", 0.3048 * POUND, 0.0),
-        ("lbf.ft", 0.3048 * POUND, 0.0),
-    ],
-};
-
-/// Quantities that differ in their units.
-const QUANTITIES: [&Quantity; 9] =
-    [&TIME, &VELOCITY, &FORCE, &DISPLACEMENT, &TEMPERATURE, &ANGLE, &SLIP, &PRESSURE, &MOMENT];
-
-/// Quantities of signals, which a factor converts: the moment of a drive, its angle, its current in percent.
-const OF_SIGNALS: [&Quantity; 3] = [&ANGLE, &SLIP, &MOMENT];
-
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
-/// SI values of a kilometre per hour, a mile per hour and the force of a pound.
-const KPH: f64 = 1.0 / 3.6;
-const MPH: f64 = 0.447_04;
-const POUND: f64 = 4.448_221_615_260_5;
-
-/// Error in a table.
-#[derive(Debug, Error)]
-pub enum SheetError {
-    /// The file cannot be read.
-    #[error("{}: {source}", path.display())]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        source: io::Error,
-    },
-    /// The file is too large.
-    #[error("{}: has {bytes} bytes, must be at most {LARGEST}: record fewer samples a second", path.display())]
-    TooLarge {
-        /// The file.
-        path: PathBuf,
-        /// Its size.
-        bytes: u64,
-    },
-    /// The file has another format, or is damaged.
-    #[error("{}: {why}", path.display())]
-    Format {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        why: String,
-    },
-    /// The text is not a table.
-    #[error("no table: {0}")]
-    Table(#[from] csv::Error),
-    /// A row has not as many cells as the heading.
-    #[error("no table: line {line}, columns: {cells}, must be {headings} as in the heading{hint}")]
-    Row {
-        /// Line of the file.
-        line: u64,
-        /// Number of its cells.
-        cells: u64,
-        /// Number of the headings.
-        headings: u64,
-        /// Possible reason.
-        hint: &'static str,
-    },
-    /// A required column is missing.
-    #[error("no column '{wanted}'; there are {found}{hint}")]
-    Column {
-        /// The column.
-        wanted: String,
-        /// The headings of the file.
-        found: String,
-        /// How a heading is to be written, if one of them looks like the column.
-        hint: String,
-    },
-    /// Several columns may be the wanted one.
-    #[error("{wanted}: '{candidates}' may be it; say which: --column {wanted}=...")]
-    Ambiguous {
-        /// The quantity.
-        wanted: String,
-        /// The columns.
-        candidates: String,
-    },
-    /// A column may be the force, but its unit is not that of a force.
-    #[error(
-        "'{column}' may be the force, but not in N: give the factor to N, --scale force=..., or --column force=... if it \
-         is another column"
-    )]
-    NoFactor {
-        /// The column.
-        column: String,
-    },
-    /// A record has no such quantity.
-    #[error("quantity '{name}': must be one of {wanted}")]
-    Quantity {
-        /// Its name.
-        name: String,
-        /// The quantities of a record.
-        wanted: String,
-    },
-    /// A factor is 0 or not finite.
-    #[error("scale {name} = {factor}: must be finite and not 0")]
-    Factor {
-        /// The quantity.
-        name: String,
-        /// The factor.
-        factor: f64,
-    },
-    /// Two columns have the same name.
-    #[error("two columns '{0}'")]
-    Twice(String),
-    /// The unit in a heading is not known.
-    #[error("{column}: unit '{unit}', must be one of {wanted}")]
-    Unit {
-        /// The column.
-        column: String,
-        /// Its text.
-        unit: String,
-        /// The units that are known.
-        wanted: String,
-    },
-    /// A cell is not a finite number.
-    #[error("line {line}, {column}: '{text}' is not a finite number")]
-    Number {
-        /// Line of the file.
-        line: u64,
-        /// The column.
-        column: String,
-        /// Its text.
-        text: String,
-    },
-    /// The table has no rows.
-    #[error("the table has no rows")]
-    Empty,
-}
 
 /// Heading of a column.
 #[derive(Debug)]
@@ -246,6 +70,8 @@ pub struct Sheet {
     factors: Vec<(String, f64)>,
     /// Whether columns without a unit are known to be in SI units.
     is_si: bool,
+    /// What is to be known of how it was read.
+    note: Option<String>,
     rows: Vec<csv::StringRecord>,
 }
 
@@ -260,21 +86,26 @@ impl Sheet {
 
     /// Reads a text.
     pub fn parse(text: &str) -> Result<Sheet, SheetError> {
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let text = &with_one_comment(text.strip_prefix('\u{feff}').unwrap_or(text));
         let heading = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or_default();
         let tabbed = with_tabs(text, heading);
         let (text, separator) = match &tabbed {
             Some(tabbed) => (tabbed.as_str(), '\t'),
-            None => (text, SEPARATORS.into_iter().find(|mark| heading.contains(*mark)).unwrap_or(',')),
+            None => (&**text, separator_of(heading).unwrap_or(',')),
         };
         let mut reader = csv::ReaderBuilder::new()
             .delimiter(separator as u8)
             .comment(Some(b'#'))
             .trim(csv::Trim::All)
             .from_reader(text.as_bytes());
-        let mut headings: Vec<Heading> = reader.headers()?.iter().map(split).collect();
+        let headings = reader.headers()?.clone();
         let records = reader.records().collect::<Result<Vec<csv::StringRecord>, csv::Error>>();
-        let mut rows = records.map_err(|error| of_rows(error, separator))?;
+        Ok(Sheet::under(headings.iter(), records.map_err(|error| of_rows(error, separator))?, separator))
+    }
+
+    /// Rows under a heading; the first of them may be a row of units.
+    fn under<'a>(headings: impl Iterator<Item = &'a str>, mut rows: Vec<csv::StringRecord>, separator: char) -> Sheet {
+        let mut headings: Vec<Heading> = headings.map(split).collect();
         if rows.first().is_some_and(is_of_units) {
             for (heading, text) in headings.iter_mut().zip(rows.remove(0).iter()) {
                 let unit = plain(text.trim_matches(['[', ']', '(', ')']));
@@ -283,7 +114,7 @@ impl Sheet {
                 }
             }
         }
-        Ok(Sheet { separator, headings, factors: Vec::new(), is_si: false, rows })
+        Sheet { separator, headings, factors: Vec::new(), is_si: false, note: None, rows }
     }
 
     /// A table of arrays in SI units.
@@ -299,8 +130,9 @@ impl Sheet {
         let cell = |values: &Vec<f64>, row: usize| values.get(row).map_or(String::new(), f64::to_string);
         let row = |row: usize| channels.iter().map(|(_, _, values)| cell(values, row)).collect();
         let rows = (0..count).map(row).collect();
-        let headings = channels.into_iter().map(|(name, unit, _)| Heading::new(&name, &unit)).collect();
-        Sheet { separator: ',', headings, factors: Vec::new(), is_si: false, rows }
+        let unit = |unit: String| if NO_UNIT.contains(&unit.trim()) { String::new() } else { unit };
+        let headings = channels.into_iter().map(|(name, of, _)| Heading::new(&name, &unit(of))).collect();
+        Sheet { headings, ..Sheet::under([].into_iter(), rows, ',') }
     }
 
     /// Whether it has a column.
@@ -325,9 +157,16 @@ impl Sheet {
         self.headings.iter().find(|heading| heading.is(name)).map(|heading| heading.unit.as_str())
     }
 
+    /// What is to be known of how it was read.
+    pub fn note(&self) -> Option<&str> {
+        self.note.as_deref()
+    }
+
     /// Whether a column has no unit and is assumed to be SI.
     pub fn assumes_unit(&self, name: &str) -> bool {
-        !self.is_si && self.unit(name).is_some_and(str::is_empty)
+        let has_stamps = |at| name.eq_ignore_ascii_case(TIME.name) && self.first_stamp(at).is_some();
+        let is_plain = |at: usize| self.headings[at].unit.is_empty() && !has_stamps(at);
+        !self.is_si && (0..self.headings.len()).find(|at| self.headings[*at].is(name)).is_some_and(is_plain)
     }
 
     /// Names of its columns.
@@ -376,6 +215,9 @@ impl Sheet {
         if columns.next().is_some() {
             return Err(SheetError::Twice(name.to_owned()));
         }
+        if let Some(first) = self.first_stamp(at).filter(|_| quantity.name == TIME.name) {
+            return self.stamped(at, first).map(Some);
+        }
         let unit = &self.headings[at].unit;
         let known = quantity.units.iter().find(|known| unit.is_empty() || known.0 == unit);
         let Some((_, factor, offset)) = known else {
@@ -403,14 +245,33 @@ impl Sheet {
         SheetError::Column { wanted: name.to_owned(), found, hint }
     }
 
+    /// The time stamp with which a column begins, if it has time stamps.
+    fn first_stamp(&self, at: usize) -> Option<Stamp> {
+        self.rows.first().and_then(|row| Stamp::parse(row.get(at)?))
+    }
+
+    /// Times of a column of time stamps, in s since midnight of the first one.
+    fn stamped(&self, at: usize, first: Stamp) -> Result<Vec<f64>, SheetError> {
+        let second = |row: usize| {
+            let stamp = Stamp::parse(self.text(row, at)).and_then(|stamp| stamp.since_midnight_of(first));
+            stamp.ok_or_else(|| self.no_number(row, at, "a time stamp like the first one"))
+        };
+        (0..self.rows.len()).map(second).collect()
+    }
+
+    fn text(&self, row: usize, at: usize) -> &str {
+        self.rows[row].get(at).unwrap_or_default()
+    }
+
     fn number(&self, row: usize, at: usize) -> Result<f64, SheetError> {
-        let text = self.rows[row].get(at).unwrap_or_default();
+        let text = self.text(row, at);
         let number = if self.separator == ',' { text.parse() } else { text.replace(',', ".").parse::<f64>() };
-        number.ok().filter(|number| number.is_finite()).ok_or_else(|| SheetError::Number {
-            line: self.line(row),
-            column: self.headings[at].name.clone(),
-            text: text.to_owned(),
-        })
+        number.ok().filter(|number| number.is_finite()).ok_or_else(|| self.no_number(row, at, "a finite number"))
+    }
+
+    fn no_number(&self, row: usize, at: usize, wanted: &'static str) -> SheetError {
+        let (column, text) = (self.headings[at].name.clone(), self.text(row, at).to_owned());
+        SheetError::Number { line: self.line(row), column, text, wanted }
     }
 }
 
@@ -465,6 +326,22 @@ fn unit_in_name(heading: &str, wanted: &str) -> Option<String> {
 /// Marks between columns besides blanks.
 const SEPARATORS: [char; 3] = ['\t', ';', ','];
 
+/// The separator of a heading, outside of quotation marks.
+fn separator_of(heading: &str) -> Option<char> {
+    let bare: String = heading.split('"').step_by(2).collect();
+    SEPARATORS.into_iter().find(|mark| bare.contains(*mark))
+}
+
+/// A text whose comments all begin with `#`. A `%` before a separator is the unit of the first column.
+fn with_one_comment(text: &str) -> Cow<'_, str> {
+    let is_comment = |line: &str| line.strip_prefix('%').is_some_and(|rest| !rest.trim_start().starts_with(SEPARATORS));
+    if !text.lines().any(is_comment) {
+        return Cow::Borrowed(text);
+    }
+    let line = |line: &str| if is_comment(line) { format!("#{line}") } else { line.to_owned() };
+    Cow::Owned(text.split('\n').map(line).collect::<Vec<String>>().join("\n"))
+}
+
 /// Columns of a heading that are separated by blanks; a unit in brackets belongs to the name before it.
 fn between_blanks(heading: &str) -> Vec<String> {
     let mut columns: Vec<String> = Vec::new();
@@ -500,7 +377,7 @@ fn plain(unit: &str) -> String {
     let letters = packed.replace(['\u{b5}', '\u{3bc}'], "u").replace(['\u{b7}', '\u{22c5}'], ".");
     let is_lost = letters.starts_with(char::REPLACEMENT_CHARACTER);
     match letters.strip_prefix(['\u{b0}', '\u{ba}', char::REPLACEMENT_CHARACTER]) {
-        Some("") => "deg".to_owned(),
+        Some(rest) if rest.is_empty() || rest.starts_with('/') => format!("deg{rest}"),
         Some("m" | "s") if !is_lost => letters,
         Some(unit @ ("m" | "s")) => format!("u{unit}"),
         Some(unit) => unit.to_owned(),
@@ -619,5 +496,42 @@ mod tests {
         let sheet = Sheet::parse("time,force\ntime,force\n1,2\n").unwrap();
         let text = sheet.column(&TIME).unwrap_err().to_string();
         assert_eq!(text, "line 2, time: 'time' is not a finite number");
+    }
+
+    #[test]
+    fn headings_of_programs_are_understood() {
+        let wanted = [Some(vec![1e-3, 2e-3]), Some(vec![1500.0, -200.0])];
+        for text in [
+            "\u{feff}% a rig; run 3\n\"time (ms)\",\"force [kN]\",\"note; remark\"\n1,1.5,a\n% paused\n2,-0.2,b\n",
+            "time;force\n(ms);[kN]\n1,0;1,5\n#\n2,0;-0,2\n",
+            "slip,time,force\r\n%,ms,kN\r\n3,1,1.5\r\n3,2,-0.2\r\n",
+        ] {
+            let sheet = Sheet::parse(text).unwrap();
+            assert_eq!([&TIME, &FORCE].map(|quantity| sheet.column(quantity).unwrap()), wanted, "{text}");
+        }
+        let percent = Sheet::parse("slip,force\n%,N\n3,1\n").unwrap();
+        assert_eq!(percent.column(&SLIP).unwrap(), Some(vec![0.03]));
+        let late = Sheet::parse("% one\n% two\ntime,force\n1,x\n").unwrap();
+        assert_eq!(late.column(&FORCE).unwrap_err().to_string(), "line 4, force: 'x' is not a finite number");
+    }
+
+    #[test]
+    fn time_stamps_are_times_in_seconds() {
+        let times = |rows: &str| Sheet::parse(&format!("time;force\n{rows}")).unwrap().column(&TIME);
+        assert_eq!(times("00:01:00.25;1\n00:01:01,5;2\n").unwrap(), Some(vec![60.25, 61.5]));
+        let dated = times("2024-02-29T23:59:59.5Z;1\n2024-03-01T00:00:00.25Z;2\n").unwrap();
+        assert_eq!(dated, Some(vec![86_399.5, 86_400.25]));
+        let refusal = times("00:01:00;1\n2024-03-01T00:00:00;2\n").unwrap_err().to_string();
+        assert_eq!(refusal, "line 3, time: '2024-03-01T00:00:00' is not a time stamp like the first one");
+        let sheet = Sheet::parse("time,force\n00:01:00,00:01:00\n").unwrap();
+        assert!(sheet.column(&FORCE).is_err() && !sheet.assumes_unit("time") && sheet.assumes_unit("force"));
+    }
+
+    #[test]
+    fn units_of_turned_bodies_are_known() {
+        let sheet = Sheet::parse("angle [rev],moment [N mm],force\n0.5,7,1\n").unwrap();
+        assert_eq!(sheet.column(&ANGLE).unwrap(), Some(vec![std::f64::consts::PI]));
+        assert_eq!(sheet.column(&MOMENT).unwrap(), Some(vec![7e-3]));
+        assert_eq!(["\u{b0}/s", "\u{fffd}/s"].map(plain), ["deg/s"; 2]);
     }
 }

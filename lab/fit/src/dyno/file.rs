@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TEMPERATURE, TIME, VELOCITY};
+use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TEMPERATURE, TIME, VELOCITY, table};
 
 /// A damper test in SI units, with the signs of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -22,7 +22,7 @@ pub struct Test {
 impl Test {
     /// Reads a file.
     pub fn load(path: &Path) -> Result<Test, SheetError> {
-        Test::of(&Sheet::load(path)?)
+        Test::of(&table(path)?)
     }
 
     /// Reads a [table](crate::sheet) with the columns `velocity`, `force`, and perhaps `displacement`, `temperature`

@@ -60,7 +60,8 @@ impl Columns {
         self.rename(record, motion)?;
         let is_apart = !motion.is_empty();
         let of_motion = |error: MeasuredError| if is_apart { MeasuredError::of_motion(error) } else { error };
-        let mut notes = Vec::new();
+        let read = record.iter().chain(&*motion).filter_map(Sheet::note);
+        let mut notes: Vec<String> = read.map(str::to_owned).collect();
         for table in &mut *record {
             notes.extend(self.find(std::slice::from_mut(table), &TIME)?);
         }

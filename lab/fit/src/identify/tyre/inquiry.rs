@@ -10,7 +10,7 @@ use stribeck_solve::system::Fault;
 use thiserror::Error;
 
 use super::{Axes, TyreTask, TyreTest, TyreTestError};
-use crate::sheet::Sheet;
+use crate::sheet::{Sheet, table};
 
 /// A tyre test, and what is known of it.
 #[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
@@ -91,7 +91,7 @@ impl Inquiry {
         let path = self.file()?;
         let axes = self.axes.ok_or_else(|| Fault::value("axes: a tyre test needs iso or sae"))?;
         let refused = |source: TyreTestError| TyreInquiryError::Test { path: path.into(), source };
-        let sheet = self.renamed(Sheet::load(path).map_err(|error| refused(error.into()))?, path)?;
+        let sheet = self.renamed(table(path).map_err(|error| refused(error.into()))?, path)?;
         let mut test = TyreTest::of(&sheet, axes).map_err(refused)?;
         test.at_pressure(self.pressure).map_err(refused)?;
         Ok(test)
