@@ -2968,7 +2968,7 @@ typedef enum stribeck_bliman_sorine_variable {
 } stribeck_bliman_sorine_variable;
 
 /** Guid of ResetIntegrator for fmi2Instantiate. */
-#define STRIBECK_RESET_INTEGRATOR_GUID "{53556615-5df0-cdd0-3b63-a07e8c5e5848}"
+#define STRIBECK_RESET_INTEGRATOR_GUID "{09a8195a-7b0a-6310-88bf-e980c6d7000b}"
 
 /** Preset of ResetIntegrator: Novais (2024), Tables 6.1 and 7.1 with a = f_s / f_C - 1 = 0.5: the start values. */
 #define STRIBECK_RESET_INTEGRATOR_PRESET_THESIS "thesis"
@@ -2997,6 +2997,9 @@ typedef enum stribeck_reset_integrator_variable {
   STRIBECK_RESET_INTEGRATOR_BRISTLE_DEFLECTION = 767148150,
   /** state [1]: Direction in which the contact has broken away; 0 = bonded. (>= -1, <= 1, default 0) */
   STRIBECK_RESET_INTEGRATOR_SLIP_DIRECTION = 1771013485,
+  /** state [stribeck_phase]: Bond as found by the last event of Model Exchange: held, or broken in a direction.
+   *  (default Free) */
+  STRIBECK_RESET_INTEGRATOR_BOND = 1519443964,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_RESET_INTEGRATOR_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */

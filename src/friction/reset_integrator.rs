@@ -1,8 +1,10 @@
 use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
+use crate::contact::time_stepping::{MOVED, PASSED, Phase, PhaseColumn, REACHED};
+use crate::contact::unloading;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
-use crate::number::{Mask, Real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, real};
+use crate::number::{Mask, Real, choose};
 use crate::numerics::root::first_rise;
 
 crate::model! {
@@ -29,6 +31,7 @@ crate::model! {
     /// | sigma_1 | `sigma_1`            | N.s/m | damping of the bond                                    |
     /// | z       | `bristle_deflection` | m     | deflection of the bond, at most $z_m$                  |
     /// | -       | `slip_direction`     | 1     | sign of $z$ once $z_m$ was reached, until $v$ reverses |
+    /// | -       | `bond`               |       | held or broken, as the last event has found it         |
     /// | f_f     | `friction_force`     | N     | friction force                                         |
     ///
     /// # Sign
@@ -94,15 +97,20 @@ crate::model! {
         mu_s: tunable = MU_S,
         sigma_0: tunable = SIGMA_0,
         sigma_1: tunable = SIGMA_1,
-        bristle_deflection: state = BRISTLE_DEFLECTION,
+        bristle_deflection: state = BRISTLE_DEFLECTION.reinit(),
         /// Direction in which the contact has broken away; 0 = bonded.
-        slip_direction: state = real("1", 0.0).at_least(-1.0).at_most(1.0).odd(),
+        slip_direction: state = real("1", 0.0).at_least(-1.0).at_most(1.0).discrete().odd(),
+        /// Bond as found by the last event of Model Exchange: held, or broken in a direction.
+        bond: state = Phase::Free.start(),
         dissipated_energy: state_output = DISSIPATED_ENERGY,
         friction_force: output = FRICTION_FORCE,
         dissipated_power: output = DISSIPATED_POWER,
         sticking: output = STICKING,
     }
 }
+
+/// Time constant of a bond that a falling load pushes back, in s (chosen).
+const PUSHED: f64 = 1e-4;
 
 impl<T: Real> ResetIntegrator<T> {
     /// f_C.
@@ -126,8 +134,23 @@ impl<T: Real> ResetIntegrator<T> {
         self.slip_direction.vanishes().choose(bonded, || self.slip_direction.sign() * self.limit())
     }
 
-    /// Whether the contact has broken away in the direction of the motion.
+    /// Bond as found by the last event of Model Exchange.
+    fn bond(&self) -> PhaseColumn<T> {
+        PhaseColumn(self.bond)
+    }
+
+    /// Whether the contact slides: as the last event has found it or, without one, as the motion says.
     fn is_sliding(&self) -> T::Mask {
+        self.bond().slides() | self.bond().is_free() & self.moves_on()
+    }
+
+    /// Direction of sliding.
+    fn direction(&self) -> T {
+        choose!(self.bond().slides(), self.bond().direction(), self.velocity.sign())
+    }
+
+    /// Whether the contact has broken away in the direction of the motion.
+    fn moves_on(&self) -> T::Mask {
         let direction = self.velocity.sign();
         let is_at_limit = (self.bristle_deflection * direction).at_least(self.limit());
         !direction.vanishes() & ((self.slip_direction * direction).is_positive() | is_at_limit)
@@ -135,7 +158,15 @@ impl<T: Real> ResetIntegrator<T> {
 
     fn is_at_rest_after_sliding(&self) -> T::Mask {
         let has_slid = !self.slip_direction.vanishes() | self.bristle_deflection.abs().at_least(self.limit());
-        self.velocity.vanishes() & has_slid
+        self.bond().is_free() & self.velocity.vanishes() & has_slid
+    }
+
+    /// Rate of the deflection.
+    fn deflection_rate(&self) -> T {
+        let excess = self.bristle_deflection - self.bristle_deflection.pushed_back(self.limit());
+        let is_outward = (self.velocity * excess).is_positive();
+        let pushed_back = choose!(is_outward, T::zero(), excess / T::from(PUSHED));
+        choose!(self.is_sliding() | self.coulomb().at_most(T::zero()), T::zero(), self.velocity - pushed_back)
     }
 
     /// Eq. (7.10).
@@ -144,24 +175,54 @@ impl<T: Real> ResetIntegrator<T> {
             let stiffness = self.is_at_rest_after_sliding().choose(|| self.sigma_0, || self.stiffness());
             stiffness * self.deflection() + self.sigma_1 * self.velocity
         };
-        let loaded = || self.is_sliding().choose(|| self.coulomb() * self.velocity.sign(), bonded);
+        let loaded = || self.is_sliding().choose(|| self.coulomb() * self.direction(), bonded);
         self.coulomb().at_most(T::zero()).choose(|| T::zero(), loaded)
     }
 }
 
 impl<T: Real> Law for ResetIntegrator<T> {
-    type Interface = CoSimulation;
+    type Interface = ModelExchange;
 
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
-        self.sticking = T::truth(!self.is_sliding() & self.coulomb().is_positive());
+        let sticks = !self.is_sliding() | self.velocity.vanishes();
+        self.sticking = T::truth(sticks & self.coulomb().is_positive());
+    }
+}
+
+impl<T: Real> Derivatives for ResetIntegrator<T> {
+    fn derivatives(&self, rate: &mut Self) {
+        rate.bristle_deflection = self.deflection_rate();
+        rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 
 impl ResetIntegrator {
+    /// |z| / z_m.
+    fn stretch(&self) -> f64 {
+        self.bristle_deflection.abs() / self.limit()
+    }
+
+    /// Speed in the direction of the deflection, in parts of the least one that counts.
+    fn outward_speed(&self) -> f64 {
+        self.velocity * self.bristle_deflection.sign() / MOVED
+    }
+
+    /// Motion of the contact after an event. The limits lie between those of the indicator.
+    fn settled(&self) -> Phase {
+        let slides_on = |direction: f64| direction * self.velocity > 0.0;
+        let breaks = self.stretch() >= 1.0 + 0.5 * REACHED && self.outward_speed() > 0.5 * PASSED;
+        match Phase::of(self.bond).direction() {
+            _ if unloading::is_unloaded(self.normal_force) => Phase::Held,
+            Some(direction) if slides_on(direction) => Phase::sliding(direction),
+            None if breaks || self.bond().is_free() && self.moves_on() => Phase::sliding(self.velocity),
+            _ => Phase::Held,
+        }
+    }
+
     /// Stretches the bond, up to z_m; the rest of the distance is sliding.
-    fn stretch(&mut self, direction: f64, distance: f64) {
+    fn pull(&mut self, direction: f64, distance: f64) {
         let before = self.deflection();
         let bonded = distance.min(self.limit() - direction * before);
         self.bristle_deflection = before + direction * bonded;
@@ -262,6 +323,7 @@ impl Model for ResetIntegrator {
     }
 
     fn step(&mut self, dt: f64) {
+        self.bond = Phase::Free.number();
         let direction = self.velocity.sign();
         let distance = self.velocity.abs() * dt;
         if self.coulomb() <= 0.0 {
@@ -269,11 +331,12 @@ impl Model for ResetIntegrator {
         } else if self.is_sliding() {
             self.slide(direction, distance);
         } else if direction != 0.0 {
-            self.stretch(direction, distance);
+            self.pull(direction, distance);
         }
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        self.bond = Phase::Free.number();
         let begin = ramp::Inputs::of(self);
         let motion = Motion {
             acceleration: slope.velocity,
@@ -288,11 +351,25 @@ impl Model for ResetIntegrator {
         }
     }
 
-    fn rate(&self, rate: &mut Self) {
-        if self.coulomb() > 0.0 && !self.is_sliding() {
-            rate.bristle_deflection = self.velocity;
-        }
-        rate.dissipated_energy = self.force() * self.velocity;
+    const EVENT_INDICATORS: usize = 2;
+
+    const PIECEWISE_LINEAR: bool = true;
+
+    fn event_indicators(&self, indicators: &mut [f64]) {
+        let change = match Phase::of(self.bond).direction() {
+            None => (1.0 + REACHED - self.stretch()).max(PASSED - self.outward_speed()),
+            Some(direction) => direction * self.velocity / MOVED + PASSED,
+        };
+        indicators.copy_from_slice(&[change, unloading::load(self.normal_force)]);
+    }
+
+    fn at_event(&mut self) {
+        let deflection = self.deflection();
+        self.bond = self.settled().number();
+        let direction = Phase::of(self.bond).direction();
+        self.slip_direction = direction.unwrap_or(0.0);
+        let is_released = unloading::is_unloaded(self.normal_force);
+        self.bristle_deflection = if is_released { 0.0 } else { direction.map_or(deflection, |to| to * self.limit()) };
     }
 }
 

@@ -17,12 +17,12 @@ crate::choices! {
 }
 
 impl Phase {
-    pub(super) fn sliding(direction: f64) -> Phase {
+    pub(crate) fn sliding(direction: f64) -> Phase {
         if direction < 0.0 { Phase::Backward } else { Phase::Forward }
     }
 
     /// Direction of sliding, if an event has found the contact sliding.
-    pub(super) fn direction(self) -> Option<f64> {
+    pub(crate) fn direction(self) -> Option<f64> {
         match self {
             Phase::Forward => Some(1.0),
             Phase::Backward => Some(-1.0),
@@ -43,19 +43,19 @@ impl<T: Real> PhaseColumn<T> {
 
     /// Whether the velocity determines the motion.
     #[inline(always)]
-    pub(super) fn is_free(self) -> T::Mask {
+    pub(crate) fn is_free(self) -> T::Mask {
         !(self.is(Phase::Held) | self.slides())
     }
 
     /// Whether an event has found the contact sliding.
     #[inline(always)]
-    pub(super) fn slides(self) -> T::Mask {
+    pub(crate) fn slides(self) -> T::Mask {
         self.is(Phase::Forward) | self.is(Phase::Backward)
     }
 
     /// Direction of a contact that an event has found sliding.
     #[inline(always)]
-    pub(super) fn direction(self) -> T {
+    pub(crate) fn direction(self) -> T {
         choose!(self.is(Phase::Forward), T::from(1.0), T::from(-1.0))
     }
 }
@@ -77,13 +77,13 @@ pub(super) fn resting<T: Real>(phase: PhaseColumn<T>, external_force: T, level: 
 }
 
 /// Speed above which something else moves a held body, such as a prescribed velocity (chosen).
-const MOVED: f64 = 1e-6;
+pub(crate) const MOVED: f64 = 1e-6;
 
 /// Part of it by which a body coming to rest must have passed zero velocity (chosen), so that no event lies at a zero.
-const PASSED: f64 = 1e-6;
+pub(crate) const PASSED: f64 = 1e-6;
 
 /// Part of the level by which the external force must exceed it, or fall below it (chosen).
-pub(super) const REACHED: f64 = 1e-12;
+pub(crate) const REACHED: f64 = 1e-12;
 
 impl Rest {
     /// Remaining force up to the level in a direction, in parts of the larger of force and level.
