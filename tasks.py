@@ -542,7 +542,7 @@ def identified() -> None:
 
 @task("3 to 6 minutes")
 def formats() -> None:
-    """MDF 4 and MAT 5 files against asammdf and scipy, channel by channel, and damaged files."""
+    """MDF 4 and MAT files against asammdf and scipy, channel by channel, and damaged files."""
     need_rust()
     folder = ROOT / "target" / "formats"
     if not (folder / "venv").exists():

@@ -3,11 +3,14 @@
 import json
 import math
 import re
+import subprocess
+from pathlib import Path
 
 import mujoco
 import numpy
 import pandas
 import pytest
+import scipy.io
 import stribeck
 from command_line import program
 
@@ -237,3 +240,28 @@ def test_identify_keeps_records_apart(slid, tmp_path):
     ]:
         with pytest.raises(stribeck.Refused, match=re.escape(text)):
             stribeck.identify(records, hold_out=hold_out, **CHEAP)
+
+
+def test_files_of_matlab_are_read_or_refused_in_one_line():
+    """Files with which scipy tests itself; none is a record. `tasks.py formats` compares their numbers."""
+    files = sorted((Path(scipy.io.__file__).parent / "matlab" / "tests" / "data").glob("*.mat"))
+    assert len(files) > 100
+    for file in files:
+        with pytest.raises(subprocess.CalledProcessError) as refused:
+            program("damper", file)
+        [line] = refused.value.stderr.splitlines()
+        assert file.name in line
+        try:
+            variables = scipy.io.whosmat(file)
+        except Exception:  # What scipy does not read is damaged, of version 7.3, or has a name that is not ASCII.
+            assert re.search(
+                r": (byte \d+: |the file is MAT 7\.3|the file has no vectors; it has \S+ \(1 x 1\)$)", line
+            )
+            continue
+        vectors = {
+            name
+            for name, shape, kind in variables
+            if kind in ("double", "logical") and len(shape) == 2 and min(shape) == 1 < max(shape)
+        }
+        for name in vectors - {"testcomplex", "testsparsecomplex"}:
+            assert re.search(rf"there are .*\b{name}\b", line), line

@@ -30,6 +30,11 @@ use units::{OF_SIGNALS, QUANTITIES};
 
 /// Largest file that is read, in bytes (chosen: some ten million rows).
 const LARGEST: u64 = 1 << 30;
+/// Most rows of a binary file, and most cells, of which short channels leave some empty (chosen: those of such a text).
+#[cfg_attr(not(any(feature = "mdf", feature = "mat")), allow(dead_code, reason = "for binary files"))]
+const MOST_ROWS: usize = 1 << 24;
+#[cfg_attr(not(any(feature = "mdf", feature = "mat")), allow(dead_code, reason = "for binary files"))]
+const MOST_CELLS: usize = 1 << 27;
 
 /// Heading of a column.
 #[derive(Debug)]
@@ -125,14 +130,21 @@ impl Sheet {
 
     /// A table of channels.
     #[cfg_attr(not(any(feature = "mdf", feature = "mat")), allow(dead_code, reason = "for binary files"))]
-    fn of_channels(channels: Vec<Channel>) -> Sheet {
+    fn of_channels(channels: Vec<Channel>) -> Result<Sheet, String> {
         let count = channels.iter().map(|(_, _, values)| values.len()).max().unwrap_or(0);
+        if count > MOST_ROWS || count.saturating_mul(channels.len()) > MOST_CELLS {
+            let columns = channels.len();
+            return Err(format!(
+                "{columns} channels of up to {count} values, must be at most {MOST_ROWS} values, and {MOST_CELLS} cells \
+                 of a table: export fewer"
+            ));
+        }
         let cell = |values: &Vec<f64>, row: usize| values.get(row).map_or(String::new(), f64::to_string);
         let row = |row: usize| channels.iter().map(|(_, _, values)| cell(values, row)).collect();
         let rows = (0..count).map(row).collect();
         let unit = |unit: String| if NO_UNIT.contains(&unit.trim()) { String::new() } else { unit };
         let headings = channels.into_iter().map(|(name, of, _)| Heading::new(&name, &unit(of))).collect();
-        Sheet { headings, ..Sheet::under([].into_iter(), rows, ',') }
+        Ok(Sheet { headings, ..Sheet::under([].into_iter(), rows, ',') })
     }
 
     /// Whether it has a column.
@@ -241,7 +253,8 @@ impl Sheet {
         let mut names: Vec<String> = self.headings.iter().map(Heading::shown).collect();
         names.retain(|name| !name.is_empty());
         let found = if names.is_empty() { "no columns".to_owned() } else { names.join(", ") };
-        let hint = self.headings.iter().find_map(|heading| unit_in_name(&heading.own, name)).unwrap_or_default();
+        let hint = self.headings.iter().find_map(|heading| unit_in_name(&heading.own, name));
+        let hint = hint.or_else(|| self.note.as_ref().map(|note| format!("; {note}"))).unwrap_or_default();
         SheetError::Column { wanted: name.to_owned(), found, hint }
     }
 

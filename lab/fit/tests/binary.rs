@@ -5,7 +5,7 @@ use std::panic;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use stribeck_fit::sheet::{Quantity, Sheet, SheetError, tables};
+use stribeck_fit::sheet::{Quantity, Sheet, SheetError, table, tables};
 
 /// Any unit: values as they are in the file.
 const PLAIN: Quantity = Quantity {
@@ -53,6 +53,37 @@ fn channels_are_those_of_the_python_programs() {
     }
     assert_eq!(channels, 3 * 6 + 2 * 6);
     println!("figure: MDF 4 and MAT 5: {channels} channels equal to those of asammdf and scipy, to the last bit");
+}
+
+/// Files of MATLAB 4 to 8, with which scipy tests itself: the vectors that scipy finds in them and no others, or a reason
+/// in one line.
+#[test]
+fn files_of_matlab_are_read_as_scipy_does() {
+    let folder = folder().join("matlab");
+    let all = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path());
+    let (mut files, mut channels) = (0, 0);
+    for path in all.filter(|path| path.extension().is_some_and(|extension| extension == "mat")) {
+        files += 1;
+        let wanted = folder.join(format!("{}-0.csv", path.file_name().unwrap().display()));
+        if !wanted.exists() {
+            let reason = tables(&path).unwrap_err().to_string();
+            assert!(!reason.contains('\n'), "{reason}");
+            continue;
+        }
+        let [wanted, found] = [&wanted, &path].map(|path| table(path).unwrap());
+        assert_eq!(found.names().collect::<Vec<_>>(), wanted.names().collect::<Vec<_>>(), "{}", path.display());
+        for name in wanted.names() {
+            channels += 1;
+            // Lines of a text are counted from its heading. Vectors that are shorter than others end before them.
+            let values = |table: &Sheet, heading: u64| match table.column_named(name, &PLAIN) {
+                Err(SheetError::Number { line, text, .. }) => format!("'{text}' after {} values", line - heading - 1),
+                other => format!("{:?}", other.map_err(|error| error.to_string())),
+            };
+            assert_eq!(values(&found, 0), values(&wanted, 1), "{} {name}", path.display());
+        }
+    }
+    assert!(files > 100 && channels > 30, "{files} files, {channels} channels");
+    println!("figure: files of MATLAB 4 to 8: {channels} channels of {files} files equal to those of scipy");
 }
 
 /// Cut or overwritten files are refused, or read in part; they never stop the program, and nothing is printed for them.

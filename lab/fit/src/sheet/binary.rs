@@ -1,5 +1,5 @@
-//! Tables of files of any format: text, MDF 4 (feature `mdf`), MAT 5 (feature `mat`), spreadsheets (feature
-//! `spreadsheet`).
+//! Tables of files of any format: text, MDF 4 (feature `mdf`), MAT 4 and 5 (feature `mat`), spreadsheets
+//! (feature `spreadsheet`).
 
 use std::path::Path;
 
@@ -7,8 +7,8 @@ use super::guard::refused;
 use super::{Sheet, SheetError};
 
 /// The tables of a file, one for each group of channels with a clock of its own; of a text file there is one. The format
-/// is that of the extension: `.mf4` and `.mdf` are MDF 4, `.mat` is MAT 5, `.xlsx`, `.xlsm` and `.ods` are spreadsheets,
-/// everything else is text.
+/// is that of the extension: `.mf4` and `.mdf` are MDF 4, `.mat` is MAT 4 or 5, `.xlsx`, `.xlsm` and `.ods` are
+/// spreadsheets, everything else is text.
 pub fn tables(path: &Path) -> Result<Vec<Sheet>, SheetError> {
     let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     match extension.as_str() {
@@ -88,5 +88,5 @@ fn mdf(path: &Path) -> Result<Vec<Sheet>, SheetError> {
     if groups.is_empty() {
         return Err(refused(path, "the file has no channels"));
     }
-    Ok(groups.into_values().map(Sheet::of_channels).collect())
+    groups.into_values().map(|group| Sheet::of_channels(group).map_err(|why| refused(path, why))).collect()
 }

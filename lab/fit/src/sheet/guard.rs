@@ -10,7 +10,7 @@ pub(super) fn refused(path: &Path, why: impl std::fmt::Display) -> SheetError {
 }
 
 /// The outcome of a function that may panic, without the report that Rust prints for a panic; None if it did.
-#[cfg(any(feature = "mat", feature = "spreadsheet"))]
+#[cfg(feature = "spreadsheet")]
 pub(super) fn silently<T>(read: impl FnOnce() -> T + std::panic::UnwindSafe) -> Option<T> {
     use std::cell::Cell;
     use std::panic::{catch_unwind, set_hook, take_hook};

@@ -1,270 +1,227 @@
-//! Tables of MAT 5 files.
+//! Tables of MAT files, of version 4 and 5.
+
+mod elements;
+mod value;
+mod version_4;
 
 use std::collections::HashMap;
 use std::path::Path;
 
-use matrw::{MatVariable, MatlabType};
+use value::{Array, Value};
 
-use super::guard::{refused, silently};
+use super::guard::refused;
 use super::{Channel, Sheet, SheetError};
 
-/// The vectors of a MAT file and of the structures in it, as one table; vectors of other lengths end with empty cells.
-/// Units are those that a structure gives for names: tyre machines write `channel`, with the cells `name` and `units`.
-/// Scalars, matrices, complex numbers and texts are left out.
+/// The vectors of a MAT file and of the structures and cells in it, as one table; vectors of other lengths end with empty
+/// cells. Units are those that a structure gives for names: tyre machines write `channel`, with the cells `name` and
+/// `units`. Scalars, matrices and texts are left out; a note says so of complex numbers and objects.
 pub(super) fn read(path: &Path) -> Result<Vec<Sheet>, SheetError> {
     super::not_too_large(path)?;
     let bytes = std::fs::read(path).map_err(|error| refused(path, error))?;
-    // The reader counts on some lengths being what they should be.
-    let parsed = silently(|| variables(&bytes)).ok_or_else(|| refused(path, "the file is damaged"))?;
     let mut found = Found::default();
-    for (name, variable) in parsed.map_err(|why| refused(path, why))? {
-        found.add(name, variable).map_err(|why| refused(path, why))?;
+    for (name, value) in variables(&bytes).map_err(|why| refused(path, why))? {
+        let place = Place { name: name.clone(), path: name };
+        found.add(place, value).map_err(|why| refused(path, why))?;
     }
-    if found.channels.is_empty() {
-        return Err(refused(path, "the file has no vectors"));
+    if found.vectors.is_empty() {
+        return Err(refused(path, format_args!("the file has no vectors{}", found.others())));
     }
-    Ok(vec![Sheet::of_channels(found.named())])
+    let sheet = found.channels().and_then(Sheet::of_channels).map_err(|why| refused(path, why))?;
+    Ok(vec![Sheet { note: found.note(), ..sheet }])
+}
+
+/// The variables of a file, by their names.
+fn variables(bytes: &[u8]) -> Result<Vec<(String, Value)>, String> {
+    // HDF5 begins with this, after a header of 512 bytes in files of MATLAB.
+    if [0, 512].iter().any(|at| bytes.get(*at..).is_some_and(|rest| rest.starts_with(b"\x89HDF\r\n"))) {
+        return Err("the file is MAT 7.3, which is HDF5: save it in MATLAB with -v7".to_owned());
+    }
+    let found = if let Some(is_big) = elements::is_big(bytes) {
+        elements::variables(bytes, is_big)
+    } else if let Some(is_big) = version_4::is_big(bytes) {
+        version_4::variables(bytes, is_big)
+    } else {
+        return Err("the file is not MAT 4 or 5 (save it in MATLAB with -v7)".to_owned());
+    };
+    found.map_err(|damage| damage.to_string())
 }
 
 /// Fields of a structure with the names, the units and the values of its channels.
-const NAMES: [&str; 2] = ["name", "names"];
+const NAMES: [&str; 3] = ["name", "names", "label"];
 const UNITS: [&str; 2] = ["unit", "units"];
 const VALUES: [&str; 3] = ["data", "value", "values"];
 
-/// Vectors with their names, and units by names.
+/// Most values that are named in a message.
+const MOST_NAMED: usize = 8;
+
+/// Where a value is: the name of its variable or field, and with those of the structures around it.
+#[derive(Clone)]
+struct Place {
+    name: String,
+    path: String,
+}
+
+impl Place {
+    fn field(&self, name: &str) -> Place {
+        Place { name: name.to_owned(), path: format!("{}.{name}", self.path) }
+    }
+
+    /// An element of several, counted as MATLAB does.
+    fn element(&self, brackets: [char; 2], number: usize) -> Place {
+        let [open, close] = brackets;
+        let [name, path] = [&self.name, &self.path].map(|name| format!("{name}{open}{number}{close}"));
+        Place { name, path }
+    }
+}
+
+/// Vectors with their places, units, and what is neither.
 #[derive(Default)]
 struct Found {
-    channels: Vec<(String, Vec<f64>)>,
+    vectors: Vec<(Place, Vec<f64>)>,
+    /// Units by the places of channels in the structure that gives them, and by their names alone.
     units: HashMap<String, String>,
+    units_of_names: HashMap<String, Vec<String>>,
+    /// Places and kinds of other values, and whether a user may miss them.
+    others: Vec<(String, String, bool)>,
 }
 
 impl Found {
-    fn named(mut self) -> Vec<Channel> {
-        let mut channel = |(name, values): (String, Vec<f64>)| {
-            let unit = self.units.remove(&name).unwrap_or_default();
-            (name, unit, values)
+    /// The vectors by their names, or by their places if several have the same name.
+    fn channels(&mut self) -> Result<Vec<Channel>, String> {
+        let mut counts: HashMap<String, usize> = HashMap::new();
+        for (place, _) in &self.vectors {
+            *counts.entry(place.name.to_lowercase()).or_default() += 1;
+        }
+        let vectors = std::mem::take(&mut self.vectors);
+        let channel = |(place, values): (Place, Vec<f64>)| {
+            let unit = self.unit(&place)?;
+            let is_alone = counts[&place.name.to_lowercase()] == 1;
+            Ok((if is_alone { place.name } else { place.path }, unit, values))
         };
-        self.channels.into_iter().map(&mut channel).collect()
+        vectors.into_iter().map(channel).collect()
     }
 
-    fn add(&mut self, name: String, variable: MatVariable) -> Result<(), String> {
-        match variable {
-            MatVariable::Structure(one) => self.add_structure(&name, one.value.into_iter().collect()),
-            MatVariable::StructureArray(all) => all.value.into_iter().try_for_each(|one| self.add(name.clone(), one)),
-            other => {
-                self.channels.extend(vector(other).map(|values| (name, values)));
-                Ok(())
-            }
+    /// The unit of a vector: that of its structure, or the one that another structure gives for its name.
+    fn unit(&self, place: &Place) -> Result<String, String> {
+        if let Some(unit) = self.units.get(&place.path) {
+            return Ok(unit.clone());
         }
+        match self.units_of_names.get(&place.name).map_or(&[][..], Vec::as_slice) {
+            [] => Ok(String::new()),
+            [unit, others @ ..] if others.iter().all(|other| other == unit) => Ok(unit.clone()),
+            all => Err(format!("{}: the file gives several units, {}", place.path, few(all))),
+        }
+    }
+
+    fn others(&self) -> String {
+        let all: Vec<String> = self.others.iter().map(|(path, kind, _)| format!("{path} ({kind})")).collect();
+        if all.is_empty() { String::new() } else { format!("; it has {}", few(&all)) }
+    }
+
+    fn note(&self) -> Option<String> {
+        let missed = self.others.iter().filter(|(_, _, is_missed)| *is_missed);
+        let missed: Vec<String> = missed.map(|(path, kind, _)| format!("{path} ({kind})")).collect();
+        (!missed.is_empty()).then(|| format!("not read: {}", few(&missed)))
+    }
+
+    fn add(&mut self, place: Place, value: Value) -> Result<(), String> {
+        match value {
+            Value::Structures(mut all) if all.len() == 1 => self.add_structure(&place, all.remove(0))?,
+            Value::Structures(all) => {
+                (1..)
+                    .zip(all)
+                    .try_for_each(|(number, one)| self.add_structure(&place.element(['(', ')'], number), one))?;
+            }
+            Value::Cells(all) => {
+                (1..).zip(all).try_for_each(|(number, one)| self.add(place.element(['{', '}'], number), one))?;
+            }
+            Value::Numbers(array) => {
+                let kind = dimensions(&array);
+                match array.into_vector() {
+                    Some(values) => self.vectors.push((place, values)),
+                    None => self.others.push((place.path, kind, false)),
+                }
+            }
+            Value::Texts(_) => self.others.push((place.path, "text".to_owned(), false)),
+            Value::Other(kind) => self.others.push((place.path, kind.to_owned(), true)),
+        }
+        Ok(())
     }
 
     /// Adds the channels of a structure, whose fields are vectors or the cells that give names, units and values.
-    fn add_structure(&mut self, structure: &str, fields: Vec<(String, MatVariable)>) -> Result<(), String> {
-        let texts_of = |wanted: &[&str]| -> Vec<String> {
-            let cells = fields.iter().filter(|(field, _)| is_one(field, wanted));
-            cells.flat_map(|(_, cells)| texts(cells)).collect()
-        };
-        let (names, units) = (texts_of(&NAMES), texts_of(&UNITS));
+    fn add_structure(&mut self, place: &Place, fields: Vec<(String, Value)>) -> Result<(), String> {
+        let (names, units) = (texts_of(&fields, &NAMES), texts_of(&fields, &UNITS));
         if !units.is_empty() && names.len() != units.len() {
-            return Err(format!("{structure}: {} names, {} units; must be as many", names.len(), units.len()));
+            let (path, names, units) = (&place.path, names.len(), units.len());
+            return Err(format!("{path}: {names} names, {units} units; must be as many"));
         }
-        self.units.extend(names.iter().cloned().zip(units));
-        for (field, variable) in fields {
-            if is_one(&field, &VALUES) && !names.is_empty() {
-                let all = vectors(variable, names.len());
-                let all = all.ok_or_else(|| format!("{structure}.{field}: must have a vector for each name"))?;
-                self.channels.extend(names.iter().cloned().zip(all));
-            } else if !is_one(&field, &NAMES) && !is_one(&field, &UNITS) {
-                self.channels.extend(vector(variable).map(|values| (field, values)));
+        for (name, unit) in names.iter().zip(units) {
+            self.units.insert(place.field(name).path, unit.clone());
+            self.units_of_names.entry(name.clone()).or_default().push(unit);
+        }
+        for (field, value) in fields {
+            let inner = place.field(&field);
+            let has_texts = is_one(&field, &NAMES) || is_one(&field, &UNITS);
+            if is_one(&field, &VALUES) && !names.is_empty() && !matches!(value, Value::Structures(_)) {
+                self.add_values(place, inner, &names, value);
+            } else if !has_texts || !matches!(value, Value::Texts(_) | Value::Cells(_)) {
+                self.add(inner, value)?;
             }
         }
         Ok(())
     }
+
+    /// Adds the values of channels whose names are given.
+    fn add_values(&mut self, place: &Place, inner: Place, names: &[String], value: Value) {
+        match vectors(value, names.len()) {
+            Some(all) => self.vectors.extend(names.iter().map(|name| place.field(name)).zip(all)),
+            None => self.others.push((inner.path, format!("not a vector for each of {} names", names.len()), true)),
+        }
+    }
+}
+
+/// The first of some texts, and how many more there are.
+fn few(all: &[String]) -> String {
+    let more = all.len().saturating_sub(MOST_NAMED);
+    let shown = all[..all.len() - more].join(", ");
+    if more == 0 { shown } else { format!("{shown} and {more} more") }
+}
+
+fn dimensions(array: &Array) -> String {
+    let lengths: Vec<String> = array.dimensions.iter().map(usize::to_string).collect();
+    lengths.join(" x ")
 }
 
 fn is_one(field: &str, wanted: &[&str]) -> bool {
     wanted.iter().any(|known| known.eq_ignore_ascii_case(field))
 }
 
-/// The texts of a cell array, or one text.
-fn texts(variable: &MatVariable) -> Vec<String> {
-    match variable {
-        MatVariable::CellArray(cells) => cells.value.iter().map(|cell| text(cell).unwrap_or_default()).collect(),
-        other => text(other).into_iter().collect(),
-    }
+/// The texts of the fields of these names.
+fn texts_of(fields: &[(String, Value)], wanted: &[&str]) -> Vec<String> {
+    fields.iter().filter(|(field, _)| is_one(field, wanted)).flat_map(|(_, value)| texts(value)).collect()
 }
 
-fn text(variable: &MatVariable) -> Option<String> {
-    match variable.numeric_type()? {
-        MatlabType::UTF8(letters) | MatlabType::UTF16(letters) => Some(letters.iter().collect()),
-        _ => None,
+/// The texts of a cell array, or of the rows of an array of characters.
+fn texts(value: &Value) -> Vec<String> {
+    match value {
+        Value::Cells(cells) => cells.iter().map(|cell| texts(cell).join(" ")).collect(),
+        Value::Texts(texts) => texts.iter().filter(|text| !text.is_empty()).cloned().collect(),
+        _ => Vec::new(),
     }
 }
 
 /// As many vectors as there are names: those of a cell array, the columns of a matrix, or one vector.
-fn vectors(variable: MatVariable, count: usize) -> Option<Vec<Vec<f64>>> {
-    match variable {
-        MatVariable::CellArray(cells) if cells.value.len() == count => cells.value.into_iter().map(vector).collect(),
-        MatVariable::NumericArray(array) if count > 1 && array.dim.last() == Some(&count) && array.dim.len() == 2 => {
-            let rows = array.dim[0].max(1);
-            Some(numbers(array)?.chunks(rows).map(<[f64]>::to_vec).collect())
+fn vectors(value: Value, count: usize) -> Option<Vec<Vec<f64>>> {
+    let one = |value: Value| if let Value::Numbers(array) = value { array.into_vector() } else { None };
+    match value {
+        Value::Cells(cells) if cells.len() == count => cells.into_iter().map(one).collect(),
+        Value::Numbers(array) if count > 1 && array.dimensions.len() == 2 && array.dimensions[1] == count => {
+            let rows = array.dimensions[0].max(1);
+            Some(array.values.chunks(rows).map(<[f64]>::to_vec).collect())
         }
-        other => vector(other).filter(|_| count == 1).map(|values| vec![values]),
+        other => one(other).filter(|_| count == 1).map(|values| vec![values]),
     }
-}
-
-/// The numbers of a variable, if it is a real vector.
-fn vector(variable: MatVariable) -> Option<Vec<f64>> {
-    let MatVariable::NumericArray(array) = variable else { return None };
-    let longest = array.dim.iter().copied().max().unwrap_or(0);
-    if longest < 2 || array.dim.iter().product::<usize>() != longest {
-        return None;
-    }
-    numbers(array)
-}
-
-/// The numbers of an array, if it is real.
-fn numbers(array: matrw::NumericArray) -> Option<Vec<f64>> {
-    if array.value_cmp.is_some() {
-        return None;
-    }
-    macro_rules! numbers {
-        ($($kind:ident),+) => {
-            match array.value {
-                MatlabType::F64(values) => Some(values),
-                $(MatlabType::$kind(values) => Some(values.into_iter().map(f64::from).collect()),)+
-                MatlabType::U64(values) => Some(values.into_iter().map(|value| value as f64).collect()),
-                MatlabType::I64(values) => Some(values.into_iter().map(|value| value as f64).collect()),
-                MatlabType::BOOL(values) => Some(values.into_iter().map(|value| f64::from(u8::from(value))).collect()),
-                MatlabType::UTF8(_) | MatlabType::UTF16(_) => None,
-            }
-        };
-    }
-    numbers!(U8, I8, U16, I16, U32, I32, F32)
-}
-
-/// The variables of a MAT 5 file. Of its header only the kind and the order of bytes count: programs other than MATLAB,
-/// such as scipy, write texts into it that the reader would refuse.
-fn variables(bytes: &[u8]) -> Result<matrw::MatFile, String> {
-    use binrw::{BinRead, Endian};
-    use matrw::parser::{header::HEADER_SIZE, v7::matfile7::MatFile7};
-
-    if bytes.starts_with(b"MATLAB 7.3 MAT-file") || bytes.starts_with(b"\x89HDF\r\n") {
-        return Err("the file is MAT 7.3, which is HDF5: save it in MATLAB with -v7".to_owned());
-    }
-    if !bytes.starts_with(b"MATLAB 5.0 MAT-file") || bytes.len() < HEADER_SIZE {
-        return Err("the file is not MAT 5 (save it in MATLAB with -v7)".to_owned());
-    }
-    let (endian, number): (Endian, fn([u8; 8]) -> u64) = match &bytes[HEADER_SIZE - 2..HEADER_SIZE] {
-        b"IM" => (Endian::Little, u64::from_le_bytes),
-        b"MI" => (Endian::Big, u64::from_be_bytes),
-        _ => return Err("the header of the file does not give its byte order".to_owned()),
-    };
-    // What belongs to objects comes last; files without it have spaces or zeros here.
-    let objects = bytes[HEADER_SIZE - 12..HEADER_SIZE - 4].try_into().map_or(0, number);
-    let end = usize::try_from(objects).ok().filter(|end| (HEADER_SIZE..bytes.len()).contains(end));
-    let mut data = std::io::Cursor::new(&bytes[HEADER_SIZE..end.unwrap_or(bytes.len())]);
-    let file = MatFile7::read_options(&mut data, endian, ()).map_err(|error| error.root_cause().to_string())?;
-    Ok(file.into())
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::sheet::{DISPLACEMENT, FORCE, TIME};
-
-    /// An element of a file: kind, length, bytes, up to a multiple of eight.
-    fn element(kind: u32, bytes: &[u8]) -> Vec<u8> {
-        let mut all = [kind.to_le_bytes(), (bytes.len() as u32).to_le_bytes()].concat();
-        all.extend(bytes);
-        all.resize(all.len().next_multiple_of(8), 0);
-        all
-    }
-
-    /// A variable of a class, with its dimensions and what the class has after its name.
-    fn variable(class: u8, name: &str, dimensions: [u32; 2], rest: &[Vec<u8>]) -> Vec<u8> {
-        let dimensions = dimensions.map(u32::to_le_bytes).concat();
-        let head = [element(6, &[class, 0, 0, 0, 0, 0, 0, 0]), element(5, &dimensions), element(1, name.as_bytes())];
-        element(14, &[head.concat(), rest.concat()].concat())
-    }
-
-    fn matrix(name: &str, columns: &[&[f64]]) -> Vec<u8> {
-        let bytes: Vec<u8> = columns.concat().iter().flat_map(|value| value.to_le_bytes()).collect();
-        variable(6, name, [columns[0].len() as u32, columns.len() as u32], &[element(9, &bytes)])
-    }
-
-    fn cells(name: &str, texts: &[&str]) -> Vec<u8> {
-        let text = |text: &&str| {
-            let letters: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
-            variable(4, "", [1, text.len() as u32], &[element(17, &letters)])
-        };
-        variable(1, name, [1, texts.len() as u32], &texts.iter().map(text).collect::<Vec<_>>())
-    }
-
-    fn structure(name: &str, fields: &[(&str, Vec<u8>)]) -> Vec<u8> {
-        let padded = |(field, _): &(&str, Vec<u8>)| {
-            let mut bytes = field.as_bytes().to_vec();
-            bytes.resize(32, 0);
-            bytes
-        };
-        let names: Vec<u8> = fields.iter().flat_map(padded).collect();
-        let values: Vec<u8> = fields.iter().flat_map(|(_, value)| value.clone()).collect();
-        // The length of the names is a small element.
-        let length = [[5, 0, 4, 0], 32u32.to_le_bytes()].concat();
-        variable(2, name, [1, 1], &[length, element(1, &names), values])
-    }
-
-    fn loaded(header: &str, variables: &[Vec<u8>]) -> Result<Sheet, String> {
-        let file = tempfile::NamedTempFile::with_suffix(".mat").unwrap();
-        let mut bytes = format!("{header:<124}").into_bytes();
-        bytes.extend([0, 1, b'I', b'M']);
-        bytes.extend(variables.concat());
-        std::fs::write(file.path(), bytes).unwrap();
-        crate::sheet::table(file.path()).map_err(|error| error.to_string())
-    }
-
-    const PLAIN: &str = "MATLAB 5.0 MAT-file, Platform: PCWIN64";
-
-    /// As tyre machines write it: vectors, and their units in a structure.
-    #[test]
-    fn units_come_from_the_structure_of_the_channels() {
-        let fields = [("name", cells("", &["time", "force", "SR"])), ("units", cells("", &["ms", "kN", "none"]))];
-        let vectors = [matrix("time", &[&[1.0, 2.0]]), matrix("force", &[&[3.0, 4.0]]), matrix("SR", &[&[5.0, 6.0]])];
-        let all = [&vectors[..], &[structure("channel", &fields)]].concat();
-        let sheet = loaded(PLAIN, &all).unwrap();
-        assert_eq!(sheet.column(&TIME).unwrap(), Some(vec![1e-3, 2e-3]));
-        assert_eq!(sheet.column(&FORCE).unwrap(), Some(vec![3e3, 4e3]));
-        assert_eq!(sheet.unit("SR"), Some(""));
-    }
-
-    /// Vectors as fields, as the columns of a matrix, and one structure for each channel.
-    #[test]
-    fn vectors_may_be_in_the_structure() {
-        let head = || vec![("name", cells("", &["time", "force"])), ("units", cells("", &["ms", "kN"]))];
-        let with = |more: Vec<(&'static str, Vec<u8>)>| structure("channel", &[head(), more].concat());
-        let fields = with(vec![("time", matrix("", &[&[1.0, 2.0]])), ("force", matrix("", &[&[3.0, 4.0]]))]);
-        let data = with(vec![("data", matrix("", &[&[1.0, 2.0], &[3.0, 4.0]]))]);
-        for one in [fields, data] {
-            let sheet = loaded(PLAIN, &[one, matrix("displacement", &[&[7.0, 8.0]])]).unwrap();
-            assert_eq!(sheet.column(&TIME).unwrap(), Some(vec![1e-3, 2e-3]));
-            assert_eq!(sheet.column(&FORCE).unwrap(), Some(vec![3e3, 4e3]));
-            assert_eq!(sheet.column(&DISPLACEMENT).unwrap(), Some(vec![7.0, 8.0]));
-        }
-    }
-
-    #[test]
-    fn what_cannot_be_read_is_refused_with_a_way_out() {
-        let hdf5 = "MATLAB 7.3 MAT-file, Platform: PCWIN64";
-        assert!(
-            loaded(hdf5, &[]).unwrap_err().ends_with("the file is MAT 7.3, which is HDF5: save it in MATLAB with -v7")
-        );
-        let uneven = structure("channel", &[("name", cells("", &["a", "b"])), ("units", cells("", &["s"]))]);
-        let error = loaded(PLAIN, &[uneven]).unwrap_err();
-        assert!(error.ends_with("channel: 2 names, 1 units; must be as many"), "{error}");
-        let short =
-            structure("channel", &[("name", cells("", &["a"])), ("data", matrix("", &[&[1.0, 2.0], &[3.0, 4.0]]))]);
-        let error = loaded(PLAIN, &[short]).unwrap_err();
-        assert!(error.ends_with("channel.data: must have a vector for each name"), "{error}");
-        assert!(loaded(PLAIN, &[]).unwrap_err().ends_with("the file has no vectors"));
-    }
-}
+mod tests;
