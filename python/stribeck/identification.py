@@ -28,7 +28,8 @@ class Columns(Protocol):
 
 Record: TypeAlias = str | os.PathLike[str] | Mapping[str, ArrayLike] | Columns
 """A table of a rig: a file, or what has arrays in SI units (a dict, a data frame) by the names `time`, `force`,
-`displacement` or `velocity`, and perhaps `normal_force`, which may be a single number."""
+`displacement` or `velocity`, and perhaps `normal_force`, which may be a single number. Names may have other units, those
+of a joint too: `force [N m]`, `displacement [deg]`."""
 
 
 @dataclass(frozen=True)
@@ -55,11 +56,11 @@ class Fit:
 
     law: str
     rms: float
-    """RMS residual, N."""
+    """RMS residual, N, or N m for a joint."""
     noise: float
-    """The same without outliers, if the loss is robust, N."""
+    """The same without outliers, if the loss is robust."""
     validation: dict[str, float]
-    """RMS residual in each validation record, N."""
+    """RMS residual in each validation record."""
     delta_bic: float
     """Criterion (BIC) above that of the best law."""
     tied: bool
@@ -79,6 +80,8 @@ class Identification:
         found = json.loads(text)
         self.fits = [_fit(one) for one in found["laws"]]
         """The fits."""
+        self.units: dict[str, str] = found["units"]
+        """Units of `force`, `displacement` and `velocity`: those of a joint if a column has one, as in `force [N m]`."""
         self.refused: dict[str, str] = {one["law"]: one["reason"] for one in found["refused"]}
         """Laws that cannot be fitted, with the reason."""
         self.findings: dict[str, list[str]] = found["findings"]
@@ -96,7 +99,7 @@ class Identification:
 
     def __repr__(self) -> str:
         best = self.best
-        lines = [f"{best.law}: RMS residual {best.rms:.4g} N"]
+        lines = [f"{best.law}: RMS residual {best.rms:.4g} {self.units['force']}"]
         lines += [f"  {one.name}: {one.text}" for one in best.estimates.values()]
         lines += [f"  warning: {warning}" for warning in best.warnings]
         lines += [f"  {fit.law}: ΔBIC {fit.delta_bic:.1f}" for fit in self.fits[1:]]

@@ -26,7 +26,6 @@ const RIG: Record<string, string> = {
   faults: "false",
 };
 
-const FORCE: Label = { name: "Friction force", unit: "N" };
 
 interface Data {
   name: string;
@@ -318,9 +317,10 @@ export class FitView {
     const bar = h("progress", { "aria-label": "Fitting" });
     this.progress.replaceChildren(bar, status);
     this.mark(true);
+    const of = unitText(this.measured.quality.units.force);
     const report = (rms?: number) => {
       const seconds = ((performance.now() - begin) / 1000).toFixed(0);
-      const so = rms === undefined ? "" : `, RMS residual ${short(rms)} N so far`;
+      const so = rms === undefined ? "" : `, RMS residual ${short(rms)} ${of} so far`;
       const doing = this.isEnding ? "Ending with the best so far:" : "Fitting";
       status.textContent = `${doing} ${state.laws.join(", ")} for ${seconds} s${so}`;
     };
@@ -361,13 +361,15 @@ export class FitView {
     const curves: Curve[] = [{ name: "measured", x, y: force, law: 0 }];
     const explained = this.fitted?.arrays[isCycle ? 1 : 0];
     if (explained) curves.push({ name: `${this.fitted!.answer.best} fitted`, x, y: explained, law: 1 });
+    const { units } = quality;
     const labels: Record<string, Label> = {
       time: { name: "Time", unit: "s" },
-      velocity: { name: "Velocity", unit: "m/s" },
-      displacement: { name: "Displacement", unit: "m" },
+      velocity: { name: "Velocity", unit: units.velocity },
+      displacement: { name: "Displacement", unit: units.displacement },
     };
     const of = isCycle ? `, mean of ${quality.cycles} cycles` : "";
-    return { title: `Friction force over ${across}${of}`, x: labels[across]!, y: FORCE, curves, hasLegend: true };
+    const y: Label = { name: "Friction force", unit: units.force };
+    return { title: `Friction force over ${across}${of}`, x: labels[across]!, y, curves, hasLegend: true };
   }
 
   private showWorth(): void {
@@ -376,12 +378,13 @@ export class FitView {
       return;
     }
     const { quality: q } = this.measured;
+    const speed = unitText(q.units.velocity);
     const facts: [string, string][] = [
       ["Samples", `${q.samples} over ${short(q.duration)} s, every ${short(q.interval)} s${q.gaps > 0 ? `, ${q.gaps} gaps` : ""}`],
       ["Reversals", `${q.reversals}, ${short(q.slow)} slow samples at each`],
-      ["Fastest", `${short(q.fastest)} m/s`],
-      ["Noise of the force", `${short(q.noise)} N`],
-      ["Velocity", q.differentiated ? `from the displacement, known to ${short(q.velocity_error)} m/s around rest` : "measured"],
+      ["Fastest", `${short(q.fastest)} ${speed}`],
+      ["Noise of the force", `${short(q.noise)} ${unitText(q.units.force)}`],
+      ["Velocity", q.differentiated ? `from the displacement, known to ${short(q.velocity_error)} ${speed} around rest` : "measured"],
     ];
     if (q.delay !== 0) facts.push(["Delay of the motion", `${short(q.delay)} s`]);
     const rows = facts.map(([name, text]) => h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, text)));
@@ -400,9 +403,10 @@ export class FitView {
     }
     const { ranking, level, early } = fitted.answer;
     const [best] = ranking.laws;
+    const of = unitText(ranking.units.force);
     if (!best) return;
     this.outcome.replaceChildren(
-      h("h2", {}, `${best.law}: RMS residual ${short(best.rms)} N of ${short(level)} N`),
+      h("h2", {}, `${best.law}: RMS residual ${short(best.rms)} ${of} of ${short(level)} ${of}`),
       early === null ? "" : h("p", { class: "note" }, early),
       this.estimates(best, data?.truth),
       h("ul", { class: "findings" }, ...best.warnings.map((text) => h("li", {}, text))),
@@ -480,10 +484,11 @@ function files({ table, motion }: Data): Record<string, string> {
 }
 
 /** The laws, the best first. */
-function places({ laws, refused }: Fitted["ranking"]): HTMLElement {
+function places({ units, laws, refused }: Fitted["ranking"]): HTMLElement {
   const note = ({ repeatable, tied }: FittedLaw, at: number) =>
     !repeatable ? "the searches did not agree" : tied && at > 0 ? "cannot be distinguished from the first" : "";
-  const rows = laws.map((law, at) => [law.law, `${short(law.rms)} N`, law.delta_bic.toFixed(1), note(law, at)]);
+  const of = unitText(units.force);
+  const rows = laws.map((law, at) => [law.law, `${short(law.rms)} ${of}`, law.delta_bic.toFixed(1), note(law, at)]);
   const head = ["Law", "RMS residual", "ΔBIC", "Note"];
   const all = [...rows, ...refused.map(({ law, reason }) => [law, "", "", reason])];
   const row = ([name, ...cells]: string[]) => h("tr", {}, h("th", { scope: "row" }, name), ...cells.map((cell) => h("td", {}, cell)));

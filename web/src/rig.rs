@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::{Deserialize, Serialize};
 use stribeck_fit::identify::{self, EARLY, Inquiry, Source, Watch};
-use stribeck_fit::measured::average;
+use stribeck_fit::measured::{Units, average};
 use stribeck_fit::rig::{Faults, VirtualRig};
 use stribeck_fit::sheet::{Sheet, SheetError};
 use stribeck_solve::job::{self, Entry};
@@ -60,6 +60,7 @@ pub struct Files {
 /// Quality of a record.
 #[derive(Debug, Serialize, TS)]
 pub struct Quality {
+    units: Units,
     samples: usize,
     duration: f64,
     interval: f64,
@@ -122,6 +123,7 @@ pub fn quality(asked: &Asked, files: &Texts) -> Result<Answer, Fault> {
     let cycle = average(&record);
     let quality = &record.quality;
     let answer = Quality {
+        units: record.movement.units(),
         samples: quality.samples,
         duration: quality.duration,
         interval: quality.interval,
@@ -147,7 +149,7 @@ pub fn quality(asked: &Asked, files: &Texts) -> Result<Answer, Fault> {
     Ok(Answer::with(answer, arrays))
 }
 
-/// Fits laws; `progress` gets the RMS residual so far, in N, and returns whether to end the search.
+/// Fits laws; `progress` gets the RMS residual so far, in N or N m, and returns whether to end the search.
 pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)) -> Result<Answer, Fault> {
     let inquiry = asked.inquiry()?;
     let data = inquiry.data(files)?;

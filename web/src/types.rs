@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use stribeck_fit::identify;
+use stribeck_fit::{identify, measured};
 use stribeck_solve::{job, run};
 use ts_rs::{Config, TS};
 
@@ -71,6 +71,7 @@ fn answers() -> String {
         strokes::Loop,
         rig::Files,
         rig::Quality,
+        measured::Units,
         rig::Fitted,
         identify::Answer,
         identify::FittedLaw,

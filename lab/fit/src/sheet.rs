@@ -23,10 +23,11 @@ use std::path::Path;
 pub use binary::{table, tables};
 pub use error::SheetError;
 use time_stamp::Stamp;
+use units::QUANTITIES;
 pub use units::{
-    ANGLE, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, PRESSURE, Quantity, SLIP, TEMPERATURE, TIME, VELOCITY,
+    ANGLE, ANGULAR_VELOCITY, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, PRESSURE, Quantity, SLIP, TEMPERATURE, TIME,
+    VELOCITY,
 };
-use units::{OF_SIGNALS, QUANTITIES};
 
 /// Largest file that is read, in bytes (chosen: some ten million rows).
 const LARGEST: u64 = 1 << 30;
@@ -169,6 +170,11 @@ impl Sheet {
         self.headings.iter().find(|heading| heading.is(name)).map(|heading| heading.unit.as_str())
     }
 
+    /// Name of a column in the file, whatever it was renamed.
+    pub fn own_name<'a>(&'a self, name: &'a str) -> &'a str {
+        self.headings.iter().find(|heading| heading.is(name)).map_or(name, |heading| heading.own.as_str())
+    }
+
     /// What is to be known of how it was read.
     pub fn note(&self) -> Option<&str> {
         self.note.as_deref()
@@ -187,12 +193,12 @@ impl Sheet {
     }
 
     /// Multiplies the column of a quantity, if it is there, by a factor: its SI values, or its numbers if they have the
-    /// unit of a signal, such as volts or newton metres.
-    pub fn scale(&mut self, quantity: &Quantity, factor: f64) {
+    /// unit of a signal, such as volts, or of one of some quantities.
+    pub fn scale(&mut self, quantity: &Quantity, signals: &[&Quantity], factor: f64) {
         for Heading { name, unit, .. } in &mut self.headings {
             let has = |known: &Quantity| known.units.iter().any(|known| known.0 == unit);
-            let is_known = QUANTITIES.iter().any(|known| has(known)) && !OF_SIGNALS.iter().any(|known| has(known));
-            if name.eq_ignore_ascii_case(quantity.name) && !is_known {
+            let is_signal = !QUANTITIES.iter().any(|known| has(known)) || signals.iter().any(|known| has(known));
+            if name.eq_ignore_ascii_case(quantity.name) && is_signal && !has(quantity) {
                 unit.clear();
             }
         }

@@ -141,7 +141,7 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
 }
 
 fn search(inquiry: &Inquiry, data: &Data) -> Result<Ranking, Failure> {
-    let bar = Best::new();
+    let bar = Best::new(data.experiments.first().map_or("", |one| one.movement.unit("N")));
     let watch = Watch { cancel: &CANCELLED, progress: &|rms, _| bar.reached(rms) };
     let ranking = inquiry.fits(data, &mut |law| bar.begin(law.name), watch)?;
     bar.finish();
@@ -175,7 +175,8 @@ fn tell(arguments: &Arguments, facts: &Identification, data: &Data) -> Result<En
 /// RMS residuals of the reference values and of the fit, with the warnings of the former.
 fn beside(known: &Fit, fit: &Fit) -> String {
     let [rms, least] = [known, fit].map(|one| digits(one.residuals.rms));
-    let mut text = format!("reference: RMS residual {rms} N, that of the fit {least} N\n");
+    let unit = fit.movement.unit("N");
+    let mut text = format!("reference: RMS residual {rms} {unit}, that of the fit {least} {unit}\n");
     known.warnings.iter().for_each(|warning| text += &format!("reference: {warning}\n"));
     text
 }
@@ -192,8 +193,11 @@ fn worth(name: &str, record: &Record) -> String {
     let Quality { samples, duration, reversals, fastest, noise, findings, .. } = &record.quality;
     let plural = if *reversals == 1 { "" } else { "s" };
     let mut text = format!(
-        "{name}: {samples} samples over {duration:.3} s, {reversals} reversal{plural}, up to {fastest:.4} m/s; noise \
-         of the force {noise:.3e} N\n"
+        "{name}: {samples} samples over {duration:.3} s, {reversals} reversal{plural}, up to {fastest:.4} {}; noise \
+         of the {} {noise:.3e} {}\n",
+        record.movement.unit("m/s"),
+        record.movement.force(),
+        record.movement.unit("N")
     );
     text += &prepared(record);
     findings.iter().for_each(|finding| text += &format!("  {finding}\n"));
@@ -214,8 +218,10 @@ fn prepared(record: &Record) -> String {
     if record.is_differentiated {
         text += &format!(
             "  velocity differentiated from the displacement, window {window:.4} s, error near rest \
-             {velocity_error:.1e} m/s; acceleration, window {acceleration_window:.4} s, error \
-             {acceleration_error:.1e} m/s2\n"
+             {velocity_error:.1e} {}; acceleration, window {acceleration_window:.4} s, error \
+             {acceleration_error:.1e} {}\n",
+            record.movement.unit("m/s"),
+            record.movement.unit("m/s2")
         );
     }
     if clocks.deviation > 0.0 {
@@ -233,7 +239,7 @@ fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Setting
     let task = Settings { budget: CHECK.min(task.budget), profiles: false, repetitions: 0, ..task.clone() };
     let is_ended = || CANCELLED.load(std::sync::atomic::Ordering::Relaxed);
     for law in laws.iter().filter(|_| !is_ended()) {
-        let bar = Best::new();
+        let bar = Best::new(experiments.first().map_or("", |one| one.movement.unit("N")));
         bar.begin(law.name);
         let found = fit(law, experiments, &task, Watch { cancel: &CANCELLED, progress: &|rms, _| bar.reached(rms) })?;
         bar.finish();
@@ -271,13 +277,14 @@ fn table(ranking: &Ranking) -> String {
 }
 
 fn row(fit: &Fit, rank: &Rank, place: usize) -> String {
+    let unit = fit.movement.unit("N");
     format!(
-        "  {:<20} {:>10.3e} N {:>10} {:>8.1}{}{}\n",
+        "  {:<20} {:>10.3e} {unit} {:>10} {:>8.1}{}{}\n",
         fit.law.name,
         fit.residuals.rms,
         fit.parameters(),
         rank.delta_bic,
-        worst(&fit.validation).map_or(String::new(), |rms| format!("  {rms:>12.3e} N")),
+        worst(&fit.validation).map_or(String::new(), |rms| format!("  {rms:>12.3e} {unit}")),
         identification::note(fit, rank, place).map_or(String::new(), |note| format!("  {note}"))
     )
 }

@@ -81,16 +81,18 @@ impl Rows {
 pub struct Best {
     bar: ProgressBar,
     best: std::sync::Mutex<f64>,
+    /// Its unit.
+    unit: &'static str,
 }
 
 impl Best {
     /// A bar before the first search.
-    pub fn new() -> Best {
+    pub fn new(unit: &'static str) -> Best {
         let bar = ProgressBar::new_spinner();
         if let Ok(style) = ProgressStyle::with_template("{prefix}: {pos} generations, {msg}, {elapsed}") {
             bar.set_style(style);
         }
-        Best { bar, best: f64::INFINITY.into() }
+        Best { bar, best: f64::INFINITY.into(), unit }
     }
 
     /// Starts the search of a law.
@@ -104,7 +106,7 @@ impl Best {
     pub fn reached(&self, rms: f64) {
         let mut best = self.best.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         *best = best.min(rms);
-        self.bar.set_message(format!("RMS residual {:.4e} N", *best));
+        self.bar.set_message(format!("RMS residual {:.4e} {}", *best, self.unit));
         self.bar.inc(1);
     }
 

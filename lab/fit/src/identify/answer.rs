@@ -7,11 +7,14 @@ use ts_rs::TS;
 
 use super::output::{EARLY, text_of};
 use super::{Data, Estimate, Fit, Rank, Ranking, Searches, Verdict};
+use crate::measured::Units;
 
 /// Laws fitted to records.
 #[derive(Clone, Debug, Serialize, TS)]
 #[ts(rename = "Ranking")]
 pub struct Answer {
+    /// The units of the records.
+    pub units: Units,
     /// The laws, the best first.
     pub laws: Vec<FittedLaw>,
     /// Laws that cannot be fitted.
@@ -39,11 +42,11 @@ pub struct FittedLaw {
     pub delta_bic: f64,
     /// Whether it cannot be told apart from the best law.
     pub tied: bool,
-    /// RMS residual, N.
+    /// RMS residual, in the unit of a force or torque.
     pub rms: f64,
-    /// The same without outliers, N.
+    /// The same without outliers.
     pub noise: f64,
-    /// RMS residual in each validation record, N.
+    /// RMS residual in each validation record.
     #[ts(type = "Record<string, number>")]
     pub validation: BTreeMap<String, f64>,
     /// Number of samples.
@@ -102,6 +105,7 @@ impl Answer {
         });
         let refused = ranking.refused.iter().map(|(law, reason)| RefusedLaw { law, reason: reason.clone() });
         Answer {
+            units: ranking.best().movement.units(),
             laws: ranking.ranks.iter().map(|place| law(&ranking.fits[place.fit], place)).collect(),
             refused: refused.collect(),
             findings: findings.collect(),

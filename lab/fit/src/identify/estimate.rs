@@ -137,7 +137,8 @@ impl Optimum<'_> {
 
     fn estimate(&self, number: usize, value: f64, intervals: &Intervals) -> Estimate {
         let parameter = &self.problem.parameters[number];
-        let Parameter { name, unit, target, meaning, .. } = parameter.clone();
+        let Parameter { name, target, meaning, .. } = parameter.clone();
+        let unit = self.problem.movement().unit(parameter.unit);
         let deviation = self.trust.standard_deviations[number];
         let verdict = self.trust.verdicts[number].clone();
         let profile = (intervals.has_profiles && verdict.is_informative()).then(|| self.profile(number));

@@ -3,12 +3,15 @@
 use std::borrow::Cow;
 use std::path::{Component, Path};
 
-use crate::measured::{MatchedFilter, Record};
+use crate::measured::{MatchedFilter, Movement, Record};
 use stribeck_solve::system::Fault;
 
-/// A run of a rig: the motion and the load that the law is led through, and the force it shall give.
+/// A run of a rig: the motion and the load that the law is led through, and the force it shall give; of a joint, angles and
+/// torques in N m and rad.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Experiment {
+    /// Whether the body slides or turns.
+    pub movement: Movement,
     /// Its name.
     pub name: String,
     /// Time, s.
@@ -89,6 +92,7 @@ impl Experiment {
         let reach = 0.5 * record.window.max(record.acceleration_window);
         let [first, last] = record.motion_ends;
         let all = Experiment {
+            movement: record.movement,
             name: name.to_owned(),
             time: record.time.clone(),
             velocity: record.velocity.clone(),
@@ -156,7 +160,8 @@ impl Experiment {
     /// of them for a speed of 0.
     pub fn without_rest(self, rest: f64) -> Result<Experiment, Fault> {
         if !(rest >= 0.0 && rest.is_finite()) {
-            return Err(Fault::value(format_args!("rest = {rest}: must be >= 0 and finite, in m/s")));
+            let unit = self.movement.unit("m/s");
+            return Err(Fault::value(format_args!("rest = {rest}: must be >= 0 and finite, in {unit}")));
         }
         let rest = if rest > 0.0 { Rest { speed: rest, reach: self.reach, ..self.rest } } else { Rest::default() };
         Ok(self.without(rest))

@@ -8,6 +8,7 @@ use stribeck_solve::system::Fault;
 use toml::{Table, Value};
 
 use super::{Experiment, Fit};
+use crate::measured::Movement;
 
 /// A format of another program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,6 +74,7 @@ struct Joint {
     values: BTreeMap<String, f64>,
     /// Parameters that the data do not determine.
     open: Vec<String>,
+    movement: Movement,
     load: f64,
     mass: f64,
     lost: Vec<String>,
@@ -87,18 +89,19 @@ impl Joint {
         let loads: Vec<f64> = experiments.iter().flat_map(|one| one.normal_force.iter().copied()).collect();
         let load = loads.iter().sum::<f64>() / loads.len().max(1) as f64;
         let [mass, offset] = [fit.physical.mass, fit.physical.offset];
-        let mut lost = Vec::new();
+        let (mut lost, movement) = (Vec::new(), fit.movement);
+        let unit = movement.unit("N");
         if let Some([least, most]) = ends(&loads).filter(|[least, most]| most - least > SAME * most) {
-            lost.push(format!("the normal force of {least} to {most} N"));
+            lost.push(format!("the normal force of {least} to {most} {unit}"));
         }
         if offset != 0.0 {
-            lost.push(format!("offset = {offset} N"));
+            lost.push(format!("offset = {offset} {unit}"));
         }
         if mass == 0.0 {
-            lost.push("the mass, which is not known: 1 kg".to_owned());
+            lost.push(format!("the {}, which is not known: 1 {}", movement.inertia(), movement.unit("kg")));
         }
         let open = fit.undetermined().map(str::to_owned).collect();
-        Joint { law: fit.law, values, open, load, mass: if mass > 0.0 { mass } else { 1.0 }, lost }
+        Joint { law: fit.law, values, open, movement, load, mass: if mass > 0.0 { mass } else { 1.0 }, lost }
     }
 
     fn name(&self, meaning: Meaning) -> Option<String> {
@@ -118,7 +121,7 @@ impl Joint {
         self.values[name]
     }
 
-    /// The level of friction in N, and the viscous coefficient in N.s/m.
+    /// The level of friction in N, and the viscous coefficient in N.s/m; of a joint in N.m and N.m.s/rad.
     fn level_and_damping(&mut self) -> Result<[f64; 2], Fault> {
         let law = self.law.name;
         let no_level = || Fault::value(format_args!("{law} has no kinetic level, which the file needs"));
@@ -183,12 +186,18 @@ impl Joint {
             }
         };
         let (comment, mass) = (self.comment(), self.mass);
+        let (kind, body) = match self.movement {
+            Movement::Translation => ("slide", format!(r#"geom type="sphere" size="{RADIUS}" mass="{mass:?}""#)),
+            Movement::Rotation => {
+                ("hinge", format!(r#"inertial pos="0 0 0" mass="1" diaginertia="{mass:?} {mass:?} {mass:?}""#))
+            }
+        };
         let text = format!(
             r#"{comment}<mujoco model="friction">
   <worldbody>
     <body name="slider">
-      <joint name="contact" type="slide" axis="1 0 0"{joint}/>
-      <geom type="sphere" size="{RADIUS}" mass="{mass:?}"/>
+      <joint name="contact" type="{kind}" axis="1 0 0"{joint}/>
+      <{body}/>
     </body>
   </worldbody>
 {actuator}</mujoco>
@@ -200,7 +209,11 @@ impl Joint {
     fn urdf(mut self) -> Result<Exported, Fault> {
         let [level, damping] = self.level_and_damping()?;
         self.lost.push("the limits of the joint, which are not known: examples".to_owned());
-        let (comment, mass, inertia) = (self.comment(), self.mass, 0.4 * self.mass * RADIUS * RADIUS);
+        let comment = self.comment();
+        let (kind, mass, inertia) = match self.movement {
+            Movement::Translation => ("prismatic", self.mass, 0.4 * self.mass * RADIUS * RADIUS),
+            Movement::Rotation => ("revolute", 1.0, self.mass),
+        };
         let text = format!(
             r#"<?xml version="1.0"?>
 {comment}<robot name="friction">
@@ -211,7 +224,7 @@ impl Joint {
       <inertia ixx="{inertia:?}" ixy="0" ixz="0" iyy="{inertia:?}" iyz="0" izz="{inertia:?}"/>
     </inertial>
   </link>
-  <joint name="contact" type="prismatic">
+  <joint name="contact" type="{kind}">
     <parent link="base"/>
     <child link="slider"/>
     <axis xyz="1 0 0"/>
@@ -228,9 +241,10 @@ impl Joint {
         let lost = if self.lost.is_empty() { "nothing".to_owned() } else { self.lost.join("; ") };
         // Two hyphens would end a comment.
         format!(
-            "<!-- {} at {} N, in SI units. Not carried over: {} -->\n",
+            "<!-- {} at {} {}, in SI units. Not carried over: {} -->\n",
             self.law.name,
             self.load,
+            self.movement.unit("N"),
             lost.replace("--", "-")
         )
     }

@@ -25,6 +25,8 @@ mod inquiry;
 #[cfg(test)]
 mod inquiry_tests;
 mod interval;
+#[cfg(test)]
+mod joint_tests;
 mod least_squares;
 mod loss;
 mod output;
@@ -68,6 +70,7 @@ pub use strut::{StrutFriction, strut_friction};
 pub use uncertainty::{DETERMINED, Residuals, Verdict, digits, digits_within};
 pub use validation::{Validation, held_out};
 
+use crate::measured::Movement;
 use interval::Optimum;
 use loss::Loss;
 use parameter::{OF_RIG, refused};
@@ -96,7 +99,7 @@ pub struct Settings {
     pub profiles: bool,
     /// Number of repetitions with blocks of residuals; 0 for none.
     pub repetitions: usize,
-    /// Mass between load cell and contact, kg, unless it is fitted.
+    /// Mass between load cell and contact, kg, or moment of inertia, kg m2, unless it is fitted.
     pub mass: f64,
     /// Whether outliers count less than by their squares.
     pub is_robust: bool,
@@ -146,7 +149,7 @@ pub struct Fit {
     pub residuals: Residuals,
     /// Number of samples.
     pub samples: usize,
-    /// Largest force, N.
+    /// Largest force, N, or torque, N m.
     pub level: f64,
     /// Evaluations of the law.
     pub evaluations: u64,
@@ -164,6 +167,8 @@ pub struct Fit {
     pub physical: Physical,
     /// The columns of the law among them that were held.
     pub held: Vec<(usize, f64)>,
+    /// Whether the body slides or turns.
+    pub movement: Movement,
     /// Normal force of an axis, N, whose coefficient of friction is a force if that is 1 N.
     pub axis_load: Option<f64>,
     /// Parts into which the intervals between samples were divided.
@@ -428,7 +433,22 @@ fn check(experiments: &[Experiment], task: &Settings) -> Result<(), Fault> {
     if task.folds > 0 {
         check_folds(task.folds, experiments.len())?;
     }
+    check_movements(experiments)?;
     experiments.iter().try_for_each(Experiment::check)
+}
+
+/// Refuses experiments of bodies that slide together with those of bodies that turn.
+fn check_movements(experiments: &[Experiment]) -> Result<(), Fault> {
+    let text = |one: &Experiment| format!("{} in {}", one.name, one.movement.unit("N"));
+    let first = &experiments[0];
+    match experiments.iter().find(|other| other.movement != first.movement) {
+        Some(other) => Err(Fault::value(format_args!(
+            "{} and {}: one body slides, the other turns: fit them one at a time",
+            text(first),
+            text(other)
+        ))),
+        None => Ok(()),
+    }
 }
 
 fn too_few(samples: usize, experiments: &[Experiment], parameters: usize, law: &ModelType) -> Fault {
@@ -606,6 +626,7 @@ fn as_is(problem: &Problem, at: &Found, residuals: Residuals) -> Result<Fit, Fau
         fitted: problem.experiments.iter().map(Experiment::fitted).collect(),
         physical,
         held: problem.held.clone(),
+        movement: problem.movement(),
         axis_load: axis::load(problem.experiments),
         parts: problem.parts,
         validation: Vec::new(),

@@ -11,7 +11,7 @@ use super::parameter::OF_RIG;
 use super::response::{Ports, forces};
 use super::uncertainty::{digits, digits_within};
 use super::{Estimate, Experiment, Fit, Searches, Verdict};
-use crate::measured::Record;
+use crate::measured::{Movement, Record};
 use stribeck_solve::run::Configuration;
 use stribeck_solve::system::Fault;
 
@@ -171,7 +171,14 @@ impl Fit {
     /// Tells what a coefficient of friction is if the normal force is only a unit.
     pub fn note(&self) -> Option<String> {
         let load = self.axis_load.filter(|load| *load == super::axis::NORMAL_FORCE)?;
-        Some(format!("at a normal force of {load} N a coefficient of friction, mu_k, is the friction force in N"))
+        Some(match self.movement {
+            Movement::Translation => {
+                format!("at a normal force of {load} N a coefficient of friction, mu_k, is the friction force in N")
+            }
+            Movement::Rotation => {
+                format!("at a load of {load} N.m a coefficient of friction, mu_k, is the friction torque in N.m")
+            }
+        })
     }
 
     /// Names of the parameters that have no number.
@@ -200,13 +207,14 @@ impl Fit {
     /// Law, residuals and effort.
     fn heading(&self) -> String {
         let (left, [rms, level]) = (&self.residuals, [self.residuals.rms, self.level].map(digits));
-        let mut text = format!("{}: RMS residual {rms} N of {level} N ", self.law.name);
+        let unit = self.movement.unit("N");
+        let mut text = format!("{}: RMS residual {rms} {unit} of {level} {unit} ", self.law.name);
         let _ = writeln!(text, "({} samples, correlation time {:.1} samples)", self.samples, left.correlation);
         if left.loss < left.rms {
-            let _ = writeln!(text, "robust loss: the noise without outliers is {} N", digits(left.noise));
+            let _ = writeln!(text, "robust loss: the noise without outliers is {} {unit}", digits(left.noise));
         }
         for one in &self.validation {
-            let _ = writeln!(text, "validation record {}: RMS residual {} N", one.name, digits(one.rms));
+            let _ = writeln!(text, "validation record {}: RMS residual {} {unit}", one.name, digits(one.rms));
         }
         if self.estimates.is_empty() {
             return text + "all parameters are held: nothing was fitted\n";

@@ -6,6 +6,7 @@ use stribeck::model::{Kind, Meaning, ModelType, Role, Variable};
 use stribeck::number::Real;
 
 use super::Experiment;
+use crate::measured::Movement;
 use stribeck_solve::system::Fault;
 
 /// Quantity that a parameter stands for.
@@ -69,7 +70,7 @@ impl Scale {
 pub struct Parameter {
     /// Name: that of the variable, or of the excess of a static level `mu_s - mu_k`, `mass`, `offset`, `delay`.
     pub name: String,
-    /// Unit.
+    /// Unit for a body that slides.
     pub unit: &'static str,
     /// Quantity that it stands for.
     pub target: Target,
@@ -135,9 +136,11 @@ impl Parameter {
 /// Magnitudes of the experiments, from which ranges follow.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Magnitudes {
+    movement: Movement,
     force: f64,
     load: f64,
     speed: f64,
+    acceleration: f64,
     travel: f64,
     interval: f64,
     duration: f64,
@@ -154,9 +157,11 @@ impl Magnitudes {
         let least = |f: &dyn Fn(&Experiment) -> f64| experiments.iter().map(f).fold(f64::INFINITY, f64::min);
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         Magnitudes {
+            movement: experiments.first().map_or(Movement::Translation, |one| one.movement),
             force: most(&|one| one.force.iter().fold(0.0, |most: f64, force| most.max(force.abs()))),
             load: least(&|one| mean(&one.normal_force)).max(f64::MIN_POSITIVE),
             speed: most(&|one| one.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()))),
+            acceleration: most(&|one| one.acceleration.iter().fold(0.0, |most: f64, a| most.max(a.abs()))),
             travel: most(&Experiment::travel),
             interval: least(&|one| one.duration() / (one.time.len() - 1) as f64),
             duration: most(&Experiment::duration),
@@ -164,9 +169,21 @@ impl Magnitudes {
         }
     }
 
+    /// Range and scale of a mass, of up to 10 t (chosen), or of a moment of inertia, which may be that of a watch or of a
+    /// crane: up to a hundred times what the largest torque would accelerate as in the experiments (chosen).
+    fn range_of_mass(&self) -> ([f64; 2], Scale) {
+        match self.movement {
+            Movement::Translation => ([0.0, 1e4], Scale::Mixed(1.0)),
+            Movement::Rotation => {
+                let small = 0.01 * self.force / self.acceleration;
+                ([0.0, 1e4 * small], Scale::Mixed(small))
+            }
+        }
+    }
+
     /// Range and scale of a variable, by its unit (chosen: wide enough for any contact that such data can show).
     fn range(&self, variable: &Variable, unit: &str) -> ([f64; 2], Scale) {
-        let Magnitudes { force, load, speed, travel, interval, duration, dissipated } = *self;
+        let Magnitudes { force, load, speed, travel, interval, duration, dissipated, .. } = *self;
         // Strokes within the pre-sliding displacement may start anywhere on the way to sliding.
         let yields = if dissipated < ELASTIC { 0.05 } else { 2.0 };
         let (range, scale) = match unit {
@@ -339,7 +356,8 @@ fn of_rig(experiments: &[Experiment], selection: &Selection, magnitudes: &Magnit
     };
     let mut list = Vec::new();
     if selection.fits("mass") {
-        list.push(one("mass", "kg", Target::Mass, [0.0, 1e4], Scale::Mixed(1.0)));
+        let (range, scale) = magnitudes.range_of_mass();
+        list.push(one("mass", "kg", Target::Mass, range, scale));
     }
     if selection.fits("offset") {
         let range = [-magnitudes.force, magnitudes.force];

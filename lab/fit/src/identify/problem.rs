@@ -12,6 +12,7 @@ use super::least_squares::LeastSquares;
 use super::loss::Loss;
 use super::parameter::{Parameter, Target};
 use super::response::{Exact, Ports, forces};
+use crate::measured::Movement;
 
 /// A law, the experiments it is fitted to, and the parameters.
 #[derive(Clone)]
@@ -96,6 +97,11 @@ impl Problem<'_> {
     pub fn doubt_of_mass(&self, parameter: &Parameter) -> f64 {
         let lost = self.experiments.iter().map(|one| one.acceleration_lost).fold(0.0, f64::max);
         if parameter.target == Target::Mass { DOUBTFUL * lost } else { 0.0 }
+    }
+
+    /// Whether the body slides or turns.
+    pub fn movement(&self) -> Movement {
+        self.experiments.first().map_or(Movement::Translation, |one| one.movement)
     }
 
     /// Number of samples that count.

@@ -13,8 +13,10 @@ use stribeck_solve::system::Fault;
 pub struct Validation {
     /// Its name.
     pub name: String,
-    /// RMS residual in it, N.
+    /// RMS residual in it, N or N m.
     pub rms: f64,
+    /// Its unit.
+    pub unit: &'static str,
     /// The same in the experiments that were fitted, N.
     pub fitted: f64,
 }
@@ -32,9 +34,12 @@ impl Validation {
     pub(super) fn warning(&self) -> Option<String> {
         self.is_worse().then(|| {
             format!(
-                "{}: the RMS residual is {:.3e} N in this validation record, {:.3e} N in those that were fitted: the \
+                "{}: the RMS residual is {:.3e} {unit} in this validation record, {:.3e} {unit} in those that were fitted: the \
                  law or its values do not hold there",
-                self.name, self.rms, self.fitted
+                self.name,
+                self.rms,
+                self.fitted,
+                unit = self.unit,
             )
         })
     }
@@ -59,7 +64,8 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Validation>
         }
         let square: f64 = counting.iter().map(|one| one * one).sum();
         let rms = (square / counting.len() as f64).sqrt();
-        Ok(Validation { name: name.clone(), rms, fitted: fit.residuals.rms })
+        let unit = experiment.movement.unit("N");
+        Ok(Validation { name: name.clone(), rms, unit, fitted: fit.residuals.rms })
     };
     experiments.iter().map(one).collect()
 }

@@ -87,10 +87,12 @@ fn relaxed(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
     let way: f64 = rest.map(step).sum();
     (way > RELAXED * yields).then(|| {
         format!(
-            "{}: noise of the velocity, {error:.1e} m/s, moves the resting contact to and fro by {way:.1e} m in all, with a \
-             pre-sliding displacement of {yields:.1e} m: its friction relaxes in the law although the rig held it; give \
+            "{}: noise of the velocity, {error:.1e} {}, moves the resting contact to and fro by {way:.1e} {length} in all, \
+             with a pre-sliding displacement of {yields:.1e} {length}: its friction relaxes in the law although the rig held it; give \
              the displacement instead of the velocity",
-            experiment.name
+            experiment.name,
+            experiment.movement.unit("m/s"),
+            length = experiment.movement.unit("m")
         )
     })
 }
@@ -105,9 +107,10 @@ fn blurred(problem: &Problem, experiment: &Experiment, estimates: &[Estimate]) -
     let damping = damping.map_or(String::new(), |one| format!(", {} gets no number", one.name));
     (error > BLURRED * speed).then(|| {
         format!(
-            "{}: the velocity around rest is known to {error:.1e} m/s only, with {} = {:.1e} m/s: the static level is \
-             found too low and {} too high{damping}; measure the velocity, or sample the motion faster",
-            experiment.name, name, speed, name
+            "{}: the velocity around rest is known to {error:.1e} {unit} only, with {name} = {speed:.1e} {unit}: the static \
+             level is found too low and {name} too high{damping}; measure the velocity, or sample the motion faster",
+            experiment.name,
+            unit = experiment.movement.unit("m/s")
         )
     })
 }

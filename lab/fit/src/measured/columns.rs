@@ -1,7 +1,7 @@
 //! Columns of records: their names in files, and factors for signals in other units.
 
-use super::{MeasuredError, Setup, units};
-use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
+use super::{MeasuredError, Movement, Setup, units};
+use crate::sheet::{DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
 /// Quantities of a record.
 const QUANTITIES: [&Quantity; 5] = [&TIME, &FORCE, &DISPLACEMENT, &VELOCITY, &NORMAL_FORCE];
@@ -16,6 +16,9 @@ fn others(quantity: &Quantity) -> &'static [&'static str] {
         _ => &["N", "Fn", "f_n", "Fz", "f_z"],
     }
 }
+
+/// Names that the torque of a joint may have.
+const TORQUES: [&str; 3] = ["torque", "tau", "moment"];
 
 /// Names of signals that are proportional to a force; they need a factor.
 const SIGNALS: [&str; 6] = ["u", "i", "vir", "voltage", "current", "torque"];
@@ -68,16 +71,19 @@ impl Columns {
         for table in &mut *motion {
             notes.extend(self.find(std::slice::from_mut(table), &TIME).map_err(MeasuredError::of_motion)?);
         }
-        notes.extend(self.find(record, &FORCE)?);
         let moving = if is_apart { &mut *motion } else { &mut *record };
-        notes.extend(self.find_motion(moving).map_err(|error| of_motion(error.into()))?);
+        let of_moving = self.find_motion(moving).map_err(|error| of_motion(error.into()))?;
+        notes.extend(self.find_torque(record, motion)?);
+        notes.extend(self.find(record, &FORCE)?);
+        notes.extend(of_moving);
+        let movement = self.movement(record, motion)?;
         if setup.normal_force.is_none() && !setup.is_axis {
             notes.extend(self.find(record, &NORMAL_FORCE)?);
         }
-        notes.extend(self.assumed_units(record, motion));
-        self.scale(record, motion);
+        notes.extend(self.assumed_units(record, motion, movement));
+        self.scale(record, motion, movement);
         for table in if is_apart { motion } else { record } {
-            notes.extend(units::motion(table).map_err(of_motion)?);
+            notes.extend(units::motion(table, movement).map_err(of_motion)?);
         }
         Ok(notes)
     }
@@ -93,12 +99,44 @@ impl Columns {
         Ok(())
     }
 
-    fn scale(&self, record: &mut [Sheet], motion: &mut [Sheet]) {
+    fn scale(&self, record: &mut [Sheet], motion: &mut [Sheet], movement: Movement) {
+        let signals = movement.signals();
         for (name, factor) in &self.factors {
-            for quantity in QUANTITIES.iter().filter(|quantity| quantity.name == name) {
-                record.iter_mut().chain(&mut *motion).for_each(|table| table.scale(quantity, *factor));
+            for quantity in QUANTITIES.into_iter().filter(|quantity| quantity.name == name) {
+                let quantity = movement.quantity(quantity);
+                record.iter_mut().chain(&mut *motion).for_each(|table| table.scale(quantity, &signals, *factor));
             }
         }
+    }
+
+    /// Whether a factor turns a signal into a quantity; one of -1 turns only its sign.
+    fn is_scaled(&self, quantity: &Quantity) -> bool {
+        self.factor(quantity).is_some_and(|factor| factor.abs() != 1.0)
+    }
+
+    /// Whether the body slides or turns, by the units of the columns that are no signals.
+    fn movement(&self, record: &[Sheet], motion: &[Sheet]) -> Result<Movement, MeasuredError> {
+        let [record, motion] = [record, motion].map(|tables| tables.iter().collect::<Vec<_>>());
+        Movement::of(&record, &motion, |quantity| !self.is_scaled(quantity))
+    }
+
+    /// Finds the torque of a joint: a column that is one by its unit, or by its name where the motion is that of a joint.
+    fn find_torque(&self, record: &mut [Sheet], motion: &[Sheet]) -> Result<Option<String>, MeasuredError> {
+        let has_force =
+            |table: &Sheet| table.has(FORCE.name) || table.names().any(|name| is_among(name, others(&FORCE)));
+        if self.factor(&FORCE).is_some() || record.iter().any(has_force) {
+            return Ok(None);
+        }
+        let turns = self.movement(record, motion)? == Movement::Rotation;
+        let is_torque = |table: &Sheet, name: &str| {
+            let unit = table.unit(name).unwrap_or_default();
+            is_among(name, &TORQUES) && (MOMENT.units.iter().any(|known| known.0 == unit) || turns && unit.is_empty())
+        };
+        let of = |table: &Sheet| -> Vec<String> {
+            table.names().filter(|name| is_torque(table, name)).map(str::to_owned).collect()
+        };
+        let candidates: Vec<String> = record.iter().flat_map(of).collect();
+        Ok(self.take(record, &FORCE, &candidates)?)
     }
 
     fn factor(&self, quantity: &Quantity) -> Option<f64> {
@@ -106,15 +144,14 @@ impl Columns {
     }
 
     /// A note on the quantities that have a unit neither in the file nor by a factor.
-    fn assumed_units(&self, record: &[Sheet], motion: &[Sheet]) -> Option<String> {
+    fn assumed_units(&self, record: &[Sheet], motion: &[Sheet], movement: Movement) -> Option<String> {
         let of_motion = if motion.is_empty() { record } else { motion };
-        let is_scaled = |quantity: &Quantity| self.factor(quantity).is_some_and(|factor| factor.abs() != 1.0);
-        let columns = QUANTITIES.iter().filter(|quantity| !is_scaled(quantity)).flat_map(|quantity| {
+        let columns = QUANTITIES.into_iter().filter(|quantity| !self.is_scaled(quantity)).flat_map(|quantity| {
             let has_time = quantity.name == TIME.name;
             let is_of_motion = has_time || [DISPLACEMENT.name, VELOCITY.name].contains(&quantity.name);
             let record = record.iter().filter(move |_| !is_of_motion || has_time);
             let motion = of_motion.iter().filter(move |_| is_of_motion);
-            record.chain(motion).map(move |table| (table, *quantity))
+            record.chain(motion).map(move |table| (table, movement.quantity(quantity)))
         });
         units::assumed(&columns.collect::<Vec<_>>())
     }
@@ -137,19 +174,28 @@ impl Columns {
             let all = tables.iter().flat_map(|table| table.names().filter(|name| is_among(name, names)));
             all.map(str::to_owned).collect()
         };
-        let factor = self.factor(quantity);
         let mut candidates = of(others(quantity));
         if quantity.name == FORCE.name && candidates.is_empty() {
             candidates = of(&SIGNALS);
-            if let ([column], None) = (candidates.as_slice(), factor) {
+            if let ([column], None) = (candidates.as_slice(), self.factor(quantity)) {
                 return Err(SheetError::NoFactor { column: column.clone() });
             }
         }
-        match candidates.as_slice() {
+        self.take(tables, quantity, &candidates)
+    }
+
+    /// Renames the only candidate for a quantity and returns a note.
+    fn take(
+        &self,
+        tables: &mut [Sheet],
+        quantity: &Quantity,
+        candidates: &[String],
+    ) -> Result<Option<String>, SheetError> {
+        match candidates {
             [] => Ok(None),
             [column] => {
                 tables.iter_mut().for_each(|table| table.rename(column, quantity.name));
-                let times = factor.map_or(String::new(), |factor| format!(", times {factor}"));
+                let times = self.factor(quantity).map_or(String::new(), |factor| format!(", times {factor}"));
                 Ok(Some(format!("column '{column}' was taken as {}{times}", quantity.name)))
             }
             _ => Err(SheetError::Ambiguous { wanted: quantity.name.to_owned(), candidates: candidates.join("', '") }),

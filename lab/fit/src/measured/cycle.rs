@@ -1,12 +1,14 @@
 //! The mean cycle of a periodic record.
 
-use super::Record;
 use super::statistics::extremes;
+use super::{Movement, Record};
 use crate::sheet::text;
 
 /// Mean of the cycles of a record, over equal parts of the period.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cycle {
+    /// Whether the body slides or turns.
+    pub movement: Movement,
     /// Number of cycles.
     pub count: usize,
     /// Mean period, s.
@@ -26,12 +28,13 @@ pub struct Cycle {
 impl Cycle {
     /// The cycle as a table, with units in the heading.
     pub fn csv(&self) -> csv::Result<String> {
+        let heading = |name, unit| self.movement.heading(name, unit);
         text(&[
             ("phase", &self.phase),
-            ("displacement [m]", &self.displacement),
-            ("velocity [m/s]", &self.velocity),
-            ("friction_force [N]", &self.friction_force),
-            ("standard_deviation [N]", &self.deviation),
+            (&heading("displacement", "m"), &self.displacement),
+            (&heading("velocity", "m/s"), &self.velocity),
+            (&heading("friction_force", "N"), &self.friction_force),
+            (&heading("standard_deviation", "N"), &self.deviation),
         ])
     }
 }
@@ -64,7 +67,8 @@ pub fn average(record: &Record) -> Option<Cycle> {
     let (friction_force, deviation) = statistics(&record.friction_force);
     let velocity = statistics(&record.velocity).0;
     let period = (starts[count] - starts[0]) / count as f64;
-    let cycle = Cycle { count, period, phase, displacement, velocity, friction_force, deviation };
+    let cycle =
+        Cycle { movement: record.movement, count, period, phase, displacement, velocity, friction_force, deviation };
     (f64::sqrt(variance) <= DIFFERENT * (high - low)).then_some(cycle)
 }
 

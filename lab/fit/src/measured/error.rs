@@ -60,12 +60,25 @@ pub enum MeasuredError {
         unit: &'static str,
     },
     /// A normal force is negative.
-    #[error("line {line}, normal_force: {value} N; must be >= 0")]
+    #[error("line {line}, normal_force: {value} {unit}; must be >= 0")]
     Load {
         /// Line of the file.
         line: u64,
         /// The value.
         value: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// One column is of a body that slides, another of one that turns.
+    #[error(
+        "{first} and {second}: one is of a body that slides, the other of one that turns; force, displacement and velocity \
+         must be in N, m and m/s, or in N.m, rad and rad/s, or such; --scale NAME=FACTOR turns one into the other"
+    )]
+    Mixture {
+        /// A column with its unit.
+        first: String,
+        /// The other one.
+        second: String,
     },
     /// No normal force is known.
     #[error("no column 'normal_force', and no value was given for it")]
@@ -117,18 +130,23 @@ pub enum MeasuredError {
     },
     /// Friction would drive the slider.
     #[error(
-        "friction gives {energy:.3e} J to the slider, at up to {fastest:.4} m/s: force and {motion} are positive in \
-         opposite directions, or a unit, or the mass of {mass} kg, is wrong"
+        "friction gives {energy:.3e} J to the body, at up to {fastest:.4} {}: force and {motion} are positive in \
+         opposite directions, or a unit, or the {} of {mass} {}, is wrong",
+        units[0], inertia, units[1]
     )]
     Drives {
         /// The energy, J.
         energy: f64,
-        /// Largest speed, m/s.
+        /// Largest speed, m/s or rad/s.
         fastest: f64,
         /// Measured quantity of the motion.
         motion: &'static str,
-        /// Mass between load cell and contact, kg.
+        /// Mass between load cell and contact, kg, or moment of inertia, kg m2.
         mass: f64,
+        /// What resists an acceleration.
+        inertia: &'static str,
+        /// Units of the speed, and of what resists an acceleration.
+        units: [&'static str; 2],
     },
 }
 

@@ -37,6 +37,7 @@
 use nalgebra::{SMatrix, SVector};
 use stribeck::number::Real;
 
+use super::Movement;
 use super::clock::{Clocks, range_around};
 use super::quality::{GAP, noise};
 use super::record::{MatchedFilter, Record};
@@ -135,7 +136,7 @@ impl<'a> Filter<'a> {
         averages.calibrate(&regression);
         let range = (self.tolerance > 0.0).then(|| range_around(self.record.clocks.delay, self.tolerance));
         let mut record = averages.record(self.record, mass, Delayed { delay, range }, best);
-        record.quality.findings.extend(regression.finding());
+        record.quality.findings.extend(regression.finding(self.record.movement));
         Some(record)
     }
 
@@ -374,8 +375,9 @@ impl Regression {
     }
 
     /// Warning about biased coefficients.
-    fn finding(&self) -> Option<String> {
-        let biased: Vec<String> = [(ACCELERATION, "the mass"), (VELOCITY, "viscous friction")]
+    fn finding(&self, movement: Movement) -> Option<String> {
+        let inertia = format!("the {}", movement.inertia());
+        let biased: Vec<String> = [(ACCELERATION, inertia.as_str()), (VELOCITY, "viscous friction")]
             .into_iter()
             .filter_map(|(term, name)| Some((name, self.relative_bias(term)?)))
             .filter(|(_, bias)| *bias > BIASED)

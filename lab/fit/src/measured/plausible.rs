@@ -17,7 +17,8 @@ pub(super) fn check(record: &Record, setup: &Setup) -> Result<(), MeasuredError>
     if energy < 0.0 {
         let motion = if record.is_differentiated { "displacement" } else { "velocity" };
         let (fastest, mass) = (record.quality.fastest, setup.mass);
-        return Err(MeasuredError::Drives { energy: -energy, fastest, motion, mass });
+        let (inertia, units) = (record.movement.inertia(), ["m/s", "kg"].map(|unit| record.movement.unit(unit)));
+        return Err(MeasuredError::Drives { energy: -energy, fastest, motion, mass, inertia, units });
     }
     Ok(())
 }

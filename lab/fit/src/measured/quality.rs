@@ -1,5 +1,6 @@
 //! Data quality of a record, before any fit.
 
+use super::Movement;
 use super::cycle::TURN;
 use super::record::{Gap, Quality, Record, Setup};
 use super::statistics::{extremes, median, reversals};
@@ -38,7 +39,7 @@ pub(super) fn quality(record: &Record, setup: &Setup) -> Quality {
         findings: Vec::new(),
     };
     // The normal force of an axis is only the unit of its friction.
-    let one_load = if setup.is_axis { None } else { one_load(quality.loads) };
+    let one_load = if setup.is_axis { None } else { one_load(quality.loads, record.movement) };
     let findings = [gap(&quality.gaps), saturation(quality.saturated), few_reversals(&quality), one_load];
     quality.findings = findings.into_iter().flatten().collect();
     quality
@@ -79,9 +80,11 @@ fn few_reversals(quality: &Quality) -> Option<String> {
     }
 }
 
-fn one_load([low, high]: [f64; 2]) -> Option<String> {
-    (high - low < ONE_LOAD * 0.5 * (high + low))
-        .then(|| format!("one normal force ({high} N): this record alone does not show how friction depends on it"))
+fn one_load([low, high]: [f64; 2], movement: Movement) -> Option<String> {
+    let unit = movement.unit("N");
+    (high - low < ONE_LOAD * 0.5 * (high + low)).then(|| {
+        format!("one normal force ({high} {unit}): this record alone does not show how friction depends on it")
+    })
 }
 
 /// Fraction of the samples with exactly the lowest or highest value, if it occurs more than once in a row.

@@ -1,7 +1,7 @@
 //! A record: force and motion on one clock, and the friction that follows from them.
 
-use super::MeasuredError;
 use super::clock::Clocks;
+use super::{MeasuredError, Movement};
 use crate::sheet::text;
 
 /// Properties of a measurement that its file does not have.
@@ -95,9 +95,12 @@ pub struct MatchedFilter {
     pub noise: f64,
 }
 
-/// Force and motion of a slider, on the clock of the force.
+/// Force and motion of a body, on the clock of the force. Units are those of one that slides; of one that turns it has
+/// torque, angle and their derivatives, in N m and rad.
 #[derive(Clone, Debug)]
 pub struct Record {
+    /// Whether the body slides or turns.
+    pub movement: Movement,
     /// Time, s.
     pub time: Vec<f64>,
     /// Force of the load cell, N.
@@ -157,14 +160,17 @@ impl Record {
 
     /// The record as a table, with units in the heading.
     pub fn csv(&self) -> csv::Result<String> {
-        text(&[
-            ("time [s]", &self.time),
-            ("force [N]", &self.force),
-            ("displacement [m]", &self.displacement),
-            ("velocity [m/s]", &self.velocity),
-            ("acceleration [m/s2]", &self.acceleration),
-            ("normal_force [N]", &self.normal_force),
-            ("friction_force [N]", &self.friction_force),
-        ])
+        let columns: [(&str, &'static str, &[f64]); 7] = [
+            ("time", "s", &self.time),
+            ("force", "N", &self.force),
+            ("displacement", "m", &self.displacement),
+            ("velocity", "m/s", &self.velocity),
+            ("acceleration", "m/s2", &self.acceleration),
+            ("normal_force", "N", &self.normal_force),
+            ("friction_force", "N", &self.friction_force),
+        ];
+        let headings = columns.map(|(name, unit, _)| self.movement.heading(name, unit));
+        let columns = headings.iter().zip(columns).map(|(heading, (.., values))| (heading.as_str(), values));
+        text(&columns.collect::<Vec<_>>())
     }
 }

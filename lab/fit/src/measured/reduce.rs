@@ -1,6 +1,5 @@
 //! From the tables of a rig to a record: checks, clocks, filters.
 
-use super::MeasuredError;
 use super::clock::{Clocks, Pair, range_around};
 use super::error::short;
 use super::matched_filter::{self, Filter};
@@ -11,6 +10,7 @@ use super::record::{Delay, Quality, Record, Setup};
 use super::statistics::{extremes, median};
 use super::stencil::derivatives;
 use super::window::{Signal, shortest};
+use super::{MeasuredError, Movement};
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, TIME, VELOCITY};
 
 /// Tolerance of a delay that was estimated without the law, in samples of the motion or standard deviations (chosen):
@@ -24,17 +24,18 @@ impl Record {
     /// Reads a table with the columns `time`, `force`, `displacement` or `velocity`, and perhaps `normal_force`; the
     /// motion may be in a table of its own, with its own times.
     pub fn of(sheet: &Sheet, motion: Option<&Sheet>, setup: &Setup) -> Result<Record, MeasuredError> {
-        check(setup)?;
+        let movement = Movement::of(&[sheet], &motion.into_iter().collect::<Vec<_>>(), |_| true)?;
+        check(setup, movement)?;
         let time = times(sheet)?;
         check_lengths(setup, &time)?;
-        let force = sheet.required(FORCE.name, &FORCE)?;
+        let force = sheet.required(FORCE.name, movement.quantity(&FORCE))?;
         moving("force", &force)?;
-        let load = load(sheet, setup)?;
+        let load = load(sheet, setup, movement)?;
         let motion = match motion {
-            Some(sheet) => Motion::of(sheet).map_err(MeasuredError::of_motion)?,
-            None => Motion::of(sheet)?,
+            Some(sheet) => Motion::of(sheet, movement).map_err(MeasuredError::of_motion)?,
+            None => Motion::of(sheet, movement)?,
         };
-        let reduction = Reduction { setup, time, force, load, motion };
+        let reduction = Reduction { setup, movement, time, force, load, motion };
         let record = if setup.is_axis { reduction.matched()? } else { reduction.smoothed()? };
         record.finite()?;
         plausible::check(&record, setup)?;
@@ -42,7 +43,7 @@ impl Record {
     }
 }
 
-fn check(setup: &Setup) -> Result<(), MeasuredError> {
+fn check(setup: &Setup, movement: Movement) -> Result<(), MeasuredError> {
     let wrong = |name, value, wanted: String| Err(MeasuredError::Setup { name, value, wanted });
     let values = [
         ("mass", Some(setup.mass), "kg"),
@@ -52,7 +53,7 @@ fn check(setup: &Setup) -> Result<(), MeasuredError> {
     ];
     for (name, value, unit) in values {
         if let Some(value) = value.filter(|value| !(*value >= 0.0 && value.is_finite())) {
-            return wrong(name, value, format!(">= 0 and finite, in {unit}"));
+            return wrong(name, value, format!(">= 0 and finite, in {}", movement.unit(unit)));
         }
     }
     match setup.delay {
@@ -103,12 +104,12 @@ fn more_than_noise(name: &'static str, unit: &'static str, values: &[f64]) -> Re
     if range < STILL * noise { Err(MeasuredError::Still { name, range, noise, unit }) } else { Ok(()) }
 }
 
-fn load(sheet: &Sheet, setup: &Setup) -> Result<Vec<f64>, MeasuredError> {
-    let Some(loads) = sheet.column(&NORMAL_FORCE)? else {
+fn load(sheet: &Sheet, setup: &Setup, movement: Movement) -> Result<Vec<f64>, MeasuredError> {
+    let Some(loads) = sheet.column(movement.quantity(&NORMAL_FORCE))? else {
         return setup.normal_force.map(|load| vec![load; sheet.len()]).ok_or(MeasuredError::NoLoad);
     };
     match loads.iter().position(|load| *load < 0.0) {
-        Some(at) => Err(MeasuredError::Load { line: sheet.line(at), value: loads[at] }),
+        Some(at) => Err(MeasuredError::Load { line: sheet.line(at), value: loads[at], unit: movement.unit("N") }),
         None => Ok(loads),
     }
 }
@@ -122,18 +123,19 @@ struct Motion {
 }
 
 impl Motion {
-    fn of(sheet: &Sheet) -> Result<Motion, MeasuredError> {
+    fn of(sheet: &Sheet, movement: Movement) -> Result<Motion, MeasuredError> {
+        let [of_displacement, of_velocity] = [&DISPLACEMENT, &VELOCITY].map(|quantity| movement.quantity(quantity));
         let time = times(sheet)?;
-        let velocity = sheet.column(&VELOCITY)?;
-        let displacement = match (sheet.column(&DISPLACEMENT)?, &velocity) {
+        let velocity = sheet.column(of_velocity)?;
+        let displacement = match (sheet.column(of_displacement)?, &velocity) {
             (Some(displacement), _) => displacement,
             (None, Some(velocity)) => integral(&time, velocity),
-            (None, None) => sheet.required(DISPLACEMENT.name, &DISPLACEMENT)?,
+            (None, None) => sheet.required(DISPLACEMENT.name, of_displacement)?,
         };
         moving("displacement", &displacement)?;
         match &velocity {
-            Some(velocity) => more_than_noise("velocity", "m/s", velocity)?,
-            None => more_than_noise("displacement", "m", &displacement)?,
+            Some(velocity) => more_than_noise("velocity", movement.unit("m/s"), velocity)?,
+            None => more_than_noise("displacement", movement.unit("m"), &displacement)?,
         }
         Ok(Motion { time, displacement, velocity })
     }
@@ -184,6 +186,7 @@ impl Motion {
 /// Samples of the load cell on their clock, and the motion on its own.
 struct Reduction<'a> {
     setup: &'a Setup,
+    movement: Movement,
     time: Vec<f64>,
     force: Vec<f64>,
     load: Vec<f64>,
@@ -265,6 +268,7 @@ impl Reduction<'_> {
         let (displacement, (velocity, acceleration)): (Vec<f64>, (Vec<f64>, Vec<f64>)) =
             motion.map(|[x, v, a]| (x, (v, a))).unzip();
         Ok(self.assessed(Record {
+            movement: self.movement,
             friction_force: force.iter().zip(&acceleration).map(|(force, a)| force - self.setup.mass * a).collect(),
             normal_force,
             is_differentiated: self.motion.velocity.is_none(),

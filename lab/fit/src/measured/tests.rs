@@ -195,7 +195,7 @@ fn spoilt_headings_are_refused_by_name() {
         (plain("time,force,Force"), "two columns 'force'"),
         (plain("time [h],force,displacement"), "time: unit 'h', must be one of s, sec, ms, us, min"),
         (plain("time,force [kg],displacement"), "force: unit 'kg', must be one of N, kN, lbf, lb"),
-        (plain("time,force,displacement (deg)"), "displacement: unit 'deg', must be one of m, mm, um, in"),
+        (plain("time,force,displacement (ft)"), "displacement: unit 'ft', must be one of m, mm, um, in"),
         (plain("time,force [mm],displacement"), "force: unit 'mm', must be one of N, kN, lbf, lb"),
     ]);
 }

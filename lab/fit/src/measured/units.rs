@@ -1,7 +1,7 @@
 //! Missing units in files, and contradictory quantities.
 
-use super::MeasuredError;
 use super::reduce::integral;
+use super::{MeasuredError, Movement};
 use crate::sheet::{DISPLACEMENT, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
 /// A note on the quantities without a unit in their file, which are assumed to be SI.
@@ -21,8 +21,10 @@ pub(super) fn assumed(columns: &[(&Sheet, &'static Quantity)]) -> Option<String>
 const CONSISTENT: [f64; 2] = [0.8, 1.2];
 
 /// A note on which of displacement and velocity is used if a table has both; an error if they contradict each other.
-pub(super) fn motion(table: &Sheet) -> Result<Option<String>, MeasuredError> {
-    let column = |quantity: &Quantity| -> Result<Vec<f64>, SheetError> { table.required(quantity.name, quantity) };
+pub(super) fn motion(table: &Sheet, movement: Movement) -> Result<Option<String>, MeasuredError> {
+    let column = |quantity: &'static Quantity| -> Result<Vec<f64>, SheetError> {
+        table.required(quantity.name, movement.quantity(quantity))
+    };
     if [&TIME, &DISPLACEMENT, &VELOCITY].iter().any(|quantity| !table.has(quantity.name)) {
         return Ok(None);
     }
@@ -80,25 +82,28 @@ mod tests {
     #[test]
     fn a_velocity_of_another_unit_contradicts_the_displacement() {
         let heading = "time,displacement,velocity";
-        let refused = |factor: f64| motion(&table(heading, factor, 0.0)).unwrap_err().to_string();
+        let refused =
+            |factor: f64| motion(&table(heading, factor, 0.0), Movement::Translation).unwrap_err().to_string();
         assert!(refused(1000.0).contains("changes by 0.001 times the integral of the velocity"), "{}", refused(1000.0));
         assert!(refused(-1.0).contains("by -1 times"), "{}", refused(-1.0));
         assert!(refused(1.3).contains("by 0.769") && refused(0.8).contains("by 1.25 times"), "{}", refused(1.3));
-        let said = motion(&table("time,displacement,velocity [mm/s]", 1000.0, 0.0)).unwrap().unwrap();
+        let said =
+            motion(&table("time,displacement,velocity [mm/s]", 1000.0, 0.0), Movement::Translation).unwrap().unwrap();
         assert!(said.contains("the velocity is taken as measured"), "{said}");
         // The integral of the offset is ten times as long as the strokes.
         for (factor, offset) in [(1.1, 0.0), (0.9, 0.0), (1.0, 0.1), (1.0, -0.1)] {
-            assert!(motion(&table(heading, factor, offset)).is_ok(), "{factor} {offset}");
+            assert!(motion(&table(heading, factor, offset), Movement::Translation).is_ok(), "{factor} {offset}");
         }
-        assert!(motion(&table(heading, 1000.0, 10.0)).is_err());
-        assert_eq!(motion(&table("time,displacement,v", 1.0, 0.0)).unwrap(), None);
+        assert!(motion(&table(heading, 1000.0, 10.0), Movement::Translation).is_err());
+        assert_eq!(motion(&table("time,displacement,v", 1.0, 0.0), Movement::Translation).unwrap(), None);
     }
 
     #[test]
     fn a_motion_at_a_steady_speed_is_compared_as_it_is() {
         let of = |velocity: f64| {
             let rows = (0..100).map(|k| format!("{k},{},{velocity}\n", 0.01 * f64::from(k)));
-            motion(&Sheet::parse(&("time,displacement,velocity\n".to_owned() + &rows.collect::<String>())).unwrap())
+            let text = "time,displacement,velocity\n".to_owned() + &rows.collect::<String>();
+            motion(&Sheet::parse(&text).unwrap(), Movement::Translation)
         };
         assert!(of(0.01).is_ok() && of(10.0).is_err());
         assert!(of(0.0).is_ok(), "nothing can be said");

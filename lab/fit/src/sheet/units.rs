@@ -46,7 +46,7 @@ pub const TEMPERATURE: Quantity = Quantity {
 pub const ANGLE: Quantity =
     Quantity { name: "angle", units: &[("rad", 1.0, 0.0), ("deg", DEGREE, 0.0), ("rev", TURN, 0.0)] };
 /// Angular velocity.
-const ANGULAR_VELOCITY: Quantity = Quantity {
+pub const ANGULAR_VELOCITY: Quantity = Quantity {
     name: "angular velocity",
     units: &[
         ("rad/s", 1.0, 0.0),
@@ -55,6 +55,7 @@ const ANGULAR_VELOCITY: Quantity = Quantity {
         ("rpm", TURN / 60.0, 0.0),
         ("1/min", TURN / 60.0, 0.0),
         ("rev/min", TURN / 60.0, 0.0),
+        ("r/min", TURN / 60.0, 0.0),
     ],
 };
 /// Longitudinal slip.
@@ -72,25 +73,30 @@ pub const MOMENT: Quantity = Quantity {
         ("Nm", 1.0, 0.0),
         ("N*m", 1.0, 0.0),
         ("N-m", 1.0, 0.0),
+        ("Ncm", 1e-2, 0.0),
+        ("N.cm", 1e-2, 0.0),
+        ("N*cm", 1e-2, 0.0),
+        ("N-cm", 1e-2, 0.0),
         ("Nmm", 1e-3, 0.0),
         ("N.mm", 1e-3, 0.0),
         ("N*mm", 1e-3, 0.0),
         ("N-mm", 1e-3, 0.0),
         ("mNm", 1e-3, 0.0),
         ("mN.m", 1e-3, 0.0),
+        ("mN*m", 1e-3, 0.0),
+        ("mN-m", 1e-3, 0.0),
         ("kNm", 1e3, 0.0),
         ("kN.m", 1e3, 0.0),
         ("ft-lb", 0.3048 * POUND, 0.0),
         ("lbf.ft", 0.3048 * POUND, 0.0),
+        ("in-lb", 0.0254 * POUND, 0.0),
+        ("lbf.in", 0.0254 * POUND, 0.0),
     ],
 };
 
 /// Quantities that differ in their units.
 pub(super) const QUANTITIES: [&Quantity; 10] =
     [&TIME, &VELOCITY, &FORCE, &DISPLACEMENT, &TEMPERATURE, &ANGLE, &SLIP, &PRESSURE, &MOMENT, &ANGULAR_VELOCITY];
-
-/// Quantities of signals, which a factor converts: the moment of a drive, its angle, its current in percent.
-pub(super) const OF_SIGNALS: [&Quantity; 4] = [&ANGLE, &SLIP, &MOMENT, &ANGULAR_VELOCITY];
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 const TURN: f64 = std::f64::consts::TAU;

@@ -153,15 +153,22 @@ impl Picture {
 /// A curve with its name.
 pub type Named = (String, Vec<[f64; 2]>);
 
-/// A picture of friction forces from elsewhere, in SI units, as a diagram of this kind. None without a finite point.
-pub fn curves(kind: Kind, title: &str, curves: Vec<Named>, theme: Theme) -> Option<Picture> {
+/// A picture of friction forces from elsewhere, in SI units, as a diagram of this kind; `unit` has the units of joints in
+/// place of those of bodies that slide, if it is of one. None without a finite point.
+pub fn curves(
+    kind: Kind,
+    title: &str,
+    curves: Vec<Named>,
+    unit: impl Fn(&'static str) -> &'static str,
+    theme: Theme,
+) -> Option<Picture> {
     let lines =
         curves.into_iter().take(MOST_LAWS).map(|(name, points)| Line { name, points, is_cut: false, look: None });
     let lines: Vec<Line> = lines.collect();
     let is_finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
     lines.iter().flat_map(|line| &line.points).find(|point| is_finite(point))?;
     let quantities = kind.quantities();
-    let units = quantities.map(Quantity::unit);
+    let units = quantities.map(|quantity| unit(quantity.unit()));
     let axes = axes(quantities, units, &lines, &None);
     let svg = Drawing { title, quantities, axes: &axes, lines: &lines, theme }.svg();
     Some(Picture { kind, part: 1, parts: 1, title: title.to_owned(), svg })

@@ -104,14 +104,14 @@ fn cells(one: &Estimate, best: &Fit, reference: Option<&Reference>) -> [String; 
 /// RMS residuals of the validation records, and statistics of the fit.
 fn residuals(page: &mut Page, best: &Fit) {
     for one in &best.validation {
-        let text = format!("Validation record {}: RMS residual {} N.", one.name, digits(one.rms));
+        let text = format!("Validation record {}: RMS residual {} {}.", one.name, digits(one.rms), one.unit);
         page.paragraph("note", &text);
     }
-    let statistics = &best.residuals;
+    let (statistics, unit) = (&best.residuals, best.movement.unit("N"));
     page.paragraph(
         "note",
         &format!(
-            "RMS residual: {} N of {} N. Correlation of neighbouring residuals {:.2}, correlation time \
+            "RMS residual: {} {unit} of {} {unit}. Correlation of neighbouring residuals {:.2}, correlation time \
              {:.1} of {} samples. Condition {:.1e}. {} evaluations; sensitivities {}.",
             digits(statistics.rms),
             digits(best.level),
@@ -136,7 +136,8 @@ fn ranking(page: &mut Page, facts: &Identification) {
         return;
     }
     page.heading("Laws");
-    let head = ["Law", "#RMS residual in N", "#Parameters", "#ΔBIC", "Verdict"];
+    let residual = format!("#RMS residual in {}", facts.ranking.best().movement.unit("N"));
+    let head = ["Law", residual.as_str(), "#Parameters", "#ΔBIC", "Verdict"];
     let row = |(place, rank): (usize, &Rank)| {
         let fit = &facts.ranking.fits[rank.fit];
         let verdict = note(fit, rank, place).unwrap_or("");
@@ -151,8 +152,9 @@ fn ranking(page: &mut Page, facts: &Identification) {
 
 fn records(page: &mut Page, facts: &Identification) {
     page.heading("Records");
+    let noise = format!("#Noise in {}", facts.ranking.best().movement.unit("N"));
     let head =
-        ["Record", "#Samples", "#Length in s", "#Reversals", "#Noise in N", "#Delay of the motion in s", "Findings"];
+        ["Record", "#Samples", "#Length in s", "#Reversals", noise.as_str(), "#Delay of the motion in s", "Findings"];
     let row = |(name, record): &(String, Record)| {
         let quality = &record.quality;
         [
@@ -186,6 +188,7 @@ fn correlations(page: &mut Page, best: &Fit) {
 fn settings(page: &mut Page, facts: &Identification) {
     let Settings { selection, method, seed, budget, repetitions, mass, is_robust, folds, .. } = facts.task;
     page.heading("How it was fitted");
+    let best = facts.ranking.best();
     let head = ["Setting", "Value"];
     let mut rows = vec![
         ("Search", if *method == Method::Genetic { "genetic algorithm" } else { "differential evolution" }.to_owned()),
@@ -194,7 +197,10 @@ fn settings(page: &mut Page, facts: &Identification) {
         ("Loss", if *is_robust { "robust" } else { "squares" }.to_owned()),
         ("Bootstrap repetitions", repetitions.to_string()),
         ("Parts for cross-validation", folds.to_string()),
-        ("Mass between load cell and contact", format!("{mass} kg, unless it was fitted or held")),
+        (
+            "Mass between load cell and contact",
+            format!("{mass} {}, unless it was fitted or held", best.movement.unit("kg")),
+        ),
     ];
     rows.extend(selection.fixed.iter().map(|(name, value)| ("Held", format!("{name} = {value}"))));
     rows.extend(selection.fitted.iter().map(|name| ("Fitted as well", name.clone())));
@@ -226,7 +232,7 @@ fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Pict
         let source = if kind == Kind::Force { &all } else { &cycled };
         let of = if kind == Kind::Force || cycles == 0 { String::new() } else { format!(" (mean of {cycles} cycles)") };
         let lines: Vec<Named> = source.iter().map(|(name, record)| (name.clone(), points(kind, record))).collect();
-        curves(kind, &format!("{name}: {}{of}", kind.title()), lines, theme)
+        curves(kind, &format!("{name}: {}{of}", kind.title()), lines, |unit| best.movement.unit(unit), theme)
     };
     Ok(kinds.into_iter().filter_map(picture).collect())
 }

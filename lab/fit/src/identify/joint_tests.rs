@@ -1,0 +1,203 @@
+//! Moment of inertia, friction and offset of joints.
+
+use std::collections::BTreeSet;
+use std::f64::consts::TAU;
+use std::path::Path;
+
+use stribeck::model::Kind;
+use stribeck_solve::job::Entry;
+
+use super::tests::{estimate, noise, quiet};
+use super::*;
+use crate::measured::Movement;
+use crate::sheet::{Sheet, SheetError};
+
+/// Records as texts.
+struct Text(String);
+
+impl Source for Text {
+    fn tables(&self, _: &Path) -> Result<Vec<Sheet>, SheetError> {
+        Ok(vec![Sheet::parse(&self.0)?])
+    }
+}
+
+/// A joint of 0.12 kg m2 that sticks, with a drive whose controller holds its torque between samples.
+#[derive(Clone, Copy)]
+struct Joint {
+    level: f64,
+    viscous: f64,
+    offset: f64,
+}
+
+const INERTIA: f64 = 0.12;
+const JOINT: Joint = Joint { level: 0.9, viscous: 0.5, offset: 0.05 };
+/// Of the samples, s, and of the simulation.
+const INTERVAL: f64 = 0.004;
+const PARTS: u32 = 100;
+/// Step of the encoder, rad.
+const STEP: f64 = TAU / 65536.0;
+
+/// Time, angle, velocity and torque.
+type Samples = Vec<[f64; 4]>;
+
+/// Wanted angle and velocity.
+fn wanted(t: f64) -> [f64; 2] {
+    let waves = [(0.8, 0.31, 0.0), (0.35, 0.9, 1.0), (0.1, 2.3, 2.0)];
+    let sum = |f: &dyn Fn((f64, f64, f64)) -> f64| waves.into_iter().map(f).sum();
+    [
+        sum(&|(size, rate, phase)| size * (TAU * rate * t + phase).sin()),
+        sum(&|(size, rate, phase)| size * TAU * rate * (TAU * rate * t + phase).cos()),
+    ]
+}
+
+impl Joint {
+    /// Angle and velocity a short time later; the joint stops where its velocity changes its sign and the torque does not
+    /// exceed the level.
+    fn moved(self, [q, v]: [f64; 2], torque: f64, step: f64) -> [f64; 2] {
+        let drive = torque - self.offset;
+        if v == 0.0 && drive.abs() <= self.level {
+            return [q, v];
+        }
+        let direction = if v == 0.0 { drive.signum() } else { v.signum() };
+        let acceleration = |v: f64| (drive - self.level * direction - self.viscous * v) / INERTIA;
+        let middle = v + 0.5 * step * acceleration(v);
+        let next = v + step * acceleration(middle);
+        if next * direction < 0.0 { [q, 0.0] } else { [q + 0.5 * step * (v + next), next] }
+    }
+
+    /// A record over 12 s: measured torque and velocity with noise, angle from the encoder.
+    fn record(self, seed: u64) -> Samples {
+        let count = 3000;
+        let [of_torque, of_velocity] = [seed, seed + 1000].map(|seed| noise(seed, count));
+        let [q, v] = wanted(0.0);
+        let mut state = [q, v];
+        let sample = |at: usize| {
+            let t = at as f64 * INTERVAL;
+            let rounded = (state[0] / STEP).round() * STEP;
+            let [q, v] = wanted(t);
+            let torque = 40.0 * (q - rounded) + 3.0 * (v - state[1]) + self.level * v.signum();
+            let measured = [t, rounded, state[1] + 2e-3 * of_velocity[at], torque + 0.02 * of_torque[at]];
+            for _ in 0..PARTS {
+                state = self.moved(state, torque, INTERVAL / f64::from(PARTS));
+            }
+            measured
+        };
+        (0..count).map(sample).collect()
+    }
+}
+
+/// A record under a heading, in other units.
+fn text(heading: &str, samples: &Samples, [angle, velocity, torque]: [f64; 3]) -> Text {
+    let row = |[t, q, v, m]: &[f64; 4]| format!("{t},{},{},{}\n", angle * q, velocity * v, torque * m);
+    Text(format!("{heading}\n") + &samples.iter().map(row).collect::<String>())
+}
+
+fn asked() -> Inquiry {
+    Inquiry { records: vec!["joint.csv".into()], axis: true, repetitions: Some(0), ..Inquiry::default() }
+}
+
+fn fitted(asked: &Inquiry, record: &Text) -> (Data, Fit) {
+    let data = asked.data(record).unwrap();
+    let ranking = asked.fits(&data, &mut |_| {}, quiet()).unwrap();
+    (data, ranking.best().clone())
+}
+
+fn refusal(asked: &Inquiry, record: &Text) -> String {
+    asked.records(record).unwrap_err().to_string()
+}
+
+const SI: &str = "time [s],position [rad],velocity [rad/s],torque [N m]";
+
+#[test]
+fn the_values_of_a_joint_are_found_and_shown_in_its_units() {
+    let record = text(SI, &JOINT.record(1), [1.0; 3]);
+    let (data, fit) = fitted(&asked(), &record);
+    let Joint { level, viscous, offset } = JOINT;
+    for (name, truth, unit) in [
+        ("mass", INERTIA, "kg.m2"),
+        ("mu_k", level, "1"),
+        ("viscous_coefficient", viscous, "N.m.s/rad"),
+        ("offset", offset, "N.m"),
+    ] {
+        let one = estimate(&fit, name);
+        let [low, high] = one.interval();
+        assert!(one.verdict == Verdict::Determined && (low..=high).contains(&truth), "{one:?}");
+        assert!(high - low < 0.1 * truth.max(0.1) && one.unit == unit, "{one:?}");
+    }
+    let shown = fit.table(None);
+    assert!(shown.contains(" N.m of ") && shown.contains("at a load of 1 N.m a coefficient"), "{shown}");
+    assert!(!shown.contains(" N ") && !shown.contains(" m/s") && !shown.contains(" kg "), "{shown}");
+    assert!(data.records[0].1.csv().unwrap().starts_with("time [s],force [N.m],displacement [rad],velocity [rad/s],"));
+    let answer = Answer::of(&Ranking { ranks: rank(slice(&fit)), fits: vec![fit.clone()], refused: vec![] }, &data);
+    let units = [answer.units.force, answer.units.displacement, answer.units.velocity];
+    assert_eq!(units, ["N.m", "rad", "rad/s"]);
+    for (format, parts) in [
+        (Format::Mujoco, ["type=\"hinge\"", "diaginertia=\"0.1", "at 1 N.m"]),
+        (Format::Urdf, ["type=\"revolute\"", "ixx=\"0.1", "at 1 N.m"]),
+    ] {
+        let Exported { text, .. } = fit.exported(format, &data.experiments).unwrap();
+        assert!(parts.iter().all(|part| text.contains(part)), "{text}");
+    }
+}
+
+fn slice(fit: &Fit) -> &[Fit] {
+    std::slice::from_ref(fit)
+}
+
+/// Degrees, turns per minute and newton centimetres, and columns of which only one has a unit.
+#[test]
+fn a_joint_in_other_units_is_the_same_joint() {
+    let samples = JOINT.record(2);
+    let degree = 360.0 / TAU;
+    let (_, expected) = fitted(&asked(), &text(SI, &samples, [1.0; 3]));
+    for (heading, factors) in [
+        ("time [s],pos [deg],speed [rpm],torque [N cm]", [degree, 60.0 / TAU, 100.0]),
+        ("time [s],position [rev],vel [\u{b0}/s],tau [mN.m]", [1.0 / TAU, degree, 1000.0]),
+        ("t,q,dq,torque [Nm]", [1.0; 3]),
+        ("t,q,dq [rad/s],F", [1.0; 3]),
+    ] {
+        let (data, fit) = fitted(&asked(), &text(heading, &samples, factors));
+        assert_eq!(data.records[0].1.movement, Movement::Rotation, "{heading}");
+        for (one, other) in expected.estimates.iter().zip(&fit.estimates) {
+            // A search ends where it no longer gains.
+            let apart = (one.value - other.value).abs();
+            assert!(apart < 1e-3 * one.deviation && one.unit == other.unit, "{heading}: {one:?} {other:?}");
+        }
+    }
+}
+
+#[test]
+fn columns_of_bodies_that_slide_and_turn_are_not_mixed() {
+    let samples = &JOINT.record(3)[..200].to_vec();
+    let mixed = text("time,position [rad],velocity [m/s],torque [N m]", samples, [1.0; 3]);
+    let found = refusal(&asked(), &mixed);
+    assert!(found.contains("torque [Nm] and velocity [m/s]: one is of a body that slides"), "{found}");
+    let found = refusal(&asked(), &text("time,position [mm],speed,force [N m]", samples, [1.0; 3]));
+    assert!(found.contains("force [Nm] and position [mm]"), "{found}");
+    // The force at a lever of 50 mm, and a motor current.
+    for unit in ["N", "A"] {
+        let at_lever = text(&format!("time,position,velocity [rad/s],F [{unit}]"), samples, [1.0, 1.0, 20.0]);
+        let scaled = Inquiry { scale: vec![Entry("force".into(), 0.05)], ..asked() };
+        let [records, _] = scaled.records(&at_lever).unwrap();
+        let plain = asked().records(&text(SI, samples, [1.0; 3])).unwrap();
+        let [scaled, plain] = [&records[0].1, &plain[0][0].1];
+        assert_eq!((scaled.movement, scaled.time.len()), (Movement::Rotation, plain.time.len()));
+        assert!(scaled.force.iter().zip(&plain.force).all(|(a, b)| (a - b).abs() < 1e-12));
+    }
+    let slides = Experiment { movement: Movement::Translation, ..Experiment::default() };
+    let turns = Experiment { name: "arm".into(), movement: Movement::Rotation, ..Experiment::default() };
+    let found = super::check(&[slides, turns], &Settings::default()).unwrap_err().to_string();
+    assert!(found.ends_with("arm in N.m: one body slides, the other turns: fit them one at a time"), "{found}");
+}
+
+/// So that no result of a joint is shown in newtons or metres.
+#[test]
+fn every_unit_that_a_fit_shows_has_one_for_joints() {
+    let of_laws = laws().flat_map(|law| parameter::known(law).into_iter().map(|(_, variable)| variable.kind));
+    let units = of_laws.filter_map(|kind| if let Kind::Real(unit) = kind { Some(unit.name) } else { None });
+    for unit in units.chain(["N", "m", "m/s", "m/s2", "kg", "s"]).collect::<BTreeSet<_>>() {
+        let turned = Movement::Rotation.unit(unit);
+        assert_eq!(turned == unit, ["1", "s", "1/s", "J"].contains(&unit), "{unit} {turned}");
+        assert_eq!(Movement::Translation.unit(unit), unit);
+    }
+}
