@@ -25,8 +25,8 @@ pub use error::SheetError;
 use time_stamp::Stamp;
 use units::QUANTITIES;
 pub use units::{
-    ANGLE, ANGULAR_VELOCITY, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, PRESSURE, Quantity, SLIP, TEMPERATURE, TIME,
-    VELOCITY,
+    ANGLE, ANGULAR_VELOCITY, CURRENT, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, PRESSURE, Quantity, SLIP, TEMPERATURE,
+    TIME, VELOCITY,
 };
 
 /// Largest file that is read, in bytes (chosen: some ten million rows).
@@ -203,6 +203,19 @@ impl Sheet {
             }
         }
         self.factors.push((quantity.name.to_owned(), factor));
+    }
+
+    /// Makes another quantity of a column: its values in SI units of its own quantity, times a factor, in a new unit.
+    pub fn convert(&mut self, name: &str, own: &Quantity, factor: f64, unit: &str) -> Result<(), SheetError> {
+        let Some(heading) = self.headings.iter_mut().find(|heading| heading.is(name)) else { return Ok(()) };
+        let known = own.units.iter().find(|known| heading.unit.is_empty() || known.0 == heading.unit);
+        let Some((_, of_unit, _)) = known else {
+            let wanted = own.units.iter().map(|known| known.0).collect::<Vec<_>>().join(", ");
+            return Err(SheetError::Unit { column: heading.own.clone(), unit: heading.unit.clone(), wanted });
+        };
+        unit.clone_into(&mut heading.unit);
+        self.factors.push((name.to_owned(), of_unit * factor));
+        Ok(())
     }
 
     /// Number of rows.

@@ -15,7 +15,7 @@ use toml::Value;
 use ts_rs::TS;
 
 use super::{Experiment, Method, Ranking, Selection, Settings, Watch, axis, fit_all, held_out, laws_named, names};
-use crate::measured::{Columns, Delay, MeasuredError, Record, Setup};
+use crate::measured::{Columns, Delay, Drive, MeasuredError, Record, Setup};
 use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TIME, VELOCITY, tables};
 
 /// Records, what is known of their rig, the laws, and how they are fitted.
@@ -36,6 +36,16 @@ pub struct Inquiry {
     #[serde(with = "job::table")]
     #[ts(type = "Record<string, number>")]
     pub scale: Vec<Entry<f64>>,
+    /// Torque constant of the motor of a joint in N m/A: its current, in A, stands in the column of the force
+    #[arg(long, value_name = "CONSTANT", allow_hyphen_values = true)]
+    pub torque_constant: Option<f64>,
+    /// Turns of the motor for one of the joint: torque or current are of the motor, and their column is multiplied by it
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
+    pub gear_ratio: Option<f64>,
+    /// Columns of the motor, before the gear: force, displacement, velocity (default: force, with --gear-ratio)
+    #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]
+    #[serde(deserialize_with = "job::names")]
+    pub motor_side: Vec<String>,
     /// Table of the motion on its own clock (a camera), for a single record
     #[arg(long, value_name = "FILE")]
     pub motion: Option<PathBuf>,
@@ -212,7 +222,9 @@ impl Inquiry {
 
     fn columns(&self) -> Result<Columns, Fault> {
         let names = self.column.iter().map(|Entry(name, column)| (name.clone(), column.clone())).collect();
-        let columns = Columns { names, factors: pairs(&self.scale) };
+        let (torque_constant, gear_ratio) = (self.torque_constant, self.gear_ratio);
+        let drive = Drive { torque_constant, gear_ratio, motor_side: self.motor_side.clone() };
+        let columns = Columns { names, factors: pairs(&self.scale), drive };
         columns.check().map_err(Fault::value)?;
         Ok(columns)
     }

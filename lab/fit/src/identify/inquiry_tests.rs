@@ -20,6 +20,9 @@ const ALL: &str = r#"
 records = ["a.csv", "b c.csv"]
 column = { force = "Kraft 1" }
 scale = { displacement = -1.0, force = 35.15 }
+torque_constant = 0.05
+gear_ratio = -100.0
+motor_side = ["force", "velocity"]
 motion = "film.csv"
 law = ["Dahl", "LuGre"]
 axis = true
@@ -44,7 +47,7 @@ repetitions = 10
 #[test]
 fn a_description_is_the_same_on_the_command_line_and_in_a_file() {
     let all = described(ALL);
-    assert_eq!(job::entries(&all).unwrap().len(), 22, "an option is missing in the text above");
+    assert_eq!(job::entries(&all).unwrap().len(), 25, "an option is missing in the text above");
     let words = shlex::split(&all.command().unwrap()).unwrap();
     assert_eq!(words[..2], ["stribeck", "identify"]);
     let words: Vec<&str> = words[1..].iter().map(String::as_str).collect();

@@ -158,11 +158,7 @@ fn a_joint_in_other_units_is_the_same_joint() {
     ] {
         let (data, fit) = fitted(&asked(), &text(heading, &samples, factors));
         assert_eq!(data.records[0].1.movement, Movement::Rotation, "{heading}");
-        for (one, other) in expected.estimates.iter().zip(&fit.estimates) {
-            // A search ends where it no longer gains.
-            let apart = (one.value - other.value).abs();
-            assert!(apart < 1e-3 * one.deviation && one.unit == other.unit, "{heading}: {one:?} {other:?}");
-        }
+        are_the_same(&expected, &fit);
     }
 }
 
@@ -199,5 +195,81 @@ fn every_unit_that_a_fit_shows_has_one_for_joints() {
         let turned = Movement::Rotation.unit(unit);
         assert_eq!(turned == unit, ["1", "s", "1/s", "J"].contains(&unit), "{unit} {turned}");
         assert_eq!(Movement::Translation.unit(unit), unit);
+    }
+}
+
+fn are_the_same(expected: &Fit, found: &Fit) {
+    for (one, other) in expected.estimates.iter().zip(&found.estimates) {
+        // A search ends where it no longer gains.
+        let apart = (one.value - other.value).abs();
+        assert!(apart < 1e-3 * one.deviation && one.unit == other.unit, "{one:?} {other:?}");
+    }
+}
+
+fn names(names: &[&str]) -> Vec<String> {
+    names.iter().map(|name| (*name).to_owned()).collect()
+}
+
+/// Before a gear that turns the other way round.
+#[test]
+fn the_record_of_a_motor_is_that_of_its_joint() {
+    let samples = JOINT.record(4);
+    let (ratio, constant) = (-100.0, 0.05);
+    let (_, expected) = fitted(&asked(), &text(SI, &samples, [1.0; 3]));
+    let gear = Inquiry { gear_ratio: Some(ratio), ..asked() };
+    let motor = Inquiry { torque_constant: Some(constant), ..gear.clone() };
+    for (asked, heading, factors) in [
+        (
+            Inquiry { motor_side: names(&["force", "velocity"]), ..motor.clone() },
+            "time [s],position,velocity [rad/s],current [mA]",
+            [1.0, ratio, 1e3 / (ratio * constant)],
+        ),
+        (motor, "time [s],position,velocity,current", [1.0, 1.0, 1.0 / (ratio * constant)]),
+        (gear, "t,position [rad],vel,torque", [1.0, 1.0, 1.0 / ratio]),
+        (
+            Inquiry { torque_constant: Some(constant), ..asked() },
+            "t,place,dq [deg/s],i [A]",
+            [1.0, 360.0 / TAU, 1.0 / constant],
+        ),
+    ] {
+        let (data, fit) = fitted(&asked, &text(heading, &samples, factors));
+        assert_eq!(data.records[0].1.movement, Movement::Rotation, "{heading}");
+        are_the_same(&expected, &fit);
+    }
+}
+
+#[test]
+fn what_contradicts_a_motor_and_its_gear_is_refused() {
+    let samples = &JOINT.record(5)[..200].to_vec();
+    let gear = || Inquiry { gear_ratio: Some(50.0), ..asked() };
+    let motor = || Inquiry { torque_constant: Some(0.1), ..asked() };
+    let column = vec![Entry("force".into(), "torque".into())];
+    let both = "time,displacement [rad],velocity [rad/s],torque [N m]";
+    for (asked, heading, expected) in [
+        (Inquiry { scale: vec![Entry("force".into(), 2.0)], ..gear() }, SI, "scale force contradicts torque_constant"),
+        (Inquiry { gear_ratio: Some(0.0), ..asked() }, SI, "gear_ratio = 0: must be finite and not 0"),
+        (Inquiry { torque_constant: Some(f64::INFINITY), ..asked() }, SI, "torque_constant = inf: must be finite"),
+        (
+            Inquiry { motor_side: names(&["velocity"]), ..asked() },
+            SI,
+            "motor_side velocity: must be given with gear_ratio",
+        ),
+        (Inquiry { motor_side: names(&["load"]), ..gear() }, SI, "motor_side load: must be force, displacement or"),
+        (Inquiry { motor_side: names(&["displacement"]), ..gear() }, SI, "no column 'displacement'"),
+        (Inquiry { column, ..motor() }, SI, "torque: unit 'Nm', must be one of A, mA"),
+        (motor(), SI, "no column 'force'"),
+        (
+            gear(),
+            "time,position [mm],speed [m/s],torque",
+            "position [mm]: torque_constant and gear_ratio are for joints",
+        ),
+        (
+            Inquiry { motor_side: names(&["velocity"]), ..gear() },
+            both,
+            "displacement and velocity contradict each other",
+        ),
+    ] {
+        let found = refusal(&asked, &text(heading, samples, [1.0; 3]));
+        assert!(found.contains(expected), "{expected}: {found}");
     }
 }

@@ -1,7 +1,7 @@
 //! Columns of records: their names in files, and factors for signals in other units.
 
-use super::{MeasuredError, Movement, Setup, units};
-use crate::sheet::{DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
+use super::{Drive, MeasuredError, Movement, Setup, units};
+use crate::sheet::{CURRENT, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
 /// Quantities of a record.
 const QUANTITIES: [&Quantity; 5] = [&TIME, &FORCE, &DISPLACEMENT, &VELOCITY, &NORMAL_FORCE];
@@ -23,6 +23,9 @@ const TORQUES: [&str; 3] = ["torque", "tau", "moment"];
 /// Names of signals that are proportional to a force; they need a factor.
 const SIGNALS: [&str; 6] = ["u", "i", "vir", "voltage", "current", "torque"];
 
+/// Names of the current of a motor.
+const CURRENTS: [&str; 3] = ["i", "current", "motor_current"];
+
 /// Choice of the columns by the user.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Columns {
@@ -30,6 +33,8 @@ pub struct Columns {
     pub names: Vec<(String, String)>,
     /// Quantities and the factors of their columns.
     pub factors: Vec<(String, f64)>,
+    /// Motor and gear of a joint, which give factors as well.
+    pub drive: Drive,
 }
 
 impl Columns {
@@ -38,15 +43,19 @@ impl Columns {
         QUANTITIES.iter().any(|known| known.name == name)
     }
 
-    /// Rejects quantities that no record has, and factors that are 0 or not finite.
-    pub fn check(&self) -> Result<(), SheetError> {
+    /// Rejects quantities that no record has, factors that are 0 or not finite, and two for one column.
+    pub fn check(&self) -> Result<(), MeasuredError> {
         let named = self.names.iter().map(|(name, _)| name).chain(self.factors.iter().map(|(name, _)| name));
         if let Some(name) = named.into_iter().find(|name| !Columns::knows(name)) {
             let wanted = QUANTITIES.map(|quantity| quantity.name).join(", ");
-            return Err(SheetError::Quantity { name: name.clone(), wanted });
+            return Err(SheetError::Quantity { name: name.clone(), wanted }.into());
         }
-        match self.factors.iter().find(|(_, factor)| !(factor.is_finite() && *factor != 0.0)) {
-            Some((name, factor)) => Err(SheetError::Factor { name: name.clone(), factor: *factor }),
+        if let Some((name, factor)) = self.factors.iter().find(|(_, factor)| !(factor.is_finite() && *factor != 0.0)) {
+            return Err(SheetError::Factor { name: name.clone(), factor: *factor }.into());
+        }
+        self.drive.check()?;
+        match self.factors.iter().find(|(name, _)| self.drive.factor(name).is_some()) {
+            Some((name, _)) => Err(MeasuredError::TwoFactors { name: name.clone() }),
             None => Ok(()),
         }
     }
@@ -81,7 +90,7 @@ impl Columns {
             notes.extend(self.find(record, &NORMAL_FORCE)?);
         }
         notes.extend(self.assumed_units(record, motion, movement));
-        self.scale(record, motion, movement);
+        self.scale(record, motion, movement)?;
         for table in if is_apart { motion } else { record } {
             notes.extend(units::motion(table, movement).map_err(of_motion)?);
         }
@@ -99,7 +108,12 @@ impl Columns {
         Ok(())
     }
 
-    fn scale(&self, record: &mut [Sheet], motion: &mut [Sheet], movement: Movement) {
+    fn scale(&self, record: &mut [Sheet], motion: &mut [Sheet], movement: Movement) -> Result<(), MeasuredError> {
+        for name in &self.drive.motor_side {
+            if !record.iter().chain(&*motion).any(|table| table.has(name)) {
+                return Err(record.first().map_or(SheetError::Empty, |table| table.missing(name)).into());
+            }
+        }
         let signals = movement.signals();
         for (name, factor) in &self.factors {
             for quantity in QUANTITIES.into_iter().filter(|quantity| quantity.name == name) {
@@ -107,24 +121,42 @@ impl Columns {
                 record.iter_mut().chain(&mut *motion).for_each(|table| table.scale(quantity, &signals, *factor));
             }
         }
+        for quantity in QUANTITIES {
+            let Some(factor) = self.drive.factor(quantity.name) else { continue };
+            let (turned, is_force) = (movement.quantity(quantity), quantity.name == FORCE.name);
+            let own = if is_force && self.drive.torque_constant.is_some() { &CURRENT } else { turned };
+            for table in record.iter_mut().chain(&mut *motion) {
+                table.convert(quantity.name, own, factor, turned.units[0].0)?;
+            }
+        }
+        Ok(())
     }
 
-    /// Whether a factor turns a signal into a quantity; one of -1 turns only its sign.
+    /// Whether a factor turns a signal into a quantity; one of -1 turns only its sign, and a gear turns the quantities of a
+    /// motor into those of a joint.
     fn is_scaled(&self, quantity: &Quantity) -> bool {
-        self.factor(quantity).is_some_and(|factor| factor.abs() != 1.0)
+        let is_current = quantity.name == FORCE.name && self.drive.torque_constant.is_some();
+        is_current || self.given(quantity).is_some_and(|factor| factor.abs() != 1.0)
     }
 
     /// Whether the body slides or turns, by the units of the columns that are no signals.
     fn movement(&self, record: &[Sheet], motion: &[Sheet]) -> Result<Movement, MeasuredError> {
         let [record, motion] = [record, motion].map(|tables| tables.iter().collect::<Vec<_>>());
-        Movement::of(&record, &motion, |quantity| !self.is_scaled(quantity))
+        let told = Movement::told(&record, &motion, |quantity| !self.is_scaled(quantity))?;
+        match told {
+            Some((Movement::Translation, column)) if self.drive.is_known() => Err(MeasuredError::NoJoint { column }),
+            Some((movement, _)) => Ok(movement),
+            None if self.drive.is_known() => Ok(Movement::Rotation),
+            None => Ok(Movement::Translation),
+        }
     }
 
     /// Finds the torque of a joint: a column that is one by its unit, or by its name where the motion is that of a joint.
     fn find_torque(&self, record: &mut [Sheet], motion: &[Sheet]) -> Result<Option<String>, MeasuredError> {
         let has_force =
             |table: &Sheet| table.has(FORCE.name) || table.names().any(|name| is_among(name, others(&FORCE)));
-        if self.factor(&FORCE).is_some() || record.iter().any(has_force) {
+        let is_current = self.drive.torque_constant.is_some();
+        if is_current || self.given(&FORCE).is_some() || record.iter().any(has_force) {
             return Ok(None);
         }
         let turns = self.movement(record, motion)? == Movement::Rotation;
@@ -139,7 +171,12 @@ impl Columns {
         Ok(self.take(record, &FORCE, &candidates)?)
     }
 
+    /// Factor of a quantity, by the user or by the drive.
     fn factor(&self, quantity: &Quantity) -> Option<f64> {
+        self.given(quantity).or_else(|| self.drive.factor(quantity.name))
+    }
+
+    fn given(&self, quantity: &Quantity) -> Option<f64> {
         self.factors.iter().find(|(name, _)| name == quantity.name).map(|(_, factor)| *factor)
     }
 
@@ -176,7 +213,7 @@ impl Columns {
         };
         let mut candidates = of(others(quantity));
         if quantity.name == FORCE.name && candidates.is_empty() {
-            candidates = of(&SIGNALS);
+            candidates = of(if self.drive.torque_constant.is_some() { &CURRENTS } else { &SIGNALS });
             if let ([column], None) = (candidates.as_slice(), self.factor(quantity)) {
                 return Err(SheetError::NoFactor { column: column.clone() });
             }

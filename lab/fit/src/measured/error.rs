@@ -69,6 +69,26 @@ pub enum MeasuredError {
         /// Its unit.
         unit: &'static str,
     },
+    /// A column of the motor, before the gear, is none.
+    #[error("motor_side {name}: must be {wanted}")]
+    MotorSide {
+        /// What was given.
+        name: String,
+        /// What is admitted.
+        wanted: &'static str,
+    },
+    /// A column has a factor, and another one by its drive.
+    #[error("scale {name} contradicts torque_constant or gear_ratio, which give its factor")]
+    TwoFactors {
+        /// The quantity.
+        name: String,
+    },
+    /// The motor and gear of a joint, with a column of a body that slides.
+    #[error("{column}: torque_constant and gear_ratio are for joints, in N.m, rad and rad/s")]
+    NoJoint {
+        /// The column with its unit.
+        column: String,
+    },
     /// One column is of a body that slides, another of one that turns.
     #[error(
         "{first} and {second}: one is of a body that slides, the other of one that turns; force, displacement and velocity \

@@ -25,6 +25,7 @@
 mod clock;
 mod columns;
 mod cycle;
+mod drive;
 mod error;
 mod matched_filter;
 mod movement;
@@ -43,6 +44,7 @@ mod window;
 pub use clock::Clocks;
 pub use columns::Columns;
 pub use cycle::{Cycle, average, interpolate};
+pub use drive::Drive;
 pub use error::MeasuredError;
 pub use matched_filter::SLOW;
 pub use movement::{Movement, Units};

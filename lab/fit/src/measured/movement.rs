@@ -107,12 +107,18 @@ impl Movement {
     }
 
     /// Movement of a record, by the units of its force and its motion; columns without a unit take that of the others.
-    /// `motion` has the motion if that is apart; `tells` is whether the unit of a quantity counts.
-    pub(super) fn of(
+    pub(super) fn of(record: &Sheet, motion: Option<&Sheet>) -> Result<Movement, MeasuredError> {
+        let told = Movement::told(&[record], &motion.into_iter().collect::<Vec<_>>(), |_| true)?;
+        Ok(told.map_or(Movement::Translation, |(movement, _)| movement))
+    }
+
+    /// The movement that units tell, with the first column that does. `motion` has the motion if that is apart; `tells` is
+    /// whether the unit of a quantity counts.
+    pub(super) fn told(
         record: &[&Sheet],
         motion: &[&Sheet],
         tells: impl Fn(&Quantity) -> bool,
-    ) -> Result<Movement, MeasuredError> {
+    ) -> Result<Option<(Movement, String)>, MeasuredError> {
         let moving = if motion.is_empty() { record } else { motion };
         let mut known: Option<(Movement, String)> = None;
         for quantity in TELLING.into_iter().filter(|quantity| tells(quantity)) {
@@ -127,7 +133,7 @@ impl Movement {
                 }
             }
         }
-        Ok(known.map_or(Movement::Translation, |(movement, _)| movement))
+        Ok(known)
     }
 }
 
@@ -155,7 +161,7 @@ mod tests {
     fn units_tell_a_movement_and_are_not_mixed() {
         let told = |text: &str| {
             let sheet = Sheet::parse(text).unwrap();
-            Movement::of(&[&sheet], &[], |_| true).map_err(|error| error.to_string())
+            Movement::of(&sheet, None).map_err(|error| error.to_string())
         };
         for text in ["force [N],displacement\n1,2\n", "force,velocity [mm/s]\n1,2\n", "force,velocity\n1,2\n"] {
             assert_eq!(told(text), Ok(Movement::Translation), "{text}");
@@ -170,11 +176,11 @@ mod tests {
         }
         let mut sheet = Sheet::parse("force [kN],displacement,speed [rpm]\n1,2,3\n").unwrap();
         sheet.rename("speed", "velocity");
-        let refusal = Movement::of(&[&sheet], &[], |_| true).unwrap_err().to_string();
+        let refusal = Movement::of(&sheet, None).unwrap_err().to_string();
         assert!(refusal.starts_with("force [kN] and speed [rpm]: one is of a body that slides"), "{refusal}");
         // The force of one table and the motion of another; what else the first one has does not matter.
         let [force, motion] = ["force [Nm],displacement [m]\n1,2\n", "displacement [deg]\n1\n"].map(Sheet::parse);
-        let movement = Movement::of(&[&force.unwrap()], &[&motion.unwrap()], |_| true).unwrap();
+        let movement = Movement::of(&force.unwrap(), Some(&motion.unwrap())).unwrap();
         assert_eq!(movement, Movement::Rotation);
     }
 }

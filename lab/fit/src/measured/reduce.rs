@@ -24,7 +24,7 @@ impl Record {
     /// Reads a table with the columns `time`, `force`, `displacement` or `velocity`, and perhaps `normal_force`; the
     /// motion may be in a table of its own, with its own times.
     pub fn of(sheet: &Sheet, motion: Option<&Sheet>, setup: &Setup) -> Result<Record, MeasuredError> {
-        let movement = Movement::of(&[sheet], &motion.into_iter().collect::<Vec<_>>(), |_| true)?;
+        let movement = Movement::of(sheet, motion)?;
         check(setup, movement)?;
         let time = times(sheet)?;
         check_lengths(setup, &time)?;

@@ -69,8 +69,8 @@ pub enum SheetError {
     },
     /// A column may be the force, but its unit is not that of a force.
     #[error(
-        "'{column}' may be the force, but not in N: give the factor to N, --scale force=..., or --column force=... if it \
-         is another column"
+        "'{column}' may be the force, but not in N: give the factor to N, --scale force=..., or --column force=... if it is \
+         another column; for the current of a joint --torque-constant"
     )]
     NoFactor {
         /// The column.

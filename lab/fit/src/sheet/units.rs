@@ -65,6 +65,8 @@ pub const PRESSURE: Quantity = Quantity {
     name: "pressure",
     units: &[("Pa", 1.0, 0.0), ("kPa", 1e3, 0.0), ("bar", 1e5, 0.0), ("psi", POUND / (0.0254 * 0.0254), 0.0)],
 };
+/// Electric current.
+pub const CURRENT: Quantity = Quantity { name: "current", units: &[("A", 1.0, 0.0), ("mA", 1e-3, 0.0)] };
 /// Moment.
 pub const MOMENT: Quantity = Quantity {
     name: "moment",
