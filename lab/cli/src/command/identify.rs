@@ -10,6 +10,7 @@ use stribeck_fit::identify::{
     Validation, Verdict, Watch, digits, evaluate, fit, of_law, preset,
 };
 use stribeck_fit::measured::{Quality, Record, average};
+use stribeck_plot::picture::{Theme, friction_map};
 use stribeck_plot::report::{Identification, identification};
 use stribeck_solve::run::Configuration;
 use stribeck_solve::system::{Fault, read};
@@ -130,14 +131,15 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     if !arguments.json {
         let records = data.records.iter().zip(&data.experiments);
         records.for_each(|((name, record), one)| println!("{}  {}", worth(name, record), one.beginning()));
+        data.maps.iter().for_each(|(name, map)| print!("{}", map.worth(name)));
     }
     if arguments.check {
         return check(&laws, &data.experiments, &task);
     }
     let ranking = search(&inquiry, &data)?;
     let reference = arguments.of_best(ranking.best(), laws.iter().zip(references));
-    let (records, command, reference) = (&data.records, &command_line(), reference.as_ref());
-    tell(arguments, &Identification { records, task: &task, command, ranking: &ranking, reference }, &data)
+    let (records, maps, command, reference) = (&data.records, &data.maps, &command_line(), reference.as_ref());
+    tell(arguments, &Identification { records, maps, task: &task, command, ranking: &ranking, reference }, &data)
 }
 
 fn search(inquiry: &Inquiry, data: &Data) -> Result<Ranking, Failure> {
@@ -333,6 +335,11 @@ fn curves(folder: &Path, records: &[(String, Record)], facts: &Identification) -
         for picture in identification::pictures(facts, number)? {
             super::draw(&picture, &folder.join(format!("{name}-{}", picture.name())))?;
         }
+    }
+    for ((name, map), fitted) in facts.maps.iter().zip(&facts.ranking.best().predicted) {
+        write(&folder.join(format!("{name}.csv")), map.csv(fitted).map_err(Fault::value)?)?;
+        let picture = friction_map(name, map, facts.ranking.best(), Theme::Light)?;
+        super::draw(&picture, &folder.join(format!("{name}-{}", picture.name())))?;
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use serde::Serialize;
 use ts_rs::TS;
 
 use super::output::{EARLY, text_of};
-use super::{Data, Estimate, Fit, Rank, Ranking, Searches, Verdict};
+use super::{Data, Estimate, Fit, LackOfFit, Rank, Ranking, Searches, Verdict};
 use crate::measured::Units;
 
 /// Laws fitted to records.
@@ -63,6 +63,8 @@ pub struct FittedLaw {
     pub correlations: Vec<Vec<f64>>,
     /// Evaluations of the law.
     pub evaluations: u64,
+    /// Misfit of a map with repeats, compared with their scatter.
+    pub lack_of_fit: Option<LackOfFit>,
     /// Warnings.
     pub warnings: Vec<String>,
     /// The parameters that were held or that the data determine.
@@ -99,8 +101,10 @@ pub struct FittedParameter {
 impl Answer {
     /// The answer of a ranking, with what was found out about each record.
     pub fn of(ranking: &Ranking, data: &Data) -> Answer {
-        let findings = data.records.iter().zip(&data.experiments).map(|((name, record), experiment)| {
-            let found = record.quality.findings.iter().cloned();
+        let of_records = data.records.iter().map(|(name, record)| (name, &record.quality.findings));
+        let of_maps = data.maps.iter().map(|(name, map)| (name, &map.findings));
+        let findings = of_records.chain(of_maps).zip(&data.experiments).map(|((name, found), experiment)| {
+            let found = found.iter().cloned();
             (name.clone(), std::iter::once(experiment.beginning().to_owned()).chain(found).collect())
         });
         let refused = ranking.refused.iter().map(|(law, reason)| RefusedLaw { law, reason: reason.clone() });
@@ -128,6 +132,7 @@ fn law(fit: &Fit, place: &Rank) -> FittedLaw {
         condition: fit.condition,
         correlations: fit.correlation.clone(),
         evaluations: fit.evaluations,
+        lack_of_fit: fit.lack_of_fit,
         warnings: fit.warnings.clone(),
         values: fit.accepted().into_iter().collect(),
         early: fit.is_cancelled.then_some(EARLY),

@@ -33,7 +33,7 @@ pub(super) fn evaluated(mut problem: Problem) -> Result<Fit, Fault> {
         }
     }
     let found = Residuals::of_fit(&problem, &residuals);
-    let warnings = warnings(&problem, &found, &[], Searches::Agree, 0.0);
+    let warnings = warnings(&problem, (&residuals, &found), &[], Searches::Agree, 0.0);
     let at = Found { point: Vec::new(), cost: problem.loss.cost(&residuals), evaluations };
     Ok(Fit { warnings, ..as_is(&problem, &at, found)? })
 }

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::path::{Component, Path};
 
+use super::map::Rows;
 use crate::measured::{MatchedFilter, Movement, Record};
 use stribeck_solve::system::Fault;
 
@@ -46,6 +47,8 @@ pub struct Experiment {
     pub window: f64,
     /// Further data of a record whose force and motion are smoothed alike.
     pub matched_filter: Option<MatchedFilter>,
+    /// Rows of a map of friction, each in steady sliding; None for a record. The time is then the number of the row.
+    pub map: Option<Rows>,
 }
 
 /// Samples that are taken to be at rest, or in steady motion.
@@ -281,6 +284,7 @@ impl Experiment {
             force: take(&self.force),
             left_out: self.left_out.iter().copied().step_by(parts).collect(),
             matched_filter,
+            map: self.map.as_ref().map(|rows| rows.coarser(parts)),
             ..self.clone()
         }
     }
@@ -298,7 +302,9 @@ impl Experiment {
 
     /// How it is taken to begin.
     pub fn beginning(&self) -> &'static str {
-        if self.begins_in_motion() {
+        if self.map.is_some() {
+            "each row is taken as steady sliding"
+        } else if self.begins_in_motion() {
             "taken to begin in steady sliding"
         } else {
             "taken to begin at rest, with the contact unloaded"

@@ -14,6 +14,7 @@ use stribeck_solve::system::Fault;
 use toml::Value;
 use ts_rs::TS;
 
+use super::map::{self, FrictionMap, MapColumns};
 use super::{Experiment, Method, Ranking, Selection, Settings, Watch, axis, fit_all, held_out, laws_named, names};
 use crate::measured::{Columns, Delay, Drive, MeasuredError, Record, Setup};
 use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TIME, VELOCITY, tables};
@@ -23,7 +24,8 @@ use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TIME, VELOCITY, table
 #[serde(deny_unknown_fields, default)]
 #[ts(optional_fields)]
 pub struct Inquiry {
-    /// Records: tables with time, force, and displacement or velocity, perhaps normal_force; units in brackets
+    /// Records: tables with time, force, and displacement or velocity, perhaps normal_force; units in brackets. Without
+    /// time and displacement they are maps of friction at constant speed
     #[serde(deserialize_with = "job::names")]
     pub records: Vec<PathBuf>,
     /// Name of a column in the records: force=Kraft_1; in binary files (.mf4, .mat) that of a channel or variable
@@ -198,6 +200,8 @@ pub struct Data {
     pub records: Vec<(String, Record)>,
     /// The same as the laws are led through them.
     pub experiments: Vec<Experiment>,
+    /// Maps that are fitted instead of records, by their names.
+    pub maps: Vec<(String, FrictionMap)>,
     /// Those that are not fitted.
     pub validation: Vec<Experiment>,
 }
@@ -293,8 +297,14 @@ impl Inquiry {
         Ok(())
     }
 
-    /// The records with their names, and the validation records.
+    /// The records with their names, and the validation records. An error if they are maps, which have no motion.
     pub fn records(&self, from: &dyn Source) -> Result<[Vec<(String, Record)>; 2], Fault> {
+        let [own, others] = self.tables(from)?;
+        Ok([records(own)?, records(others)?])
+    }
+
+    /// The tables with their names, and those of the validation.
+    fn tables(&self, from: &dyn Source) -> Result<[Vec<(String, Table)>; 2], Fault> {
         if self.records.is_empty() {
             return Err(Fault::value("no record was given"));
         }
@@ -305,16 +315,35 @@ impl Inquiry {
         }
         let mut names = names(&files).into_iter();
         let mut named = |files: &[PathBuf]| {
-            let read = |(path, name): (&PathBuf, String)| Ok((name, self.record(path, from)?));
+            let read = |(path, name): (&PathBuf, String)| Ok((name, self.table(path, from)?));
             files.iter().zip(names.by_ref()).map(read).collect::<Result<Vec<_>, Fault>>()
         };
         Ok([named(&self.records)?, named(&self.hold_out)?])
     }
 
-    fn record(&self, path: &Path, from: &dyn Source) -> Result<Record, Fault> {
+    fn table(&self, path: &Path, from: &dyn Source) -> Result<Table, Fault> {
+        let own = from.tables(path).map_err(|error| unreadable(path, error.to_string()))?;
+        let is_map = !self.axis && self.motion.is_none() && self.columns()?.are_of_map(&own);
+        let map = if is_map { own.into_iter().next() } else { return self.record(path, own, from).map(Table::record) };
+        map.map_or_else(|| Err(Fault::value("no table")), |table| self.map(path, table, from)).map(Table::Map)
+    }
+
+    fn map(&self, path: &Path, mut table: Sheet, from: &dyn Source) -> Result<FrictionMap, Fault> {
+        let setup = self.setup();
+        let refused = |error: MeasuredError| match error {
+            MeasuredError::NoLoad => unreadable(path, format!("{error}; {}", map::LOAD)),
+            error => unreadable(path, with_remedy(&error)),
+        };
+        map::refuse_unheeded(self).map_err(|fault| unreadable(path, fault.to_string()))?;
+        let (movement, said) = self.columns()?.apply_to_map(&mut table, &setup).map_err(refused)?;
+        from.check(path, &table, &Columns::knows)?;
+        let columns = MapColumns::of(&table, &setup, movement).map_err(refused)?;
+        FrictionMap::of(columns, said).map_err(|fault| unreadable(path, fault.to_string()))
+    }
+
+    fn record(&self, path: &Path, mut own: Vec<Sheet>, from: &dyn Source) -> Result<Record, Fault> {
         let (setup, columns) = (self.setup(), self.columns()?);
         let read = |path: &Path| from.tables(path).map_err(|error| unreadable(path, error.to_string()));
-        let mut own = read(path)?;
         let mut motion = self.motion.as_deref().map(read).transpose()?.unwrap_or_default();
         let refused = |error: MeasuredError| match (error, &self.motion) {
             (MeasuredError::Motion(error), Some(camera)) => unreadable(camera, with_remedy(&error)),
@@ -337,24 +366,35 @@ impl Inquiry {
         Ok(record)
     }
 
-    fn experiments(&self, records: &[(String, Record)], laws: &[&'static ModelType]) -> Result<Vec<Experiment>, Fault> {
-        let experiment = |(name, record): &(String, Record)| {
-            let all = Experiment::new(name, record);
+    fn experiments(&self, tables: &[(String, Table)], laws: &[&'static ModelType]) -> Result<Vec<Experiment>, Fault> {
+        let experiment = |(name, table): &(String, Table)| {
+            let all = match table {
+                Table::Record(record) => Experiment::new(name, record),
+                Table::Map(map) => return map.experiment(name, self.rest),
+            };
             match self.rest {
                 Some(rest) => all.without_rest(rest),
                 None if self.axis => axis::in_motion(all, laws),
                 None => Ok(all),
             }
         };
-        records.iter().map(experiment).collect()
+        tables.iter().map(experiment).collect()
     }
 
     /// Reads the data.
     pub fn data(&self, from: &dyn Source) -> Result<Data, Fault> {
         let laws = self.laws()?;
-        let [records, others] = self.records(from)?;
-        let validation = self.experiments(&others, &laws)?;
-        Ok(Data { experiments: self.experiments(&records, &laws)?, records, validation })
+        let [own, others] = self.tables(from)?;
+        refuse_both(&own, &others)?;
+        let [experiments, validation] = [self.experiments(&own, &laws)?, self.experiments(&others, &laws)?];
+        let (mut records, mut maps) = (Vec::new(), Vec::new());
+        for (name, table) in own {
+            match table {
+                Table::Record(record) => records.push((name, *record)),
+                Table::Map(map) => maps.push((name, map)),
+            }
+        }
+        Ok(Data { experiments, records, maps, validation })
     }
 
     /// Fits the laws, ranks them, and holds them against the validation records. `begin` hears of each law.
@@ -395,6 +435,47 @@ impl Inquiry {
         let mut options = job::entries(self)?;
         options.remove("records");
         Ok(options)
+    }
+}
+
+/// A table of measurements.
+enum Table {
+    Record(Box<Record>),
+    Map(FrictionMap),
+}
+
+impl Table {
+    fn record(record: Record) -> Table {
+        Table::Record(Box::new(record))
+    }
+}
+
+/// The error for a map where a motion over time is needed.
+pub fn no_record(name: &str) -> Fault {
+    Fault::value(format_args!(
+        "{name}: has no column time, and is a map of friction at constant speed: the command line and Python fit it"
+    ))
+}
+
+/// Records of a rig; refuses maps.
+fn records(tables: Vec<(String, Table)>) -> Result<Vec<(String, Record)>, Fault> {
+    let record = |(name, table): (String, Table)| match table {
+        Table::Record(record) => Ok((name, *record)),
+        Table::Map(_) => Err(no_record(&name)),
+    };
+    tables.into_iter().map(record).collect()
+}
+
+/// Refuses records beside maps: what both scatter by is not the same.
+fn refuse_both(own: &[(String, Table)], others: &[(String, Table)]) -> Result<(), Fault> {
+    let all = || own.iter().chain(others);
+    let record = all().find(|(_, table)| matches!(table, Table::Record(_)));
+    let map = all().find(|(_, table)| matches!(table, Table::Map(_)));
+    match record.zip(map) {
+        Some(((record, _), (map, _))) => Err(Fault::value(format_args!(
+            "{map}: has no column time, and is a map of friction; {record} is a record: fit them one at a time"
+        ))),
+        None => Ok(()),
     }
 }
 

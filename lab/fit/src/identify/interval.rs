@@ -10,7 +10,7 @@ use std::iter::repeat_with;
 use stribeck::number::Real;
 
 use super::parameter::Scale;
-use super::problem::{Found, Problem};
+use super::problem::{Found, Problem, minus};
 use super::search::{Watch, polish, polish_until};
 use super::uncertainty::{Alternative, Residuals, Uncertainty, Verdict, WIDTH};
 
@@ -174,9 +174,12 @@ impl Optimum<'_> {
         let from = Found { cost: f64::INFINITY, ..best.clone() };
         let mut random = fastrand::Rng::with_seed(seed);
         let again = || {
-            let noise = noise(&left, problem.parameters.len(), residuals.correlation, &mut random);
-            let forces = measured.iter().zip(&left).map(|(measured, residual)| measured + residual);
-            let forces = forces.zip(noise).map(|(force, noise)| force - noise).collect();
+            let change = minus(
+                &left,
+                &noise(&left, problem.parameters.len(), problem.block(residuals.correlation), &mut random),
+            );
+            let change = problem.without_weights(change);
+            let forces = measured.iter().zip(change).map(|(measured, change)| measured + change).collect();
             let found = polish(&Problem { substitute: Some(forces), ..problem.clone() }, &from).point;
             (watch.progress)(residuals.rms, best.evaluations);
             (!watch.is_cancelled()).then_some(found)
@@ -195,8 +198,13 @@ impl Optimum<'_> {
 /// local minima is the best, the others may be as likely. Approximation of chi square: E. B. Wilson, M. M. Hilferty,
 /// Proceedings of the National Academy of Sciences 17 (1931), doi:10.1073/pnas.17.12.684.
 fn joint_rise(parameters: usize) -> f64 {
-    let part = 2.0 / (9.0 * parameters as f64);
-    parameters as f64 * (1.0 - part + 1.644_853_626_951_472 * part.sqrt()).powi(3)
+    chi_square(parameters as f64, 1.644_853_626_951_472)
+}
+
+/// Chi square of so many degrees of freedom where a normal distribution has a quantile.
+pub(super) fn chi_square(freedom: f64, normal: f64) -> f64 {
+    let part = 2.0 / (9.0 * freedom);
+    freedom * (1.0 - part + normal * part.sqrt()).powi(3)
 }
 
 /// Distances, in standard deviations, at which a parameter is held with which the force changes in jumps (chosen): what the
@@ -276,11 +284,11 @@ fn held(problem: &Problem, from: &Found, number: usize, coordinate: f64, gain: f
     polish_until(&pinned, &from, gain)
 }
 
-/// Blocks of residuals from random places, as long as ten correlation times; a fit takes a part of the noise away.
-fn noise(residuals: &[f64], parameters: usize, correlation: f64, random: &mut fastrand::Rng) -> Vec<f64> {
+/// Blocks of residuals from random places; a fit takes a part of the noise away.
+fn noise(residuals: &[f64], parameters: usize, length: usize, random: &mut fastrand::Rng) -> Vec<f64> {
     let count = residuals.len();
     let freedom = count as f64 / (count - parameters.min(count - 1)) as f64;
-    let length = ((10.0 * correlation).ceil() as usize).clamp(1, count);
+    let length = length.clamp(1, count);
     let mut noise = Vec::with_capacity(count + length);
     while noise.len() < count {
         // A usize of 32 bits, as in a browser, would take other numbers.

@@ -45,8 +45,11 @@ impl Loss {
 
     /// Noise of the forces of experiments, N.
     pub fn noise(experiments: &[Experiment]) -> f64 {
-        let of =
-            |one: &Experiment| one.matched_filter.as_ref().map_or_else(|| noise(&one.force), |filter| filter.noise);
+        let of = |one: &Experiment| match (&one.matched_filter, &one.map) {
+            (Some(filter), _) => filter.noise,
+            (None, Some(rows)) => rows.scatter,
+            (None, None) => noise(&one.force),
+        };
         let square = |one: &Experiment| of(one) * of(one);
         let noise = (experiments.iter().map(square).sum::<f64>() / experiments.len().max(1) as f64).sqrt();
         let forces = experiments.iter().flat_map(|one| &one.force);

@@ -29,6 +29,7 @@ mod interval;
 mod joint_tests;
 mod least_squares;
 mod loss;
+pub mod map;
 mod output;
 mod parameter;
 mod problem;
@@ -59,7 +60,8 @@ pub use evaluated::evaluate;
 pub use experiment::{Experiment, Rest, names};
 pub use export::{Exported, Format};
 
-pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source};
+pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source, no_record};
+pub use map::{FrictionMap, LackOfFit, steady_curve};
 pub use output::{Difference, EARLY, Reference, difference, known, of_law, preset, respond};
 pub use parameter::{Parameter, Scale, Selection, Target};
 pub use problem::Physical;
@@ -175,6 +177,8 @@ pub struct Fit {
     pub parts: usize,
     /// Residuals in experiments that were not fitted.
     pub validation: Vec<Validation>,
+    /// Misfit of a map with repeats, compared with their scatter.
+    pub lack_of_fit: Option<LackOfFit>,
     /// Warnings for the user.
     pub warnings: Vec<String>,
 }
@@ -470,16 +474,13 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Se
     let ports = Ports::of(law).ok_or_else(|| refused(law, "only laws of one sliding direction can be fitted"))?;
     check(experiments, task)?;
     let parameters = parameter::parameters(law, experiments, &task.selection)?;
-    let samples: usize = experiments.iter().map(Experiment::samples).sum();
-    if samples <= 2 * parameters.len() {
-        return Err(too_few(samples, experiments, parameters.len(), law));
-    }
     let selection = &task.selection;
     let of_law = selection.fixed.iter().filter(|(name, _)| !OF_RIG.contains(&name.as_str()));
-    Ok(Problem {
+    let is_map = experiments.iter().any(|one| one.map.is_some());
+    let mut problem = Problem {
         law,
         ports,
-        exact: Exact::of(law),
+        exact: if is_map { None } else { Exact::of(law) },
         experiments,
         held: of_law.filter_map(|(name, value)| Some((law.find(name)?, *value))).collect(),
         mass: selection.fixed("mass").unwrap_or(task.mass),
@@ -490,11 +491,19 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Se
         pinned: vec![None; parameters.len()],
         substitute: None,
         parameters,
-    })
+        excess: None,
+        untold: Vec::new(),
+    };
+    if is_map {
+        map::hold_untold(&mut problem)?;
+    }
+    let [samples, parameters] = [problem.samples(), problem.parameters.len()];
+    if samples <= 2 * parameters { Err(too_few(samples, experiments, parameters, law)) } else { Ok(problem) }
 }
 
 /// A best point with what is left there, and how far it can be trusted.
 struct Judged {
+    left: Vec<f64>,
     residuals: Residuals,
     trust: Uncertainty,
 }
@@ -565,7 +574,7 @@ impl<'a> Fitter<'a> {
         if residuals.correlation <= SYSTEMATIC {
             trust.doubt_outliers(&self.problem.loss.influence(&left).0, Loss::noise(self.problem.experiments));
         }
-        Ok(Judged { residuals, trust })
+        Ok(Judged { left, residuals, trust })
     }
 
     /// Uncertainty by the sensitivities, less what they do not see.
@@ -584,9 +593,10 @@ impl<'a> Fitter<'a> {
 
     /// Everything about a best point.
     fn finish(&self, best: &Refined, judged: &Judged) -> Result<Fit, Fault> {
-        let Judged { residuals, trust } = judged;
-        let (estimates, is_cancelled) = self.estimates(&best.found, judged);
-        let warnings = warnings(&self.problem, residuals, &estimates, self.searches, best.shift);
+        let Judged { left, residuals, trust } = judged;
+        let (mut estimates, is_cancelled) = self.estimates(&best.found, judged);
+        let warnings = warnings(&self.problem, (left, residuals), &estimates, self.searches, best.shift);
+        estimates.extend(map::estimates(&self.problem));
         let correlation = trust.correlation.row_iter().map(|row| row.iter().copied().collect()).collect();
         let as_is = as_is(&self.problem, &best.found, *residuals)?;
         let (searches, condition) = (self.searches, trust.condition);
@@ -594,7 +604,7 @@ impl<'a> Fitter<'a> {
     }
 
     /// The parameters at a best point, and whether the fit was ended before all intervals were found.
-    fn estimates(&self, best: &Found, Judged { residuals, trust }: &Judged) -> (Vec<Estimate>, bool) {
+    fn estimates(&self, best: &Found, Judged { residuals, trust, .. }: &Judged) -> (Vec<Estimate>, bool) {
         let undivided = if self.problem.parts > 1 { self.problem.undivided(&best.point) } else { None };
         let problem = undivided.as_ref().unwrap_or(&self.problem);
         let optimum = Optimum { problem, best: &problem.judge(best.clone()), residuals, trust };
@@ -607,6 +617,7 @@ impl<'a> Fitter<'a> {
 /// A fit at a point, without estimates or uncertainty.
 fn as_is(problem: &Problem, at: &Found, residuals: Residuals) -> Result<Fit, Fault> {
     let physical = problem.physical(&at.point);
+    let lack_of_fit = problem.residuals(&at.point).and_then(|left| map::lack_of_fit(problem, &left));
     let predicted = problem.predicted(&mut Instance::new(problem.law), &physical, problem.parts);
     let mut predicted = predicted.map_err(|reason| refused(problem.law, reason))?.into_iter();
     let part = |one: &Experiment| predicted.by_ref().take(one.time.len()).collect();
@@ -630,6 +641,7 @@ fn as_is(problem: &Problem, at: &Found, residuals: Residuals) -> Result<Fit, Fau
         axis_load: axis::load(problem.experiments),
         parts: problem.parts,
         validation: Vec::new(),
+        lack_of_fit,
         warnings: Vec::new(),
     })
 }

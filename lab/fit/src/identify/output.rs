@@ -213,6 +213,9 @@ impl Fit {
         if left.loss < left.rms {
             let _ = writeln!(text, "robust loss: the noise without outliers is {} {unit}", digits(left.noise));
         }
+        if let Some(found) = &self.lack_of_fit {
+            let _ = writeln!(text, "{}", found.text());
+        }
         for one in &self.validation {
             let _ = writeln!(text, "validation record {}: RMS residual {} {unit}", one.name, digits(one.rms));
         }

@@ -146,6 +146,8 @@ pub(super) struct Magnitudes {
     duration: f64,
     /// Work of the force as a part of that of the largest one along the whole way.
     dissipated: f64,
+    /// Whether they are of maps, which have no way and no time.
+    is_map: bool,
 }
 
 /// The same part from which the contact slides (chosen): sliding dissipates most of it, pre-sliding gives much of it back.
@@ -166,6 +168,7 @@ impl Magnitudes {
             interval: least(&|one| one.duration() / (one.time.len() - 1) as f64),
             duration: most(&Experiment::duration),
             dissipated: most(&Experiment::dissipated),
+            is_map: experiments.iter().any(|one| one.map.is_some()),
         }
     }
 
@@ -183,10 +186,11 @@ impl Magnitudes {
 
     /// Range and scale of a variable, by its unit (chosen: wide enough for any contact that such data can show).
     fn range(&self, variable: &Variable, unit: &str) -> ([f64; 2], Scale) {
-        let Magnitudes { force, load, speed, travel, interval, duration, dissipated, .. } = *self;
+        let Magnitudes { force, load, speed, travel, interval, duration, dissipated, is_map, .. } = *self;
         // Strokes within the pre-sliding displacement may start anywhere on the way to sliding.
         let yields = if dissipated < ELASTIC { 0.05 } else { 2.0 };
         let (range, scale) = match unit {
+            "m" | "N/m" | "s" if is_map && variable.start > 0.0 => around_start(variable),
             "1" if is_level(variable.meaning) => ([0.0, 2.0 * force / load], Scale::Linear),
             "m/s" => ([1e-4 * speed, speed], Scale::Logarithmic),
             "m" => ([1e-5 * travel, 0.5 * travel], Scale::Logarithmic),
@@ -199,13 +203,18 @@ impl Magnitudes {
             "s/m" => ([0.3 / speed, 1e4 / speed], Scale::Logarithmic),
             "s" => ([0.5 * interval, duration], Scale::Logarithmic),
             "N" => ([0.01 * load, 10.0 * load], Scale::Logarithmic),
-            _ if variable.start > 0.0 => ([1e-2 * variable.start, 1e2 * variable.start], Scale::Logarithmic),
+            _ if variable.start > 0.0 => around_start(variable),
             _ => ([0.0, 100.0], Scale::Mixed(0.01)),
         };
         let bound = variable.bound;
         let low = if bound.is_positive() && range[0] == 0.0 { 1e-6 * range[1] } else { range[0] };
         ([low.max(bound.min()), range[1].min(bound.max())], scale)
     }
+}
+
+/// Range of a variable of which the data have no measure.
+fn around_start(variable: &Variable) -> ([f64; 2], Scale) {
+    ([1e-2 * variable.start, 1e2 * variable.start], Scale::Logarithmic)
 }
 
 /// Whether a variable is fitted unless it is named: a real parameter of the contact, no exponent, no share of an

@@ -37,6 +37,10 @@ pub(super) struct Problem<'a> {
     pub pinned: Vec<Option<f64>>,
     /// Forces that are fitted instead of the measured ones.
     pub substitute: Option<Vec<f64>>,
+    /// Excess of a static level that is held: the columns of both levels, and its value.
+    pub excess: Option<(usize, usize, f64)>,
+    /// Parameters on which the rows of a map do not depend, with the values at which they are held.
+    pub untold: Vec<(Parameter, f64)>,
 }
 
 /// Residual of a point at which the law is refused: larger than any force that is measured.
@@ -123,6 +127,46 @@ impl Problem<'_> {
         all.into_iter().zip(counts).filter(|(_, counts)| *counts).map(|(value, _)| value).collect()
     }
 
+    /// Weights of the samples that count; None if all are 1.
+    fn weights(&self) -> Option<Vec<f64>> {
+        let of = |one: &Experiment| match &one.map {
+            Some(rows) => rows.weights.clone(),
+            None => vec![1.0; one.time.len()],
+        };
+        self.is_map().then(|| self.counting(self.experiments.iter().flat_map(of).collect()))
+    }
+
+    /// Forces at the samples that count, with their weights.
+    fn weighed(&self, mut forces: Vec<f64>) -> Vec<f64> {
+        if let Some(weights) = self.weights() {
+            forces.iter_mut().zip(weights).for_each(|(force, weight)| *force *= weight);
+        }
+        forces
+    }
+
+    /// The same without their weights.
+    pub fn without_weights(&self, mut forces: Vec<f64>) -> Vec<f64> {
+        if let Some(weights) = self.weights() {
+            forces.iter_mut().zip(weights).for_each(|(force, weight)| *force /= weight);
+        }
+        forces
+    }
+
+    /// Samples that are repeated together: ten correlation times, and one row of a map, whose rows are independent.
+    pub fn block(&self, correlation: f64) -> usize {
+        if self.is_map() { 1 } else { (10.0 * correlation).ceil() as usize }
+    }
+
+    /// Whether it is fitted to maps, whose rows are independent, and not to records.
+    pub fn is_map(&self) -> bool {
+        self.experiments.iter().any(|one| one.map.is_some())
+    }
+
+    /// Velocities of the samples that count.
+    pub fn velocities(&self) -> Vec<f64> {
+        self.counting(self.experiments.iter().flat_map(|one| one.velocity.iter().copied()).collect())
+    }
+
     /// The coordinates of all parameters, from those that are free.
     pub fn whole(&self, free: &[f64]) -> Vec<f64> {
         let mut free = free.iter();
@@ -152,7 +196,7 @@ impl Problem<'_> {
     pub fn physical(&self, point: &[f64]) -> Physical {
         let mut physical =
             Physical { columns: self.held.clone(), mass: self.mass, offset: self.offset, delay: self.delay };
-        let mut excess = None;
+        let mut excess = self.excess;
         for (parameter, value) in self.parameters.iter().zip(self.values(point)) {
             match parameter.target {
                 Target::Column(column) => physical.columns.push((column, value)),
@@ -205,11 +249,11 @@ impl Problem<'_> {
         self.substitute.clone().unwrap_or_else(|| self.counting(all()))
     }
 
-    /// Explained minus measured forces at a point; None where the law is refused.
+    /// Explained minus measured forces at a point, weighted; None where the law is refused.
     pub fn residuals(&self, point: &[f64]) -> Option<Vec<f64>> {
         let mut instance = Instance::new(self.law);
         let predicted = self.predicted(&mut instance, &self.physical(point), self.parts).ok()?;
-        Some(minus(&self.counting(predicted), &self.measured()))
+        Some(self.weighed(minus(&self.counting(predicted), &self.measured())))
     }
 
     /// The same with intervals between samples that are not divided, and with forces that leave the same residuals at a
@@ -249,16 +293,17 @@ impl Problem<'_> {
         let physical = self.physical(point);
         match (self.parameters[number].target, self.exact) {
             (Target::Mass, _) => {
-                self.counting(self.delayed(&physical).flat_map(|one| one.acceleration.clone()).collect())
+                self.weighed(self.counting(self.delayed(&physical).flat_map(|one| one.acceleration.clone()).collect()))
             }
-            (Target::Offset, _) => vec![1.0; self.samples()],
+            (Target::Offset, _) => self.weighed(vec![1.0; self.samples()]),
             (Target::Column(column), Some(exact)) => {
                 // The static level moves with the kinetic one.
                 let follows = self.parameters.iter().filter_map(|parameter| match parameter.target {
                     Target::Excess { of, over } if over == column => Some((of, 1.0)),
                     _ => None,
                 });
-                let seeds: Vec<(usize, f64)> = [(column, 1.0)].into_iter().chain(follows).collect();
+                let held = self.excess.filter(|(_, over, _)| *over == column).map(|(of, ..)| (of, 1.0));
+                let seeds: Vec<(usize, f64)> = [(column, 1.0)].into_iter().chain(follows).chain(held).collect();
                 self.exactly(exact, &physical, &seeds)
             }
             (Target::Excess { of, .. }, Some(exact)) => self.exactly(exact, &physical, &[(of, 1.0)]),
@@ -274,7 +319,7 @@ impl Problem<'_> {
         let forces = |one: Cow<Experiment>| {
             exact.forces(&start, self.ports, seeds, &one, self.parts).into_iter().map(|force| force.slope)
         };
-        self.counting(self.delayed(physical).flat_map(forces).collect())
+        self.weighed(self.counting(self.delayed(physical).flat_map(forces).collect()))
     }
 
     /// Central differences; one-sided at an end of the range.

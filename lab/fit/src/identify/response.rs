@@ -11,6 +11,7 @@ use stribeck::model::{InLanes, Law, Meaning, Model, ModelType, Steps, Visitor, m
 use stribeck::number::Dual;
 
 use super::Experiment;
+use super::map::{Sliding, steady_forces};
 
 /// Columns of a law that a rig drives and reads.
 #[derive(Clone, Copy, Debug)]
@@ -93,6 +94,11 @@ pub(super) fn forces(
     experiment: &Experiment,
     parts: usize,
 ) -> Result<Vec<f64>, Refused> {
+    if experiment.map.is_some() {
+        let inputs = |[v, n]: [f64; 2]| ports.inputs([v, n, 0.0]).collect();
+        let sliding = Sliding { inputs: &inputs, force: ports.force };
+        return steady_forces(instance, &sliding, values, experiment);
+    }
     instance.reset();
     instance.set_all(Phase::Setup, values.iter().copied())?;
     instance.check().map_err(Refused::Value)?;

@@ -52,7 +52,7 @@ pub(super) fn measured(law: &str, values: &[(&str, f64)], experiment: &Experimen
 }
 
 pub(super) fn white_noise(rms: f64) -> Residuals {
-    Residuals { rms, loss: rms, noise: rms, softness: 1.0, neighbours: 0.0, correlation: 1.0 }
+    Residuals { rms, loss: rms, noise: rms, softness: 1.0, neighbours: 0.0, correlation: 1.0, student: 1.0 }
 }
 
 pub(super) fn quick() -> Settings {

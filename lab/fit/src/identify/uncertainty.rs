@@ -26,6 +26,7 @@ use nalgebra::{DMatrix, DVector};
 use stribeck::model::Meaning;
 
 use super::loss::Loss;
+use super::map::{by_velocity, neighbours, student};
 use super::parameter::{Parameter, Target, is_level};
 use super::problem::{Found, Problem, dot, minus, moved};
 use super::velocity_error;
@@ -111,17 +112,25 @@ pub struct Residuals {
     pub neighbours: f64,
     /// Samples that count as one.
     pub correlation: f64,
+    /// Width of an interval over that by the normal distribution: 1 unless the samples are few and independent.
+    pub student: f64,
 }
 
 impl Residuals {
     /// Those of a fit.
     pub(super) fn of_fit(problem: &Problem, all: &[f64]) -> Residuals {
-        residuals(all, &problem.lengths(), problem.parameters.len(), problem.loss)
+        let found = residuals(all, &problem.lengths(), problem.parameters.len(), problem.loss);
+        if !problem.is_map() {
+            return found;
+        }
+        let freedom = all.len().saturating_sub(problem.parameters.len()).max(1);
+        let neighbours = neighbours(&by_velocity(&problem.velocities(), all));
+        Residuals { correlation: 1.0, neighbours, student: student(WIDTH, freedom), ..found }
     }
 
-    /// Variance of the noise, as of independent samples.
+    /// Variance of the noise, as of independent samples, which makes normal intervals as wide as those of few samples.
     pub(super) fn variance(&self) -> f64 {
-        self.noise * self.noise * self.correlation
+        self.noise * self.noise * self.correlation * self.student * self.student
     }
 
     /// Rise of twice the cost that counts as much as the sum of squares rising by the variance.
@@ -225,6 +234,7 @@ pub(super) fn residuals(all: &[f64], lengths: &[usize], parameters: usize, loss:
         softness,
         neighbours: lag(1),
         correlation: correlation.max(1.0),
+        student: 1.0,
     }
 }
 

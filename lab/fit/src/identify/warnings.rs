@@ -8,21 +8,22 @@ use super::refine::SHIFT;
 use super::search::Searches;
 use super::uncertainty::{Residuals, SYSTEMATIC, Verdict, digits};
 use super::velocity_error::{self, BLURRED};
-use super::{Estimate, Experiment, Target};
+use super::{Estimate, Experiment, Target, map};
 
 /// Correlation of neighbours from which it is not noise that is left, although it swings so often that few samples count
 /// as one (chosen).
 const ALIKE: f64 = 0.3;
 
-/// Everything to warn of in a fit; `shift` is that of [`super::refine`].
+/// Everything to warn of in a fit with what is `left`; `shift` is that of [`super::refine`].
 pub(super) fn warnings(
     problem: &Problem,
-    residuals: &Residuals,
+    (left, residuals): (&[f64], &Residuals),
     estimates: &[Estimate],
     searches: Searches,
     shift: f64,
 ) -> Vec<String> {
-    let of_fit = [not_found(searches), too_coarse(shift), not_noise(residuals)].into_iter().flatten();
+    let not_noise = if problem.is_map() { map::warnings(problem, left) } else { not_noise(residuals) };
+    let of_fit = [not_found(searches), too_coarse(shift), not_noise].into_iter().flatten();
     let experiments = || problem.experiments.iter();
     let systematic = experiments().filter(|_| residuals.correlation > SYSTEMATIC);
     let relaxed = systematic.filter_map(|one| relaxed(one, estimates));

@@ -97,6 +97,38 @@ impl Columns {
         Ok(notes)
     }
 
+    /// Whether tables have force and velocity, but neither a time nor a displacement: a map of friction.
+    pub(crate) fn are_of_map(&self, tables: &[Sheet]) -> bool {
+        let is_named = |quantity: &Quantity| self.names.iter().any(|(name, _)| name == quantity.name);
+        let has = |quantity: &Quantity| {
+            let is_it = |name: &str| name.eq_ignore_ascii_case(quantity.name) || is_among(name, others(quantity));
+            is_named(quantity) || tables.iter().any(|table| table.names().any(is_it))
+        };
+        let has_signal = || tables.iter().any(|table| table.names().any(|name| is_among(name, &SIGNALS)));
+        tables.len() == 1 && has(&VELOCITY) && (has(&FORCE) || has_signal()) && !has(&TIME) && !has(&DISPLACEMENT)
+    }
+
+    /// As [`Columns::apply`] for a map; returns whether its body slides or turns as well.
+    pub(crate) fn apply_to_map(
+        &self,
+        table: &mut Sheet,
+        setup: &Setup,
+    ) -> Result<(Movement, Vec<String>), MeasuredError> {
+        let tables = std::slice::from_mut(table);
+        self.rename(tables, &mut [])?;
+        let mut notes: Vec<String> = tables[0].note().map(str::to_owned).into_iter().collect();
+        notes.extend(self.find(tables, &VELOCITY)?);
+        notes.extend(self.find_torque(tables, &[])?);
+        notes.extend(self.find(tables, &FORCE)?);
+        let movement = self.movement(tables, &[])?;
+        if setup.normal_force.is_none() {
+            notes.extend(self.find(tables, &NORMAL_FORCE)?);
+        }
+        notes.extend(self.assumed_units(tables, &[], movement));
+        self.scale(tables, &mut [], movement)?;
+        Ok((movement, notes))
+    }
+
     /// Renames the columns that the user has named.
     fn rename(&self, record: &mut [Sheet], motion: &mut [Sheet]) -> Result<(), MeasuredError> {
         for (name, column) in &self.names {

@@ -51,4 +51,5 @@ pub use movement::{Movement, Units};
 pub(crate) use polynomial::correlation_of_slopes;
 pub use quality::noise;
 pub use record::{Delay, Gap, MatchedFilter, Quality, Record, Setup};
+pub(crate) use reduce::load;
 pub(crate) use statistics::{extremes, median, reversals};

@@ -87,12 +87,12 @@ impl Movement {
     }
 
     /// A name with its unit in brackets.
-    pub(super) fn heading(self, name: &str, of_translation: &'static str) -> String {
+    pub(crate) fn heading(self, name: &str, of_translation: &'static str) -> String {
         format!("{name} [{}]", self.unit(of_translation))
     }
 
     /// The quantity in place of one of a body that slides.
-    pub(super) fn quantity(self, of_translation: &'static Quantity) -> &'static Quantity {
+    pub(crate) fn quantity(self, of_translation: &'static Quantity) -> &'static Quantity {
         let turned = TURNED.into_iter().find(|turned| turned.name == of_translation.name);
         turned.filter(|_| self == Movement::Rotation).unwrap_or(of_translation)
     }

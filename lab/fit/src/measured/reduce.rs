@@ -104,7 +104,7 @@ fn more_than_noise(name: &'static str, unit: &'static str, values: &[f64]) -> Re
     if range < STILL * noise { Err(MeasuredError::Still { name, range, noise, unit }) } else { Ok(()) }
 }
 
-fn load(sheet: &Sheet, setup: &Setup, movement: Movement) -> Result<Vec<f64>, MeasuredError> {
+pub(crate) fn load(sheet: &Sheet, setup: &Setup, movement: Movement) -> Result<Vec<f64>, MeasuredError> {
     let Some(loads) = sheet.column(movement.quantity(&NORMAL_FORCE))? else {
         return setup.normal_force.map(|load| vec![load; sheet.len()]).ok_or(MeasuredError::NoLoad);
     };

@@ -1,6 +1,7 @@
 //! Pictures of runs: the usual seven diagrams, with all laws in one, as SVG and PNG.
 
 pub mod drawing;
+mod friction_map;
 pub mod quantity;
 mod text;
 mod tyre;
@@ -15,6 +16,7 @@ pub use crate::palette::{MOST_LAWS, Theme};
 pub(crate) use stribeck_draw::text::{escape, typeset_unit};
 
 use drawing::{Drawing, Line};
+pub use friction_map::friction_map;
 pub use tyre::tyre;
 
 use quantity::Quantity;

@@ -58,10 +58,10 @@ impl View<'_> {
         if high - low <= PURE {
             return None;
         }
-        let lines: Vec<Line> = loads(&shown, test)
+        let lines: Vec<Line> = loads(&shown, &test.load)
             .into_iter()
             .enumerate()
-            .flat_map(|(look, load)| self.lines(&near(&shown, test, load), test, formula, look))
+            .flat_map(|(look, load)| self.lines(&near(&shown, &test.load, load), test, formula, look))
             .collect();
         let (kind, quantities) = (self.kind, self.kind.quantities());
         let title = format!("{}: measured (dots) and fitted", kind.title());
@@ -97,13 +97,13 @@ impl View<'_> {
 }
 
 /// Samples whose load is near this one.
-fn near(samples: &[usize], test: &TyreTest, load: f64) -> Vec<usize> {
-    samples.iter().copied().filter(|at| (test.load[*at] / load - 1.0).abs() <= NEAR).collect()
+pub(super) fn near(samples: &[usize], all: &[f64], load: f64) -> Vec<usize> {
+    samples.iter().copied().filter(|at| (all[*at] / load - 1.0).abs() <= NEAR).collect()
 }
 
 /// Loads spread over those of the samples, from the least to the largest, at least twice as far apart as a load is wide.
-fn loads(samples: &[usize], test: &TyreTest) -> Vec<f64> {
-    let mut sorted: Vec<f64> = samples.iter().map(|at| test.load[*at]).collect();
+pub(super) fn loads(samples: &[usize], all: &[f64]) -> Vec<f64> {
+    let mut sorted: Vec<f64> = samples.iter().map(|at| all[*at]).collect();
     sorted.sort_by(f64::total_cmp);
     let mut loads: Vec<f64> = Vec::new();
     for number in 0..LOADS {
@@ -117,7 +117,7 @@ fn loads(samples: &[usize], test: &TyreTest) -> Vec<f64> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use stribeck::model::start;
 
     use super::*;
@@ -156,7 +156,7 @@ mod tests {
     }
 
     /// The numbers of the paths of a picture: pairs of places.
-    fn places(svg: &str, class: &str) -> Vec<Vec<[f64; 2]>> {
+    pub(in crate::picture) fn places(svg: &str, class: &str) -> Vec<Vec<[f64; 2]>> {
         let paths = svg.split("<path ").filter(|path| path.starts_with(&format!("class=\"law {class}\"")));
         let data = paths.map(|path| path.split(" d=\"").nth(1).unwrap().split('"').next().unwrap());
         let pair = |text: &str| {

@@ -2,7 +2,8 @@
 
 use super::html::Page;
 use super::{STYLE, versions_of};
-use crate::picture::{Kind, Named, Picture, Theme, curves};
+use crate::picture::{Kind, Named, Picture, Theme, curves, friction_map};
+use stribeck_fit::identify::map::FrictionMap;
 use stribeck_fit::identify::{
     Difference, EARLY, Estimate, Fit, Method, Rank, Ranking, Reference, Searches, Settings, Verdict, difference,
     digits, digits_within, known, respond,
@@ -15,6 +16,8 @@ use stribeck_solve::system::Fault;
 pub struct Identification<'a> {
     /// The records with their names.
     pub records: &'a [(String, Record)],
+    /// The maps of friction that were fitted instead, with their names.
+    pub maps: &'a [(String, FrictionMap)],
     /// How they were fitted.
     pub task: &'a Settings,
     /// The command line that repeats it; omitted if empty.
@@ -36,7 +39,11 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
     residuals(&mut page, best);
     pictures_of(&mut page, facts)?;
     ranking(&mut page, facts);
-    records(&mut page, facts);
+    if facts.maps.is_empty() {
+        records(&mut page, facts);
+    } else {
+        maps(&mut page, facts);
+    }
     correlations(&mut page, best);
     settings(&mut page, facts);
     page.heading("To run a system with it");
@@ -52,6 +59,10 @@ fn pictures_of(page: &mut Page, facts: &Identification) -> Result<(), Fault> {
         for picture in drawn(facts, number, Theme::Auto)? {
             page.raw(&format!("<figure>\n{}</figure>\n", picture.svg));
         }
+    }
+    for (name, map) in facts.maps {
+        let picture = friction_map(name, map, facts.ranking.best(), Theme::Auto)?;
+        page.raw(&format!("<figure>\n{}</figure>\n", picture.svg));
     }
     Ok(())
 }
@@ -106,6 +117,9 @@ fn residuals(page: &mut Page, best: &Fit) {
     for one in &best.validation {
         let text = format!("Validation record {}: RMS residual {} {}.", one.name, digits(one.rms), one.unit);
         page.paragraph("note", &text);
+    }
+    if let Some(found) = &best.lack_of_fit {
+        page.paragraph("note", &format!("{}.", found.text()));
     }
     let (statistics, unit) = (&best.residuals, best.movement.unit("N"));
     page.paragraph(
@@ -168,6 +182,23 @@ fn records(page: &mut Page, facts: &Identification) {
         ]
     };
     page.table(&head, facts.records.iter().map(row));
+}
+
+fn maps(page: &mut Page, facts: &Identification) {
+    page.heading("Maps");
+    let head = ["Map", "#Rows", "#Speeds", "#Scatter of the repeats in N", "#Its degrees of freedom", "Findings"];
+    let row = |(name, map): &(String, FrictionMap)| {
+        let scatter = map.scatter.as_ref();
+        [
+            name.clone(),
+            map.velocity.len().to_string(),
+            map.count().to_string(),
+            scatter.map_or(String::new(), |scatter| digits(scatter.pooled)),
+            scatter.map_or(String::new(), |scatter| scatter.freedom.to_string()),
+            map.findings.join("; "),
+        ]
+    };
+    page.table(&head, facts.maps.iter().map(row));
 }
 
 fn correlations(page: &mut Page, best: &Fit) {

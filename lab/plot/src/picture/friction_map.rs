@@ -1,0 +1,154 @@
+//! Picture of a map of friction and of the law that was fitted to it.
+
+use stribeck_draw::text::digits;
+use stribeck_fit::identify::map::{FrictionMap, Mean};
+use stribeck_fit::identify::{Fit, steady_curve};
+use stribeck_solve::system::Fault;
+
+use super::drawing::{Drawing, Line};
+use super::tyre::{loads, near};
+use super::{Kind, Named, Picture, Theme, axes};
+
+/// Intervals of a curve in each direction (chosen); they are shorter near rest.
+const INTERVALS: u32 = 150;
+
+/// Half the width of a mark, as a part of the largest speed (chosen).
+const HALF: f64 = 0.006;
+
+/// Standard deviations to each side of a mean that an error bar shows (chosen: 95 %).
+const BAR: f64 = 1.96;
+
+/// Looks of the marks and of the curve of each load: those of marks have no dashes, or long ones.
+const LOOKS: [[usize; 2]; 4] = [[0, 1], [4, 3], [6, 5], [2, 7]];
+
+/// Draws the means of a map with error bars of its scatter, of 95 % of single rows, and the steady sliding of a law as
+/// curves between the slowest and the fastest row, for at most four loads. Without repeats there are marks only.
+pub fn friction_map(name: &str, map: &FrictionMap, fit: &Fit, theme: Theme) -> Result<Picture, Fault> {
+    let means: Vec<Mean> = map.means().into_iter().filter(|mean| mean.velocity != 0.0).collect();
+    let all: Vec<f64> = means.iter().map(|mean| mean.normal_force).collect();
+    let shown: Vec<usize> = (0..means.len()).filter(|at| all[*at] > 0.0).collect();
+    let half = HALF * means.iter().fold(0.0, |most: f64, mean| most.max(mean.velocity.abs()));
+    let mut lines = Vec::new();
+    for ([marks, curve], load) in LOOKS.into_iter().zip(loads(&shown, &all)) {
+        let near: Vec<&Mean> = near(&shown, &all, load).into_iter().map(|at| &means[at]).collect();
+        let line = |name, points, look| Line { name, points, is_cut: false, look: Some(look) };
+        let points = near.iter().flat_map(|mean| mark(mean, half)).collect();
+        let unit = map.movement.unit("N");
+        lines.push(line(format!("measured, {} {unit}", digits(load, 3)), points, marks));
+        lines.extend(curves(fit, &near)?.into_iter().map(|(name, points)| line(name, points, curve)));
+    }
+    let bars = if map.scatter.is_some() { "means, with 95 % of the scatter" } else { "measured" };
+    let title = format!("{name}: {bars}, and {} fitted", fit.law.name);
+    let quantities = Kind::ForceOverVelocity.quantities();
+    let axes = axes(quantities, quantities.map(|quantity| map.movement.unit(quantity.unit())), &lines, &None);
+    let svg = Drawing { title: &title, quantities, axes: &axes, lines: &lines, theme }.svg();
+    Ok(Picture { kind: Kind::ForceOverVelocity, part: 1, parts: 1, title, svg })
+}
+
+/// A mean: a short line, with an error bar and its caps if there are repeats.
+fn mark(mean: &Mean, half: f64) -> Vec<[f64; 2]> {
+    let Mean { velocity: v, force, scatter, .. } = *mean;
+    let gap = [f64::NAN; 2];
+    let across = |force: f64| [[v - half, force], [v + half, force], gap];
+    let Some(reach) = scatter.map(|scatter| BAR * scatter) else { return across(force).to_vec() };
+    let bar = [[v, force - reach], [v, force + reach], gap];
+    [across(force), bar, across(force - reach), across(force + reach)].concat()
+}
+
+/// The force of steady sliding at the mean load, in each direction that was measured; only the first one has a name.
+fn curves(fit: &Fit, means: &[&Mean]) -> Result<Vec<Named>, Fault> {
+    let load = means.iter().map(|mean| mean.normal_force).sum::<f64>() / means.len() as f64;
+    let mut found = Vec::new();
+    for sign in [1.0, -1.0] {
+        let speeds = || means.iter().map(|mean| sign * mean.velocity).filter(|speed| *speed > 0.0);
+        let [Some(slowest), Some(fastest)] = [speeds().reduce(f64::min), speeds().reduce(f64::max)] else { continue };
+        let part = |point: u32| f64::from(point) / f64::from(INTERVALS);
+        let at = |point: u32| sign * (slowest + (fastest - slowest) * part(point).powi(3));
+        let inputs: Vec<[f64; 2]> = (0..=INTERVALS).map(|point| [at(point), load]).collect();
+        let forces = steady_curve(fit, &inputs)?;
+        let unit = fit.movement.unit("N");
+        let name = format!("{}, {} {unit}", fit.law.name, digits(load, 3));
+        let name = if found.is_empty() { name } else { String::new() };
+        found.push((name, inputs.into_iter().zip(forces).map(|([v, _], force)| [v, force]).collect()));
+    }
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+    use std::sync::atomic::AtomicBool;
+
+    use stribeck_fit::identify::{Data, Inquiry, Ranking, Source, Watch};
+    use stribeck_fit::sheet::{Sheet, SheetError};
+
+    use super::super::tyre::tests::places;
+    use super::*;
+
+    struct Text(String);
+
+    impl Source for Text {
+        fn tables(&self, _: &Path) -> Result<Vec<Sheet>, SheetError> {
+            Ok(vec![Sheet::parse(&self.0)?])
+        }
+    }
+
+    /// Rows of 2 N + 5 N.s/m, as much above it as below it where they are repeated.
+    fn fitted(apart: f64) -> (Data, Ranking) {
+        let speeds = [-0.3, -0.2, -0.1, 0.1, 0.2, 0.4, 0.6];
+        let force = |v: f64| 2.0 * v.signum() + 5.0 * v;
+        let row = |v: f64, apart: f64| format!("{v},{}\n", force(v) + apart);
+        let rows: String = speeds.iter().map(|v| row(*v, apart) + &row(*v, -apart)).collect();
+        let rows = if apart == 0.0 { speeds.iter().map(|v| row(*v, 0.0)).collect() } else { rows };
+        let asked = Inquiry {
+            records: vec!["map.csv".into()],
+            law: vec!["CoulombViscous".into()],
+            normal_force: Some(1.0),
+            repetitions: Some(0),
+            ..Inquiry::default()
+        };
+        let data = asked.data(&Text(format!("velocity [m/s],force [N]\n{rows}"))).unwrap();
+        let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
+        let ranking = asked.fits(&data, &mut |_| (), watch).unwrap();
+        (data, ranking)
+    }
+
+    /// The place of a curve at a horizontal place.
+    fn height(curve: &[[f64; 2]], x: f64) -> f64 {
+        let mut sorted = curve.to_vec();
+        sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let right = sorted.partition_point(|point| point[0] < x).clamp(1, sorted.len() - 1);
+        let [[x_0, y_0], [x_1, y_1]] = [sorted[right - 1], sorted[right]];
+        y_0 + (y_1 - y_0) * (x - x_0) / (x_1 - x_0)
+    }
+
+    #[test]
+    fn means_are_on_the_curve_and_bars_are_as_long_as_the_scatter() {
+        let (data, ranking) = fitted(0.1);
+        let (name, map) = &data.maps[0];
+        let picture = friction_map(name, map, ranking.best(), Theme::Light).unwrap();
+        assert!(picture.svg.contains(">measured, 1 N<") && picture.svg.contains(">CoulombViscous, 1 N<"));
+        assert_eq!(picture.title, "map: means, with 95 % of the scatter, and CoulombViscous fitted");
+        let [marks] = places(&picture.svg, "law-1").try_into().unwrap();
+        let [forwards, backwards] = places(&picture.svg, "law-2").try_into().unwrap();
+        assert_eq!(marks.len(), 7 * 8, "a line, a bar and two caps for each speed");
+        // Two rows 0.1 N from their mean: a variance of 0.02 N2.
+        let newtons = 1.96 * 2.0 * 0.02f64.sqrt();
+        let scale = (height(&forwards, marks[32][0]) - height(&forwards, marks[48][0])) / 2.0;
+        for mark in marks.chunks(8) {
+            let middle = [0.5 * (mark[0][0] + mark[1][0]), mark[0][1]];
+            let curve = if middle[0] < 0.5 * (backwards[0][0] + forwards[0][0]) { &backwards } else { &forwards };
+            assert!((height(curve, middle[0]) - middle[1]).abs() < 0.5, "{mark:?}");
+            assert!(((mark[2][1] - mark[3][1]).abs() / scale - newtons).abs() < 0.05, "{mark:?} {scale}");
+        }
+    }
+
+    #[test]
+    fn a_map_without_repeats_has_no_bars() {
+        let (data, ranking) = fitted(0.0);
+        let (name, map) = &data.maps[0];
+        let picture = friction_map(name, map, ranking.best(), Theme::Light).unwrap();
+        assert_eq!(places(&picture.svg, "law-1")[0].len(), 7 * 2);
+        assert_eq!(picture.title, "map: measured, and CoulombViscous fitted");
+    }
+}
