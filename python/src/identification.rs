@@ -6,7 +6,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck_fit::identify::{Answer, Experiment, Files, Inquiry, Source, Watch};
-use stribeck_fit::sheet::{NORMAL_FORCE, Sheet, SheetError, TIME};
+use stribeck_fit::sheet::{NORMAL_FORCE, Sheet, SheetError, TIME, VELOCITY};
 use stribeck_solve::job::{Choice, options};
 use stribeck_solve::system::Fault;
 
@@ -83,7 +83,9 @@ impl Given {
     fn check(&self, sheet: &Sheet, is_used: &dyn Fn(&str) -> bool) -> Result<(), Fault> {
         let columns = sheet.names().zip(&self.columns).map(|(now, (name, values))| (now, name, values));
         let columns: Vec<_> = columns.collect();
-        let time = columns.iter().find(|(now, _, _)| now.eq_ignore_ascii_case(TIME.name));
+        let of = |quantity: &str| columns.iter().find(|(now, _, _)| now.eq_ignore_ascii_case(quantity));
+        // A map has no time.
+        let time = of(TIME.name).or_else(|| of(VELOCITY.name));
         let Some((_, time, values)) = time else { return Ok(()) };
         let samples = if let Values::Array(all) = values { all.len() } else { 1 };
         for (now, name, values) in &columns {
@@ -123,8 +125,8 @@ fn readable(name: &str) -> String {
 type Tables<'py> = Vec<(String, Bound<'py, PyDict>)>;
 
 /// Fits laws to records as the entries describe it; `arrays` has the tables that are not in files, by name. The outcome
-/// as JSON, and for each record a dictionary of arrays: time, velocity, normal_force, force, and the force that the best
-/// law explains.
+/// as JSON, and for each record a dictionary of arrays: time unless it is a map, velocity, normal_force, force, and the force that
+/// the best law explains.
 #[pyfunction]
 pub fn identify<'py>(
     py: Python<'py>,
@@ -166,8 +168,10 @@ fn table(
     (predicted, fitted): (Vec<f64>, Vec<bool>),
 ) -> PyResult<Bound<'_, PyDict>> {
     let table = PyDict::new(py);
+    if experiment.map.is_none() {
+        table.set_item("time", PyArray1::from_vec(py, experiment.time))?;
+    }
     for (name, values) in [
-        ("time", experiment.time),
         ("velocity", experiment.velocity),
         ("normal_force", experiment.normal_force),
         ("force", experiment.force),

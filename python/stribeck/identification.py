@@ -29,7 +29,8 @@ class Columns(Protocol):
 Record: TypeAlias = str | os.PathLike[str] | Mapping[str, ArrayLike] | Columns
 """A table of a rig: a file, or what has arrays in SI units (a dict, a data frame) by the names `time`, `force`,
 `displacement` or `velocity`, and perhaps `normal_force`, which may be a single number. Names may have other units, those
-of a joint too: `force [N m]`, `displacement [deg]`."""
+of a joint too: `force [N m]`, `displacement [deg]`. `velocity` and `force` without `time` are a map of friction at
+constant speed."""
 
 
 @dataclass(frozen=True)
@@ -68,6 +69,9 @@ class Fit:
     repeatable: bool
     """Whether two searches agreed."""
     estimates: dict[str, Estimate]
+    lack_of_fit: dict[str, Any] | None
+    """Of a map with repeats: the `ratio` F of its misfit to their scatter, its degrees of `freedom`, and whether the
+    scatter has `explained` it."""
     warnings: list[str]
     values: dict[str, float]
     """The parameters of the law that were held or that the data determine, as `force` and `simulate` take them."""
@@ -89,7 +93,7 @@ class Identification:
         or `in steady sliding`), then which columns were used, what is missing or doubtful."""
         self.records = records
         """For each record the arrays `time`, `velocity`, `normal_force`, `force`, `predicted` by the best law, and
-        whether each sample was `fitted`: those at rest and at the ends are not. With `axis=True` they are averages, one
+        whether each sample was `fitted`: those at rest and at the ends are not. A map has no `time`. With `axis=True` they are averages, one
         every half window of the filter. Arrays are called `record 1` and so on, files by their names."""
 
     @property
@@ -113,7 +117,7 @@ def _fit(one: dict[str, Any]) -> Fit:
         Estimate(**{name: each[name] for name in names}, **{name: each[name] and tuple(each[name]) for name in ends})
         for each in one["estimates"]
     ]
-    plain = ("law", "rms", "noise", "validation", "delta_bic", "tied", "repeatable", "warnings", "values")
+    plain = ("law", "rms", "noise", "validation", "delta_bic", "tied", "repeatable", "lack_of_fit", "warnings", "values")
     return Fit(**{name: one[name] for name in plain}, estimates={each.name: each for each in estimates})
 
 

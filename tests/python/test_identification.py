@@ -49,6 +49,31 @@ def test_identify_gives_the_numbers_of_the_command_line(rig):
     assert f"  mu_k: {text}\n" in repr(found)
 
 
+def test_a_map_without_time_is_fitted_as_steady_sliding():
+    speeds = numpy.array([1e-3, 2e-3, 4e-3, 8e-3, 0.015, 0.03, 0.06, 0.1, 0.2])
+    velocity = numpy.tile(numpy.concatenate([-speeds, speeds]), 3)
+    level = 3.0 + 1.0 * numpy.exp(-((velocity / 0.01) ** 2)) + 6.0 * numpy.abs(velocity)
+    force = numpy.sign(velocity) * level + numpy.random.default_rng(3).normal(0.0, 0.02, velocity.size)
+    columns = {"velocity": velocity, "force": force}
+    found = stribeck.identify(columns, ["LuGre", "CoulombViscous"], normal_force=10.0, repetitions=0)
+    assert found.best.law == "LuGre"
+    assert found.best.lack_of_fit["explained"]
+    assert not found.fits[1].lack_of_fit["explained"]
+    assert found.best.lack_of_fit["freedom"] == [14, 36]
+    for name, truth in {"mu_k": 0.3, "mu_s": 0.4, "stribeck_velocity": 0.01, "viscous_coefficient": 6.0}.items():
+        low, high = found.best.estimates[name].interval
+        assert low - (high - low) < truth < high + (high - low)
+    assert found.best.estimates["sigma_0"].value is None
+    assert "a map cannot tell it" in found.best.estimates["sigma_0"].verdict
+    (record,) = found.records.values()
+    assert "time" not in record
+    assert numpy.abs(record["predicted"] - numpy.sign(velocity) * level).max() < 0.03
+    with pytest.raises(stribeck.Refused, match="force has 53 values, velocity has 54"):
+        stribeck.identify({"velocity": velocity, "force": force[:-1]}, "LuGre", normal_force=10.0)
+    with pytest.raises(stribeck.Refused, match="with 1 N the coefficients are forces"):
+        stribeck.identify(columns, "LuGre")
+
+
 @pytest.fixture(scope="module")
 def exported(tmp_path_factory):
     """A LuGre contact, identified and written for other programs; the folder and what the program said."""

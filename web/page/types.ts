@@ -379,6 +379,10 @@ correlations: Array<Array<number>>,
  */
 evaluations: number, 
 /**
+ * Misfit of a map with repeats, compared with their scatter.
+ */
+lack_of_fit: LackOfFit | null, 
+/**
  * Warnings.
  */
 warnings: Array<string>, 
@@ -438,5 +442,19 @@ law: string,
  * Why.
  */
 reason: string, };
+
+export type LackOfFit = { 
+/**
+ * Ratio of the variance of the means to that of the repeats.
+ */
+ratio: number, 
+/**
+ * Degrees of freedom of both.
+ */
+freedom: [number, number], 
+/**
+ * Whether the scatter explains it.
+ */
+explained: boolean, };
 
 export const IDENTIFICATION: Choice[] = [{"name":"column","help":"Name of a column in the records: force=Kraft_1; in binary files (.mf4, .mat) that of a channel or variable","choices":[],"is_flag":false},{"name":"scale","help":"Factor of a column: force=35.15 if it has volts of an amplifier with 35.15 N/V, displacement=-1 if it is reversed","choices":[],"is_flag":false},{"name":"torque_constant","help":"Torque constant of the motor of a joint in N m/A: its current, in A, stands in the column of the force","choices":[],"is_flag":false},{"name":"gear_ratio","help":"Turns of the motor for one of the joint: torque or current are of the motor, and their column is multiplied by it","choices":[],"is_flag":false},{"name":"motor_side","help":"Columns of the motor, before the gear: force, displacement, velocity (default: force, with --gear-ratio)","choices":[],"is_flag":false},{"name":"torque_constant","help":"Torque constant of the motor of a joint in N m/A: its current, in A, stands in the column of the force","choices":[],"is_flag":false},{"name":"gear_ratio","help":"Turns of the motor for one of the joint: torque or current are of the motor, and their column is multiplied by it","choices":[],"is_flag":false},{"name":"motor_side","help":"Columns of the motor, before the gear: force, displacement, velocity (default: force, with --gear-ratio)","choices":[],"is_flag":false},{"name":"axis","help":"The records are of an axis, M a = F - f - offset: fit mass and offset too, with Coulomb and viscous friction unless a law is given, at a normal force of 1 N unless one is known","choices":[],"is_flag":true},{"name":"window","help":"Window in s for smoothing and differentiating the motion, 0 for the shortest (default: 5 to 391 samples, at most a tenth of the record, with the least error of velocity and acceleration; for an axis 9 to 191 samples, force and motion alike)","choices":[],"is_flag":false},{"name":"delay","help":"Delay of the motion behind the force in s; or `find`, or `find:LONGEST` (default: 0; for an axis that of a controller, up to two samples, is found)","choices":[],"is_flag":false},{"name":"skip","help":"Seconds at the start of the records that are skipped (default: 0)","choices":[],"is_flag":false},{"name":"rest","help":"Speed in m/s below which samples are left out (default: three times the error of the velocity, and for Coulomb and viscous friction of an axis a twentieth of the highest speed; 0 for none)","choices":[],"is_flag":false},{"name":"fix","help":"Parameter that is held, in those of several laws that have it: sigma_1=0; also mass and offset of the rig","choices":[],"is_flag":false},{"name":"fit","help":"Additional parameter to fit: an exponent, mass, offset","choices":[],"is_flag":false},{"name":"range","help":"Range of a parameter instead of the one that follows from the data","choices":[],"is_flag":false},{"name":"method","help":"Search over the whole range (default: evolution)","choices":["evolution","genetic"],"is_flag":false},{"name":"loss","help":"Cost of a residual: squares, or less for outliers (default: squares)","choices":["squares","robust"],"is_flag":false},{"name":"folds","help":"Cross-validation: fit all parts of the records but one, in turn, and hold the law against that part (default: none)","choices":[],"is_flag":false},{"name":"budget","help":"Evaluations of the law in a search over the whole range, before least squares; at least those of its first generations are made, 48 or 16 for each parameter, 62 by the genetic algorithm (default: 3000)","choices":[],"is_flag":false},{"name":"seed","help":"Seed of the search and of the repetitions (default: 1)","choices":[],"is_flag":false},{"name":"repetitions","help":"Repetitions with blocks of residuals (default: 40)","choices":[],"is_flag":false}];

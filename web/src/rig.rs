@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::{Deserialize, Serialize};
-use stribeck_fit::identify::{self, EARLY, Inquiry, Source, Watch};
+use stribeck_fit::identify::{self, EARLY, Inquiry, Source, Watch, no_record};
 use stribeck_fit::measured::{Units, average};
 use stribeck_fit::rig::{Faults, VirtualRig};
 use stribeck_fit::sheet::{Sheet, SheetError};
@@ -153,13 +153,17 @@ pub fn quality(asked: &Asked, files: &Texts) -> Result<Answer, Fault> {
 pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)) -> Result<Answer, Fault> {
     let inquiry = asked.inquiry()?;
     let data = inquiry.data(files)?;
+    // The page shows a record beside the fit; that there is none is said before the search.
+    let Some((_, record)) = data.records.first() else {
+        return Err(no_record(data.maps.first().map_or("", |(name, _)| name)));
+    };
     let cancel = AtomicBool::new(false);
     let report = |rms, _| {
         cancel.fetch_or(progress(rms), Ordering::Relaxed);
     };
     let ranking = inquiry.fits(&data, &mut |_| {}, Watch { cancel: &cancel, progress: &report })?;
     let best = ranking.best();
-    let fitted = best.predicted_in(&best.corrected(&data.records[0].1), 0);
+    let fitted = best.predicted_in(&best.corrected(record), 0);
     let cycle = average(&fitted).map(|cycle| cycle.friction_force);
     let arrays = std::iter::once(fitted.friction_force).chain(cycle).collect();
     let answer = Fitted {

@@ -77,5 +77,6 @@ fn answers() -> String {
         identify::FittedLaw,
         identify::FittedParameter,
         identify::RefusedLaw,
+        identify::LackOfFit,
     )
 }
