@@ -107,8 +107,8 @@ impl Arrays {
 }
 
 impl Source for Arrays {
-    fn tables(&self, record: &Path) -> Result<Vec<Sheet>, SheetError> {
-        self.find(record).map_or_else(|| Files.tables(record), |given| Ok(vec![given.table()?]))
+    fn tables(&self, record: &Path, sheet: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
+        self.find(record).map_or_else(|| Files.tables(record, sheet), |given| Ok(vec![given.table()?]))
     }
 
     fn check(&self, record: &Path, table: &Sheet, is_used: &dyn Fn(&str) -> bool) -> Result<(), Fault> {

@@ -94,7 +94,7 @@ pub struct Fitted {
 }
 
 impl Source for Texts {
-    fn tables(&self, record: &Path) -> Result<Vec<Sheet>, SheetError> {
+    fn tables(&self, record: &Path, _sheet: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
         let text = self.0.iter().find(|(name, _)| Path::new(name) == record);
         Ok(vec![Sheet::parse(text.map_or("", |(_, text)| text))?])
     }

@@ -28,8 +28,8 @@ pub fn types() -> String {
         + &options()
 }
 
-/// Options that have places of their own on the page, or are files.
-const ELSEWHERE: [&str; 6] = ["records", "motion", "law", "mass", "normal_force", "hold_out"];
+/// Options that have places of their own on the page, are files, or are for files that the page does not read.
+const ELSEWHERE: [&str; 7] = ["sheet", "records", "motion", "law", "mass", "normal_force", "hold_out"];
 
 /// The other options of an identification, which the page shows as fields.
 fn options() -> String {

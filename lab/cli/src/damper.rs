@@ -51,7 +51,8 @@ fn strokes(friction: &StrutFriction) -> String {
 
 /// Report of the results.
 fn report(test: &Test, damper: &Damper) -> String {
-    let mut text = format!("{} samples; the force is the {}\n\n", test.velocity.len(), damper.force_sign);
+    let mut text = test.note.as_ref().map_or(String::new(), |note| format!("{note}\n"));
+    text += &format!("{} samples; the force is the {}\n\n", test.velocity.len(), damper.force_sign);
     text += "velocity (extension > 0)   resistance\n";
     for (velocity, force) in &damper.table {
         text += &format!("{velocity:>16.4} m/s {force:>12.1} N\n");
@@ -88,7 +89,8 @@ mod tests {
 
     #[test]
     fn reports_name_what_was_found_and_what_was_not() {
-        let test = Test { velocity: vec![0.0; 7], ..Test::default() };
+        let note = Some("read from sheet 'a'".to_owned());
+        let test = Test { velocity: vec![0.0; 7], note, ..Test::default() };
         let level = Estimate { value: 20.0, deviation: 0.5 };
         let damper = Damper {
             table: vec![(-1.0, -900.0), (0.0, 0.0), (1.0, 1500.0)],
@@ -101,7 +103,7 @@ mod tests {
             warnings: vec!["too warm".into()],
         };
         let text = report(&test, &damper);
-        assert!(text.starts_with("7 samples; the force is the reaction\n"), "{text}");
+        assert!(text.starts_with("read from sheet 'a'\n7 samples; the force is the reaction\n"), "{text}");
         assert!(text.contains(" -1.0000 m/s       -900.0 N\n"), "{text}");
         assert!(text.contains("deviation 0.5 N; 25.0 N in compression, 15.0 N in extension\n"), "{text}");
         assert!(!text.contains("gas force"), "{text}");

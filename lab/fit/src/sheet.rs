@@ -20,8 +20,8 @@ use std::borrow::Cow;
 use std::fs;
 use std::path::Path;
 
-pub use binary::{table, tables};
-pub use error::SheetError;
+pub use binary::{NO_SHEETS, has_sheets, table, tables};
+pub use error::{SheetError, of_file};
 use time_stamp::Stamp;
 use units::QUANTITIES;
 pub use units::{

@@ -27,7 +27,7 @@ fn headings(path: &Path) -> Vec<String> {
 fn channels_are_those_of_the_python_programs() {
     let mut channels = 0;
     for (name, groups) in [("rig0.mf4", 2), ("rig1.mf4", 2), ("rig2.mf4", 2), ("rig0.mat", 1), ("rig1.mat", 1)] {
-        let found = tables(&folder().join(name)).unwrap();
+        let found = tables(&folder().join(name), None).unwrap();
         assert_eq!(found.len(), groups, "{name}");
         for (number, table) in found.iter().enumerate() {
             let path = folder().join(format!("{name}-{number}.csv"));
@@ -66,11 +66,11 @@ fn files_of_matlab_are_read_as_scipy_does() {
         files += 1;
         let wanted = folder.join(format!("{}-0.csv", path.file_name().unwrap().display()));
         if !wanted.exists() {
-            let reason = tables(&path).unwrap_err().to_string();
+            let reason = tables(&path, None).unwrap_err().to_string();
             assert!(!reason.contains('\n'), "{reason}");
             continue;
         }
-        let [wanted, found] = [&wanted, &path].map(|path| table(path).unwrap());
+        let [wanted, found] = [&wanted, &path].map(|path| table(path, None).unwrap());
         assert_eq!(found.names().collect::<Vec<_>>(), wanted.names().collect::<Vec<_>>(), "{}", path.display());
         for name in wanted.names() {
             channels += 1;
@@ -111,7 +111,7 @@ fn damaged_files_never_panic() {
                 }
             }
             std::fs::write(&path, spoilt).unwrap();
-            refused += usize::from(tables(&path).map(|tables: Vec<Sheet>| tables.len()).is_err());
+            refused += usize::from(tables(&path, None).map(|tables: Vec<Sheet>| tables.len()).is_err());
         }
     }
     assert!(refused > 100, "{refused}");

@@ -17,6 +17,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use stribeck::catalogue::{Family, documented};
+use stribeck_fit::sheet::of_file;
 use stribeck_plot::picture::Picture;
 use stribeck_solve::system::Fault;
 
@@ -49,8 +50,8 @@ pub enum Failure {
 
 impl Failure {
     /// An error about a file, with its name.
-    pub fn of_file(path: &Path, error: &impl std::fmt::Display) -> Failure {
-        Fault::File(format!("{}: {error}", path.display())).into()
+    pub fn of_file(path: &Path, error: &dyn std::fmt::Display) -> Failure {
+        Fault::File(of_file(path, error)).into()
     }
 }
 

@@ -17,12 +17,14 @@ pub struct Test {
     pub temperature: Option<Vec<f64>>,
     /// Time, s.
     pub time: Option<Vec<f64>>,
+    /// What is to be known of how the file was read.
+    pub note: Option<String>,
 }
 
 impl Test {
-    /// Reads a file.
-    pub fn load(path: &Path) -> Result<Test, SheetError> {
-        Test::of(&table(path)?)
+    /// Reads a file; of a spreadsheet the table of a sheet.
+    pub fn load(path: &Path, sheet: Option<&str>) -> Result<Test, SheetError> {
+        Test::of(&table(path, sheet)?)
     }
 
     /// Reads a [table](crate::sheet) with the columns `velocity`, `force`, and perhaps `displacement`, `temperature`
@@ -44,6 +46,7 @@ impl Test {
             displacement: sheet.column(&DISPLACEMENT)?,
             temperature: sheet.column(&TEMPERATURE)?,
             time: sheet.column(&TIME)?,
+            note: sheet.note().map(str::to_owned),
         };
         if sheet.is_empty() { Err(SheetError::Empty) } else { Ok(test) }
     }
@@ -67,7 +70,7 @@ mod tests {
             force: vec![150.5, -200.0],
             displacement: Some(vec![0.001, 0.002]),
             temperature: Some(vec![293.15, 313.15]),
-            time: None,
+            ..Test::default()
         };
         for text in [
             "velocity,force,displacement,temperature\n0.1,150.5,0.001,293.15\n-0.25,-200,0.002,313.15\n",
@@ -110,7 +113,7 @@ mod tests {
         assert_eq!(refusal("velocity;force\n1;\n"), "line 2, force: '' is not a finite number");
         assert_eq!(refusal("velocity,force\n1,inf\n"), "line 2, force: 'inf' is not a finite number");
         assert!(refusal("velocity,force\n1,5,2\n").starts_with("no table: "), "a decimal comma between commas");
-        let absent = Test::load(Path::new("absent.csv")).unwrap_err().to_string();
+        let absent = Test::load(Path::new("absent.csv"), None).unwrap_err().to_string();
         assert!(absent.starts_with("absent.csv: "), "{absent}");
     }
 
@@ -119,6 +122,6 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("latin.csv");
         fs::write(&path, b"velocity;force;temperature [\xb0C]\n1;2;20\n").unwrap();
-        assert_eq!(Test::load(&path).unwrap().temperature, Some(vec![293.15]));
+        assert_eq!(Test::load(&path, None).unwrap().temperature, Some(vec![293.15]));
     }
 }

@@ -17,6 +17,9 @@ use crate::dyno::{Damper, DynoError, ForceSign, Options, Test, find_damper};
 pub struct Inquiry {
     /// Table with the columns velocity and force, optionally displacement and temperature; units in brackets
     pub record: Option<PathBuf>,
+    /// Sheet of a spreadsheet (default: the first one with a table)
+    #[arg(long, value_name = "NAME")]
+    pub sheet: Option<String>,
     /// Number of points of the damper table, including 0: 3 to 16 (default: a curve of at most 16 points as it is, else
     /// 11)
     #[arg(long)]
@@ -83,7 +86,8 @@ impl Inquiry {
 
     /// Finds the damper, and the friction law if one was asked for.
     pub fn answer(&self) -> Result<Answer, DamperError> {
-        let (options, test) = (self.options(), Test::load(self.file()?).map_err(DynoError::from)?);
+        let (options, test) =
+            (self.options(), Test::load(self.file()?, self.sheet.as_deref()).map_err(DynoError::from)?);
         let damper = find_damper(&test, &options)?;
         let friction = self.law.as_deref().map(|law| self.friction(law, &test, &options)).transpose()?;
         let damper = friction.as_ref().map_or(damper, |friction| friction.damper.clone());

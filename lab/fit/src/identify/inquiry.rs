@@ -17,7 +17,7 @@ use ts_rs::TS;
 use super::map::{self, FrictionMap, MapColumns};
 use super::{Experiment, Method, Ranking, Selection, Settings, Watch, axis, fit_all, held_out, laws_named, names};
 use crate::measured::{Columns, Delay, Drive, MeasuredError, Record, Setup};
-use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TIME, VELOCITY, tables};
+use crate::sheet::{DISPLACEMENT, FORCE, NO_SHEETS, Sheet, SheetError, TIME, VELOCITY, has_sheets, of_file, tables};
 
 /// Records, what is known of their rig, the laws, and how they are fitted.
 #[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize, TS)]
@@ -33,6 +33,9 @@ pub struct Inquiry {
     #[serde(with = "job::table")]
     #[ts(type = "Record<string, string>")]
     pub column: Vec<Entry<String>>,
+    /// Sheet of a spreadsheet (default: the first one with a table)
+    #[arg(long, value_name = "NAME")]
+    pub sheet: Option<String>,
     /// Factor of a column: force=35.15 if it has volts of an amplifier with 35.15 N/V, displacement=-1 if it is reversed
     #[arg(long, value_name = "NAME=FACTOR", allow_hyphen_values = true)]
     #[serde(with = "job::table")]
@@ -174,8 +177,8 @@ impl From<DelayChoice> for Value {
 
 /// Where the tables of records come from.
 pub trait Source {
-    /// The tables of a record, one for each of its clocks.
-    fn tables(&self, record: &Path) -> Result<Vec<Sheet>, SheetError>;
+    /// The tables of a record, one for each of its clocks; of a spreadsheet that of a sheet.
+    fn tables(&self, record: &Path, sheet: Option<&str>) -> Result<Vec<Sheet>, SheetError>;
 
     /// Refuses columns that are used and are no numbers, once columns have the names of their quantities.
     fn check(&self, _record: &Path, _table: &Sheet, _is_used: &dyn Fn(&str) -> bool) -> Result<(), Fault> {
@@ -188,8 +191,8 @@ pub trait Source {
 pub struct Files;
 
 impl Source for Files {
-    fn tables(&self, record: &Path) -> Result<Vec<Sheet>, SheetError> {
-        tables(record)
+    fn tables(&self, record: &Path, sheet: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
+        tables(record, sheet)
     }
 }
 
@@ -313,6 +316,9 @@ impl Inquiry {
         if self.motion.is_some() && files.len() > 1 {
             return Err(Fault::value("motion: is for a single record"));
         }
+        if self.sheet.is_some() && !files.iter().copied().chain(self.motion.as_deref()).any(has_sheets) {
+            return Err(Fault::value(NO_SHEETS));
+        }
         let mut names = names(&files).into_iter();
         let mut named = |files: &[PathBuf]| {
             let read = |(path, name): (&PathBuf, String)| Ok((name, self.table(path, from)?));
@@ -321,8 +327,14 @@ impl Inquiry {
         Ok([named(&self.records)?, named(&self.hold_out)?])
     }
 
+    /// The tables of a file.
+    fn read(&self, path: &Path, from: &dyn Source) -> Result<Vec<Sheet>, Fault> {
+        let sheet = self.sheet.as_deref().filter(|_| has_sheets(path));
+        from.tables(path, sheet).map_err(|error| unreadable(path, &error))
+    }
+
     fn table(&self, path: &Path, from: &dyn Source) -> Result<Table, Fault> {
-        let own = from.tables(path).map_err(|error| unreadable(path, error.to_string()))?;
+        let own = self.read(path, from)?;
         let is_map = !self.axis && self.motion.is_none() && self.columns()?.are_of_map(&own);
         let map = if is_map { own.into_iter().next() } else { return self.record(path, own, from).map(Table::record) };
         map.map_or_else(|| Err(Fault::value("no table")), |table| self.map(path, table, from)).map(Table::Map)
@@ -331,23 +343,23 @@ impl Inquiry {
     fn map(&self, path: &Path, mut table: Sheet, from: &dyn Source) -> Result<FrictionMap, Fault> {
         let setup = self.setup();
         let refused = |error: MeasuredError| match error {
-            MeasuredError::NoLoad => unreadable(path, format!("{error}; {}", map::LOAD)),
-            error => unreadable(path, with_remedy(&error)),
+            MeasuredError::NoLoad => unreadable(path, &format!("{error}; {}", map::LOAD)),
+            error => unreadable(path, &with_remedy(&error)),
         };
-        map::refuse_unheeded(self).map_err(|fault| unreadable(path, fault.to_string()))?;
+        map::refuse_unheeded(self).map_err(|fault| unreadable(path, &fault))?;
         let (movement, said) = self.columns()?.apply_to_map(&mut table, &setup).map_err(refused)?;
         from.check(path, &table, &Columns::knows)?;
         let columns = MapColumns::of(&table, &setup, movement).map_err(refused)?;
-        FrictionMap::of(columns, said).map_err(|fault| unreadable(path, fault.to_string()))
+        FrictionMap::of(columns, said).map_err(|fault| unreadable(path, &fault))
     }
 
     fn record(&self, path: &Path, mut own: Vec<Sheet>, from: &dyn Source) -> Result<Record, Fault> {
         let (setup, columns) = (self.setup(), self.columns()?);
-        let read = |path: &Path| from.tables(path).map_err(|error| unreadable(path, error.to_string()));
+        let read = |path: &Path| self.read(path, from);
         let mut motion = self.motion.as_deref().map(read).transpose()?.unwrap_or_default();
         let refused = |error: MeasuredError| match (error, &self.motion) {
-            (MeasuredError::Motion(error), Some(camera)) => unreadable(camera, with_remedy(&error)),
-            (error, _) => unreadable(path, with_remedy(&error)),
+            (MeasuredError::Motion(error), Some(camera)) => unreadable(camera, &with_remedy(&error)),
+            (error, _) => unreadable(path, &with_remedy(&error)),
         };
         let said = columns.apply(&mut own, &mut motion, &setup).map_err(refused)?;
         let is_elsewhere = |quantity: &str| self.motion.is_some() && is_of_motion(quantity);
@@ -484,9 +496,8 @@ fn pairs<T: Clone>(entries: &[Entry<T>]) -> Vec<(String, T)> {
 }
 
 /// An error about the tables of a file, with its name.
-fn unreadable(path: &Path, text: String) -> Fault {
-    let name = path.display().to_string();
-    Fault::File(if text.starts_with(&name) { text } else { format!("{name}: {text}") })
+fn unreadable(path: &Path, error: &dyn std::fmt::Display) -> Fault {
+    Fault::File(of_file(path, error))
 }
 
 /// An error about a record; how to name a column that was not found.

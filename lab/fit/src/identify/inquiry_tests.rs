@@ -35,6 +35,7 @@ rest = 1e-4
 fix = { sigma_1 = 0.0 }
 fit = ["offset"]
 range = { "mu_s - mu_k" = [0.01, 0.1], sigma_0 = [1e4, 1e6] }
+sheet = "run 2"
 method = "genetic"
 loss = "robust"
 hold_out = ["c.csv"]
@@ -47,7 +48,7 @@ repetitions = 10
 #[test]
 fn a_description_is_the_same_on_the_command_line_and_in_a_file() {
     let all = described(ALL);
-    assert_eq!(job::entries(&all).unwrap().len(), 25, "an option is missing in the text above");
+    assert_eq!(job::entries(&all).unwrap().len(), 26, "an option is missing in the text above");
     let words = shlex::split(&all.command().unwrap()).unwrap();
     assert_eq!(words[..2], ["stribeck", "identify"]);
     let words: Vec<&str> = words[1..].iter().map(String::as_str).collect();

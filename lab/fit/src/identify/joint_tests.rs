@@ -16,7 +16,7 @@ use crate::sheet::{Sheet, SheetError};
 struct Text(String);
 
 impl Source for Text {
-    fn tables(&self, _: &Path) -> Result<Vec<Sheet>, SheetError> {
+    fn tables(&self, _: &Path, _: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
         Ok(vec![Sheet::parse(&self.0)?])
     }
 }

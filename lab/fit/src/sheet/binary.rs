@@ -9,19 +9,36 @@ use super::{Sheet, SheetError};
 /// The tables of a file, one for each group of channels with a clock of its own; of a text file there is one. The format
 /// is that of the extension: `.mf4` and `.mdf` are MDF 4, `.mat` is MAT 4 or 5, `.xlsx`, `.xlsm` and `.ods` are
 /// spreadsheets, everything else is text.
-pub fn tables(path: &Path) -> Result<Vec<Sheet>, SheetError> {
-    let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+///
+/// `sheet` is the one to read of a spreadsheet, the first one with a table if it is not given; other files have none.
+pub fn tables(path: &Path, sheet: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
+    let extension = extension(path);
+    if sheet.is_some() && !has_sheets(path) {
+        return Err(refused(path, NO_SHEETS));
+    }
     match extension.as_str() {
         "mf4" | "mdf" => mdf(path),
         "mat" => mat(path),
-        "xlsx" | "xlsm" | "ods" => spreadsheet(path, &extension),
+        _ if has_sheets(path) => spreadsheet(path, &extension, sheet),
         _ => Ok(vec![Sheet::load(path)?]),
     }
 }
 
+fn extension(path: &Path) -> String {
+    path.extension().unwrap_or_default().to_string_lossy().to_lowercase()
+}
+
+/// Whether a file is a spreadsheet.
+pub fn has_sheets(path: &Path) -> bool {
+    ["xlsx", "xlsm", "ods"].contains(&extension(path).as_str())
+}
+
+/// Why a sheet cannot be chosen.
+pub const NO_SHEETS: &str = "sheet: only spreadsheets have sheets (.xlsx, .xlsm, .ods)";
+
 /// The table of a file that has a single one.
-pub fn table(path: &Path) -> Result<Sheet, SheetError> {
-    let mut all = tables(path)?;
+pub fn table(path: &Path, sheet: Option<&str>) -> Result<Sheet, SheetError> {
+    let mut all = tables(path, sheet)?;
     match all.len() {
         1 => Ok(all.remove(0)),
         count => Err(refused(path, format_args!("has {count} groups of channels, must have one: export it alone"))),
@@ -45,7 +62,7 @@ fn mat(path: &Path) -> Result<Vec<Sheet>, SheetError> {
 }
 
 #[cfg(not(feature = "spreadsheet"))]
-fn spreadsheet(path: &Path, extension: &str) -> Result<Vec<Sheet>, SheetError> {
+fn spreadsheet(path: &Path, extension: &str, _sheet: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
     left_out(path, &extension.to_uppercase())
 }
 
@@ -55,8 +72,8 @@ fn mat(path: &Path) -> Result<Vec<Sheet>, SheetError> {
 }
 
 #[cfg(feature = "spreadsheet")]
-fn spreadsheet(path: &Path, extension: &str) -> Result<Vec<Sheet>, SheetError> {
-    super::spreadsheet::read(path, extension)
+fn spreadsheet(path: &Path, extension: &str, sheet: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
+    super::spreadsheet::read(path, extension, sheet)
 }
 
 /// The channel groups of an MDF file. Their master channels are called `time`; samples that the file declares invalid are

@@ -1,11 +1,17 @@
 //! Errors of tables.
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
 use super::LARGEST;
+
+/// An error about a file, with its name unless it has it already.
+pub fn of_file(path: &Path, error: &dyn std::fmt::Display) -> String {
+    let (name, text) = (path.display().to_string(), error.to_string());
+    if text.starts_with(&name) { text } else { format!("{name}: {text}") }
+}
 
 /// Error in a table.
 #[derive(Debug, Error)]

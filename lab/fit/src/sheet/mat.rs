@@ -12,9 +12,9 @@ use value::{Array, Value};
 use super::guard::refused;
 use super::{Channel, Sheet, SheetError};
 
-/// The vectors of a MAT file and of the structures and cells in it, as one table; vectors of other lengths end with empty
-/// cells. Units are those that a structure gives for names: tyre machines write `channel`, with the cells `name` and
-/// `units`. Scalars, matrices and texts are left out; a note says so of complex numbers and objects.
+/// The vectors of a MAT file and of the structures and cells in it, as one table; vectors of other lengths end with
+/// empty cells. Units are those that a structure gives for names: tyre machines write `channel`, with the cells `name`
+/// and `units`. Scalars, matrices and texts are left out; a note says so of complex numbers and objects.
 pub(super) fn read(path: &Path) -> Result<Vec<Sheet>, SheetError> {
     super::not_too_large(path)?;
     let bytes = std::fs::read(path).map_err(|error| refused(path, error))?;

@@ -1,9 +1,11 @@
-//! Time stamps: `hh:mm:ss.sss`, or ISO 8601 with a date before them.
+//! Time stamps: `hh:mm:ss.sss`, of a day or since a start, or ISO 8601 with a date before them.
 
 /// Seconds of a day.
 const DAY: f64 = 86_400.0;
+/// Most hours since a start (chosen: a year).
+const LONGEST: u32 = 8784;
 
-/// A moment: a time of day, perhaps with its day.
+/// A moment: a time of day, perhaps with its day, or a time since a start, which may be longer than a day.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stamp {
     /// Days since 1970-01-01.
@@ -20,7 +22,7 @@ impl Stamp {
         let (time, offset) = without_zone(time.trim())?;
         let mut parts = time.splitn(3, ':');
         let mut whole = |most: u32| parts.next()?.parse::<u32>().ok().filter(|part| *part <= most).map(f64::from);
-        let (hour, minute) = (whole(23)?, whole(59)?);
+        let (hour, minute) = (whole(if day.is_none() { LONGEST } else { 23 })?, whole(59)?);
         let digits = parts.next()?.replace(',', ".");
         let is_plain = digits.starts_with(|first: char| first.is_ascii_digit()) && !digits.contains(['e', 'E']);
         let second = digits.parse::<f64>().ok().filter(|second| is_plain && *second < 61.0)?;
@@ -102,7 +104,19 @@ mod tests {
         assert_eq!(since("12:00:00"), None, "its day is not known");
         let alone = Stamp::parse("01:02:03.5").unwrap();
         assert_eq!(alone.since_midnight_of(alone), Some(3723.5));
-        for wrong in ["1:2", "24:00:00", "12:60:00", "12:00:61", "12:00:-1", "12:00:nan", "1.5", "", "12:00:1e1"] {
+        assert_eq!(Stamp::parse("24:00:01").unwrap().since_midnight_of(alone), Some(86_401.0));
+        for wrong in [
+            "1:2",
+            "2024-02-28T24:00:00",
+            "9000:00:00",
+            "12:60:00",
+            "12:00:61",
+            "12:00:-1",
+            "12:00:nan",
+            "1.5",
+            "",
+            "12:00:1e1",
+        ] {
             assert_eq!(Stamp::parse(wrong), None, "{wrong}");
         }
     }

@@ -11,7 +11,7 @@ use approx::assert_relative_eq;
 struct Text(String);
 
 impl Source for Text {
-    fn tables(&self, _: &Path) -> Result<Vec<Sheet>, SheetError> {
+    fn tables(&self, _: &Path, _: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
         Ok(vec![Sheet::parse(&self.0)?])
     }
 }
@@ -271,7 +271,7 @@ fn what_is_no_map_is_refused_with_the_reason() {
 struct Both;
 
 impl Source for Both {
-    fn tables(&self, name: &Path) -> Result<Vec<Sheet>, SheetError> {
+    fn tables(&self, name: &Path, _: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
         if name == Path::new("map.csv") {
             return Ok(vec![Sheet::parse(JOINT)?]);
         }

@@ -203,7 +203,7 @@ impl TyreTest {
         let camber = camber.map_or_else(|| vec![0.0; count], |(_, values)| values);
         let slip = slip.map(|(name, values)| measured_slip(name, values));
         let (longitudinal_slip, note) = slip.unwrap_or_else(|| (vec![0.0; count], None));
-        let notes = note.into_iter().collect();
+        let notes = sheet.note().map(str::to_owned).into_iter().chain(note).collect();
         let mut test =
             TyreTest { load, side_slip, longitudinal_slip, camber, force_x, force_y, moment_z, pressure, notes };
         if axes == Axes::Sae {

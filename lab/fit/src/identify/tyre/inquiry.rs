@@ -10,7 +10,7 @@ use stribeck_solve::system::Fault;
 use thiserror::Error;
 
 use super::{Axes, TyreTask, TyreTest, TyreTestError};
-use crate::sheet::{Sheet, table};
+use crate::sheet::{Sheet, of_file, table};
 
 /// A tyre test, and what is known of it.
 #[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
@@ -23,6 +23,9 @@ pub struct Inquiry {
     #[arg(long, value_name = "NAME=COLUMN")]
     #[serde(with = "job::table")]
     pub column: Vec<Entry<String>>,
+    /// Sheet of a spreadsheet (default: the first one with a table)
+    #[arg(long, value_name = "NAME")]
+    pub sheet: Option<String>,
     /// Axes of the test
     #[arg(long, value_enum)]
     pub axes: Option<Axes>,
@@ -58,7 +61,7 @@ pub enum SideChoice {
 #[derive(Debug, Error)]
 pub enum TyreInquiryError {
     /// The table cannot be read.
-    #[error("{}: {source}", path.display())]
+    #[error("{}", of_file(path, source))]
     Test {
         /// The file.
         path: PathBuf,
@@ -82,7 +85,7 @@ impl Inquiry {
             return Ok(());
         }
         Err(Fault::value(
-            "axes, radius, pressure, nominal_load, side, column and fix: are for a tyre test, not for a .tir file",
+            "axes, radius, pressure, nominal_load, side, column, sheet and fix: are for a tyre test, not for a .tir file",
         ))
     }
 
@@ -91,7 +94,7 @@ impl Inquiry {
         let path = self.file()?;
         let axes = self.axes.ok_or_else(|| Fault::value("axes: a tyre test needs iso or sae"))?;
         let refused = |source: TyreTestError| TyreInquiryError::Test { path: path.into(), source };
-        let sheet = self.renamed(table(path).map_err(|error| refused(error.into()))?, path)?;
+        let sheet = self.renamed(table(path, self.sheet.as_deref()).map_err(|error| refused(error.into()))?, path)?;
         let mut test = TyreTest::of(&sheet, axes).map_err(refused)?;
         test.at_pressure(self.pressure).map_err(refused)?;
         Ok(test)
@@ -135,9 +138,14 @@ mod tests {
         let refusal = described("axes = \"sae\"").task().unwrap_err().to_string();
         assert_eq!(refusal, "radius: a tyre test needs the radius without load");
         assert!(described("record = \"a.tir\"").refuse_test().is_ok());
-        for option in
-            ["axes = \"iso\"", "radius = 0.3", "side = \"left\"", "fix = { PKY2 = 1.7 }", "column = { SA = \"a\" }"]
-        {
+        for option in [
+            "axes = \"iso\"",
+            "radius = 0.3",
+            "side = \"left\"",
+            "fix = { PKY2 = 1.7 }",
+            "column = { SA = \"a\" }",
+            "sheet = \"a\"",
+        ] {
             assert!(described(option).refuse_test().is_err(), "{option}");
         }
     }

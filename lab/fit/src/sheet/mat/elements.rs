@@ -15,6 +15,8 @@ const HEADER: usize = 128;
 /// Kinds of elements that are not numbers.
 const MATRIX: u32 = 14;
 const COMPRESSED: u32 = 15;
+/// Most dimensions of an array (chosen).
+const MOST_DIMENSIONS: usize = 32;
 /// How deep structures and cells may be nested (chosen).
 const DEEPEST: usize = 64;
 
@@ -129,6 +131,10 @@ impl<'a> Element<'a> {
     /// Lengths in all directions, and their product.
     fn dimensions(&self) -> Result<(Vec<usize>, usize), Damage> {
         let words = self.words("dimensions")?;
+        if words.len() > MOST_DIMENSIONS {
+            let count = words.len();
+            return Err(self.damage(format_args!("{count} dimensions, must be at most {MOST_DIMENSIONS}")));
+        }
         let lengths: Vec<usize> = words.iter().map(|length| *length as usize).collect();
         let count = lengths.iter().try_fold(1usize, |count, length| count.checked_mul(*length));
         let count = count.filter(|_| lengths.len() > 1 && words.iter().all(|length| i32::try_from(*length).is_ok()));

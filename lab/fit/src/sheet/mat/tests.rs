@@ -53,7 +53,7 @@ fn read_bytes(bytes: &[u8]) -> Result<Sheet, String> {
     let file = tempfile::NamedTempFile::with_suffix(".mat").unwrap();
     std::fs::write(file.path(), bytes).unwrap();
     let name = format!("{}: ", file.path().display());
-    crate::sheet::table(file.path()).map_err(|error| error.to_string().replace(&name, ""))
+    crate::sheet::table(file.path(), None).map_err(|error| error.to_string().replace(&name, ""))
 }
 
 fn loaded(variables: &[Vec<u8>]) -> Result<Sheet, String> {
@@ -251,6 +251,8 @@ fn damage_is_named_with_its_byte() {
     assert_eq!(refusal(&[variable(6, "a", [3, 1], &[])]), "byte 184: ends before the numbers");
     let text = refusal(&[variable(6, "a", [u32::MAX, 1], &[])]);
     assert_eq!(text, "byte 152: dimensions [4294967295, 1] are impossible");
+    let many = [element(6, &[6, 0, 0, 0, 0, 0, 0, 0]), element(5, &[1; 132])].concat();
+    assert_eq!(refusal(&[element(14, &many)]), "byte 152: 33 dimensions, must be at most 32");
     let none = variable(1, "a", [1 << 30, 1 << 30], &[]);
     assert_eq!(refusal(&[none]), "byte 184: ends before a cell or field");
     let deep = (0..100).fold(matrix("", &[&[1.0, 2.0]]), |inner, _| variable(1, "", [1, 1], &[inner]));
