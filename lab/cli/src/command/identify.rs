@@ -312,6 +312,9 @@ fn save(arguments: &Arguments, best: &Fit, experiments: &[Experiment]) -> Result
     let left: Vec<&str> = best.undetermined().filter(|name| best.law.find(name).is_some()).collect();
     if outputs::has_ending(path, "toml") {
         write(path, best.configuration().text())?;
+        if best.physical.gravity != [0.0; 2] {
+            notice("not carried over: the gravity of the arm, which the system axis does not have");
+        }
     } else {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         best.parameter_set(&name)?.save(path).map_err(|error| Fault::File(error.to_string()))?;

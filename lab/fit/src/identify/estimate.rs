@@ -1,12 +1,15 @@
 //! The parameters after a fit, with their intervals.
 
+use std::f64::consts::PI;
+
 use stribeck::model::Meaning;
 use stribeck::number::Real;
 
 use super::interval::{Optimum, quantiles};
-use super::parameter::{Parameter, Scale, Target};
-use super::problem::Problem;
+use super::parameter::{GRAVITY_COEFFICIENTS, Parameter, Scale, Target};
+use super::problem::{Problem, dot};
 use super::uncertainty::{DETERMINED, Uncertainty, Verdict, WIDTH};
+use crate::measured::Movement;
 
 /// A parameter after a fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,21 +67,21 @@ impl Estimate {
 }
 
 /// Intervals besides those by straight lines.
-struct Intervals {
+pub(super) struct Intervals {
     /// Whether the profile likelihood is followed.
-    has_profiles: bool,
+    pub has_profiles: bool,
     /// Values of the parameters in repetitions of the fit.
     repeated: Vec<Vec<f64>>,
 }
 
 impl Intervals {
     /// Interval of a quantity by the repetitions; None without any.
-    fn repeated(&self, of: impl Fn(&[f64]) -> f64) -> Option<[f64; 2]> {
+    pub fn repeated(&self, of: impl Fn(&[f64]) -> f64) -> Option<[f64; 2]> {
         (!self.repeated.is_empty()).then(|| quantiles(self.repeated.iter().map(|values| of(values)).collect()))
     }
 }
 
-fn around(value: f64, deviation: f64) -> [f64; 2] {
+pub(super) fn around(value: f64, deviation: f64) -> [f64; 2] {
     [value - WIDTH * deviation, value + WIDTH * deviation]
 }
 
@@ -132,6 +135,7 @@ impl Optimum<'_> {
             values.iter().enumerate().map(|(number, value)| self.estimate(number, *value, &intervals)).collect();
         let level = StaticLevel::of(self.problem).map(|level| self.static_level(&level, &values, &list, &intervals));
         list.extend(level);
+        list.extend(self.gravity(&values, &list, &intervals));
         list
     }
 
@@ -175,6 +179,78 @@ impl Optimum<'_> {
             estimate.verdict = Verdict::AtMost(estimate.interval()[1]);
         }
         estimate
+    }
+}
+
+/// Torque and angle of two coefficients.
+fn polar([a, b]: [f64; 2]) -> [f64; 2] {
+    let torque = (a * a + b * b).sqrt();
+    // The tangent of half the angle, in the form that does not cancel.
+    let angle = match () {
+        () if a >= 0.0 => 2.0 * Real::atan(b / (torque + a).max(f64::MIN_POSITIVE)),
+        () if b == 0.0 => PI,
+        () => 2.0 * Real::atan((torque - a) / b),
+    };
+    [torque, angle]
+}
+
+impl Optimum<'_> {
+    /// m g l and q_0, if both coefficients are fitted.
+    fn gravity(&self, values: &[f64], known: &[Estimate], intervals: &Intervals) -> Vec<Estimate> {
+        let number = |target: Target| self.problem.parameters.iter().position(|one| one.target == target);
+        let [Some(cosine), Some(sine)] = GRAVITY_COEFFICIENTS.map(|(_, target)| number(target)) else {
+            return Vec::new();
+        };
+        let numbers = [cosine, sine];
+        let at = |values: &[f64]| polar(numbers.map(|number| values[number]));
+        let [a, b] = numbers.map(|number| values[number]);
+        let torque = at(values)[0].max(f64::MIN_POSITIVE);
+        let slopes = [[a / torque, b / torque], [-b / torque / torque, a / torque / torque]];
+        let open =
+            numbers.iter().map(|number| &known[*number].verdict).find(|verdict| **verdict != Verdict::Determined);
+        let verdict = open.cloned().unwrap_or(Verdict::Determined);
+        // An angle may be one turn away.
+        let angle = at(values)[1];
+        let near = |values: &[f64]| angle + (at(values)[1] - angle + PI).rem_euclid(2.0 * PI) - PI;
+        let mut found = [
+            self.of_both(("gravity", "N"), numbers, slopes[0], &|values| at(values)[0], intervals, values),
+            self.of_both(("gravity_angle", "m"), numbers, slopes[1], &near, intervals, values),
+        ];
+        found.iter_mut().for_each(|one| one.verdict = verdict.clone());
+        let [low, high] = found[0].interval();
+        if verdict == Verdict::Determined && low <= 0.0 {
+            found[0].verdict = Verdict::AtMost(high);
+            found[1].verdict = Verdict::Undetermined("the gravity is not distinguishable from 0".to_owned());
+        }
+        found.into()
+    }
+
+    /// A quantity of both coefficients, with its slopes by them.
+    fn of_both(
+        &self,
+        (name, unit): (&str, &'static str),
+        numbers: [usize; 2],
+        slopes: [f64; 2],
+        of: &dyn Fn(&[f64]) -> f64,
+        intervals: &Intervals,
+        values: &[f64],
+    ) -> Estimate {
+        let covariance = |a: usize, b: usize| self.trust.covariance[(numbers[a], numbers[b])];
+        let rows = [0, 1].map(|a| dot(&slopes, &[covariance(a, 0), covariance(a, 1)]));
+        let (value, deviation) = (of(values), dot(&slopes, &rows).max(0.0).sqrt());
+        let is_elsewhere = intervals.has_profiles && !self.trust.alternatives.is_empty();
+        Estimate {
+            name: name.to_owned(),
+            unit: Movement::Rotation.unit(unit),
+            target: Target::Gravity,
+            meaning: Meaning::Undeclared,
+            value,
+            deviation,
+            verdict: Verdict::Determined,
+            linear: around(value, deviation),
+            profile: is_elsewhere.then(|| self.covering(of, [WIDTH * deviation; 2])),
+            repeated: intervals.repeated(of),
+        }
     }
 }
 
@@ -226,5 +302,17 @@ mod tests {
         assert!(!is_open(&logarithmic, 2.0, [1.0, 4.7]) && is_open(&logarithmic, 2.0, [1.0, 4.9]));
         let linear = parameter(Scale::Linear);
         assert!(!is_open(&linear, 0.5, [0.1, 0.88]) && is_open(&linear, 0.5, [0.1, 0.89]));
+    }
+
+    #[test]
+    fn coefficients_have_a_torque_and_an_angle_in_all_quadrants() {
+        for degrees in -180..=180 {
+            let angle = f64::from(degrees).to_radians();
+            let [torque, found] = polar([2.5 * angle.cos(), 2.5 * angle.sin()]);
+            let apart = (found - angle + PI).rem_euclid(2.0 * PI) - PI;
+            assert!((torque - 2.5).abs() < 1e-14 && apart.abs() < 1e-14, "{degrees}: {torque} {found}");
+        }
+        assert_eq!(polar([0.0; 2]), [0.0; 2]);
+        assert_eq!(polar([-3.0, 0.0]), [3.0, PI]);
     }
 }

@@ -6,7 +6,7 @@ use stribeck::model::Kind;
 use stribeck_solve::system::Fault;
 
 use super::least_squares::Found;
-use super::parameter::{known, refused};
+use super::parameter::{GRAVITY_COEFFICIENTS, known, refused};
 use super::problem::Problem;
 use super::warnings::warnings;
 use super::{Experiment, Fit, Reference, Residuals, Searches, Selection, Settings, Watch, as_is};
@@ -51,7 +51,9 @@ pub fn evaluate(fit: &Fit, values: &Reference, experiments: &[Experiment], task:
     });
     let of_rig =
         [("mass", Some(fit.physical.mass)), ("offset", Some(fit.physical.offset)), ("delay", fit.physical.delay)];
-    let of_rig = of_rig.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?)));
+    let of_gravity = GRAVITY_COEFFICIENTS.into_iter().zip(fit.physical.gravity);
+    let of_gravity = of_gravity.map(|((name, _), value)| (name, Some(value)));
+    let of_rig = of_rig.into_iter().chain(of_gravity).filter_map(|(name, value)| Some((name.to_owned(), value?)));
     let selection = Selection { fixed: of_law.chain(of_rig).collect(), ..Selection::default() };
     let task = Settings { selection, profiles: false, folds: 0, ..task.clone() };
     let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };

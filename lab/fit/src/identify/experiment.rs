@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::path::{Component, Path};
 
 use super::map::Rows;
-use crate::measured::{MatchedFilter, Movement, Record};
+use crate::measured::{Direction, MatchedFilter, Movement, Record};
 use stribeck_solve::system::Fault;
 
 /// A run of a rig: the motion and the load that the law is led through, and the force it shall give; of a joint, angles and
@@ -25,6 +25,8 @@ pub struct Experiment {
     pub normal_force: Vec<f64>,
     /// Force of the load cell: m a + f_f + offset, N.
     pub force: Vec<f64>,
+    /// Direction of an arm that gravity turns.
+    pub direction: Option<Direction>,
     /// Error of the velocity around rest, m/s; 0 if it is not known.
     pub velocity_error: f64,
     /// Error of the acceleration where it passes through 0, m/s2; 0 if it is not known.
@@ -102,6 +104,7 @@ impl Experiment {
             acceleration: record.acceleration.clone(),
             normal_force: record.normal_force.clone(),
             force: record.force.clone(),
+            direction: record.direction.clone(),
             velocity_error: record.velocity_error,
             acceleration_error: record.acceleration_error,
             acceleration_lost: if record.matched_filter.is_none() { record.acceleration_lost } else { 0.0 },
@@ -255,17 +258,25 @@ impl Experiment {
             }
         };
         let later = self.time.iter().map(|t| t + by);
-        let (velocity, acceleration) =
+        let (velocity, acceleration): (Vec<f64>, Vec<f64>) =
             later.map(|t| (at(&self.velocity, Some(&self.acceleration), t), at(&self.acceleration, None, t))).unzip();
-        Experiment { velocity, acceleration, ..self.clone() }
+        let direction = self.turned(&velocity, by);
+        Experiment { velocity, acceleration, direction, ..self.clone() }
     }
 
     /// The same for a motion of which the jerk is known; samples may be far apart.
     fn along_jerk(&self, jerk: &[f64], by: f64) -> Experiment {
         let moved = self.velocity.iter().zip(&self.acceleration).zip(jerk);
         let moved = moved.map(|((v, a), jerk)| (v + by * (a + 0.5 * by * jerk), a + by * jerk));
-        let (velocity, acceleration) = moved.unzip();
-        Experiment { velocity, acceleration, ..self.clone() }
+        let (velocity, acceleration): (Vec<f64>, Vec<f64>) = moved.unzip();
+        let direction = self.turned(&velocity, by);
+        Experiment { velocity, acceleration, direction, ..self.clone() }
+    }
+
+    /// The direction of an arm that has moved on, with its velocities then.
+    fn turned(&self, then: &[f64], by: f64) -> Option<Direction> {
+        let angles = self.velocity.iter().zip(then).map(|(now, then)| 0.5 * by * (now + then));
+        self.direction.as_ref().map(|direction| direction.turned(angles))
     }
 
     /// The same with `parts` intervals joined to one; the force is the one at the samples that are left.
@@ -276,7 +287,10 @@ impl Experiment {
             least_speed: take(&filter.least_speed),
             noise: filter.noise,
         });
+        let direction = self.direction.as_ref();
+        let direction = direction.map(|one| Direction { cosine: take(&one.cosine), sine: take(&one.sine) });
         Experiment {
+            direction,
             time: take(&self.time),
             velocity: take(&self.velocity),
             acceleration: take(&self.acceleration),

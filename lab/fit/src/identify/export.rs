@@ -97,6 +97,10 @@ impl Joint {
         if offset != 0.0 {
             lost.push(format!("offset = {offset} {unit}"));
         }
+        if fit.physical.gravity != [0.0; 2] {
+            let [a, b] = fit.physical.gravity;
+            lost.push(format!("the gravity of {a} cos q + {b} sin q {unit}"));
+        }
         if mass == 0.0 {
             lost.push(format!("the {}, which is not known: 1 {}", movement.inertia(), movement.unit("kg")));
         }

@@ -15,7 +15,9 @@ use toml::Value;
 use ts_rs::TS;
 
 use super::map::{self, FrictionMap, MapColumns};
-use super::{Experiment, Method, Ranking, Selection, Settings, Watch, axis, fit_all, held_out, laws_named, names};
+use super::{
+    Experiment, Method, Ranking, Selection, Settings, Watch, axis, fit_all, held_out, laws_named, names, parameter,
+};
 use crate::measured::{Columns, Delay, Drive, MeasuredError, Record, Setup};
 use crate::sheet::{DISPLACEMENT, FORCE, NO_SHEETS, Sheet, SheetError, TIME, VELOCITY, has_sheets, of_file, tables};
 
@@ -85,12 +87,12 @@ pub struct Inquiry {
     /// viscous friction of an axis a twentieth of the highest speed; 0 for none)
     #[arg(long)]
     pub rest: Option<f64>,
-    /// Parameter that is held, in those of several laws that have it: sigma_1=0; also mass and offset of the rig
+    /// Parameter that is held, in those of several laws that have it: sigma_1=0; also mass and offset of the rig, gravity_cos and gravity_sin
     #[arg(long, value_name = "NAME=VALUE")]
     #[serde(with = "job::table")]
     #[ts(type = "Record<string, number>")]
     pub fix: Vec<Entry<f64>>,
-    /// Additional parameter to fit: an exponent, mass, offset
+    /// Additional parameter to fit: an exponent, mass, offset; gravity of the arm of a joint
     #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]
     #[serde(deserialize_with = "job::names")]
     pub fit: Vec<String>,
@@ -224,7 +226,8 @@ impl Inquiry {
         };
         let normal_force = self.normal_force.or(self.axis.then_some(axis::NORMAL_FORCE));
         let (mass, window, skip) = (self.mass(), self.window, self.skip.unwrap_or(0.0));
-        Setup { mass, normal_force, window, delay, skip, is_axis: self.axis }
+        let has_gravity = parameter::has_gravity(&self.selection());
+        Setup { mass, normal_force, window, delay, skip, is_axis: self.axis, has_gravity }
     }
 
     fn columns(&self) -> Result<Columns, Fault> {
@@ -245,10 +248,14 @@ impl Inquiry {
         }
     }
 
+    fn selection(&self) -> Selection {
+        Selection { fixed: pairs(&self.fix), fitted: self.fit.clone(), ranges: pairs(&self.range) }
+    }
+
     /// How they are fitted.
     pub fn settings(&self) -> Result<Settings, Fault> {
         self.refuse_contradictions()?;
-        let mut selection = Selection { fixed: pairs(&self.fix), fitted: self.fit.clone(), ranges: pairs(&self.range) };
+        let mut selection = self.selection();
         if self.axis {
             axis::fitted(&mut selection, self.mass());
         }

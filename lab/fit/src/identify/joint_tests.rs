@@ -27,10 +27,13 @@ struct Joint {
     level: f64,
     viscous: f64,
     offset: f64,
+    /// Gravity of an arm, and the angle at which it is horizontal.
+    gravity: [f64; 2],
 }
 
 const INERTIA: f64 = 0.12;
-const JOINT: Joint = Joint { level: 0.9, viscous: 0.5, offset: 0.05 };
+const JOINT: Joint = Joint { level: 0.9, viscous: 0.5, offset: 0.05, gravity: [0.0; 2] };
+const ARM: Joint = Joint { gravity: [1.5, 0.3], ..JOINT };
 /// Of the samples, s, and of the simulation.
 const INTERVAL: f64 = 0.004;
 const PARTS: u32 = 100;
@@ -54,7 +57,8 @@ impl Joint {
     /// Angle and velocity a short time later; the joint stops where its velocity changes its sign and the torque does not
     /// exceed the level.
     fn moved(self, [q, v]: [f64; 2], torque: f64, step: f64) -> [f64; 2] {
-        let drive = torque - self.offset;
+        let [of_arm, horizontal] = self.gravity;
+        let drive = torque - self.offset - of_arm * (q + 0.5 * step * v - horizontal).cos();
         if v == 0.0 && drive.abs() <= self.level {
             return [q, v];
         }
@@ -112,7 +116,7 @@ const SI: &str = "time [s],position [rad],velocity [rad/s],torque [N m]";
 fn the_values_of_a_joint_are_found_and_shown_in_its_units() {
     let record = text(SI, &JOINT.record(1), [1.0; 3]);
     let (data, fit) = fitted(&asked(), &record);
-    let Joint { level, viscous, offset } = JOINT;
+    let Joint { level, viscous, offset, .. } = JOINT;
     for (name, truth, unit) in [
         ("mass", INERTIA, "kg.m2"),
         ("mu_k", level, "1"),
@@ -272,4 +276,79 @@ fn what_contradicts_a_motor_and_its_gear_is_refused() {
         let found = refusal(&asked, &text(heading, samples, [1.0; 3]));
         assert!(found.contains(expected), "{expected}: {found}");
     }
+}
+
+fn with_gravity() -> Inquiry {
+    Inquiry { fit: names(&["gravity"]), ..asked() }
+}
+
+#[test]
+fn the_gravity_of_an_arm_is_found_as_torque_and_angle() {
+    let samples = ARM.record(6);
+    let (data, fit) = fitted(&with_gravity(), &text(SI, &samples, [1.0; 3]));
+    let Joint { level, viscous, offset, gravity: [torque, angle] } = ARM;
+    for (name, truth, unit) in [
+        ("gravity", torque, "N.m"),
+        ("gravity_angle", angle, "rad"),
+        ("gravity_cos", torque * angle.cos(), "N.m"),
+        ("gravity_sin", torque * angle.sin(), "N.m"),
+        ("mass", INERTIA, "kg.m2"),
+        ("mu_k", level, "1"),
+        ("viscous_coefficient", viscous, "N.m.s/rad"),
+        ("offset", offset, "N.m"),
+    ] {
+        let one = estimate(&fit, name);
+        let [low, high] = one.interval();
+        assert!(one.verdict == Verdict::Determined && (low..=high).contains(&truth) && one.unit == unit, "{one:?}");
+        assert!(high - low < 0.1 * truth.max(0.5), "{one:?}");
+    }
+    // In degrees and rpm; and another record, which is not fitted.
+    let turned = text("time,angle [deg],velocity [rpm],torque [N cm]", &samples, [360.0 / TAU, 60.0 / TAU, 100.0]);
+    let column = vec![Entry("displacement".into(), "angle".into())];
+    are_the_same(&fit, &fitted(&Inquiry { column, ..with_gravity() }, &turned).1);
+    let other = with_gravity().data(&text(SI, &ARM.record(7), [1.0; 3])).unwrap();
+    let unseen = &held_out(&fit, &other.experiments).unwrap()[0];
+    assert!((unseen.rms / unseen.fitted - 1.0).abs() < 0.2, "{unseen:?}");
+    // What pictures show is friction alone.
+    let seen = fit.corrected(&data.records[0].1);
+    let fast: Vec<usize> = (0..seen.time.len()).filter(|at| seen.velocity[*at].abs() > 1.0).collect();
+    for at in &fast {
+        let friction = level * seen.velocity[*at].signum() + viscous * seen.velocity[*at];
+        assert!((seen.friction_force[*at] - friction).abs() < 0.1, "{at} {friction} {}", seen.friction_force[*at]);
+    }
+    assert!(fast.len() > 50);
+    // Values that are given are judged with the gravity that was found.
+    let truth = [("mu_k", level), ("viscous_coefficient", viscous)].map(|(name, value)| (name.to_owned(), value));
+    let known = evaluate(&fit, &truth.into(), &data.experiments, &asked().settings().unwrap());
+    assert!(known.unwrap().residuals.rms < 1.5 * fit.residuals.rms);
+    let Exported { lost, .. } = fit.exported(Format::Mujoco, &data.experiments).unwrap();
+    assert!(lost.iter().any(|one| one.starts_with("the gravity of 1.4")), "{lost:?}");
+}
+
+#[test]
+fn gravity_that_there_is_not_has_a_limit_and_one_that_is_forgotten_is_seen() {
+    let (_, fit) = fitted(&with_gravity(), &text(SI, &JOINT.record(8), [1.0; 3]));
+    let [torque, angle] = ["gravity", "gravity_angle"].map(|name| &estimate(&fit, name).verdict);
+    assert!(matches!(torque, Verdict::AtMost(limit) if *limit < 0.05), "{torque:?}");
+    assert!(matches!(angle, Verdict::Undetermined(_)), "{angle:?}");
+    let record = text(SI, &ARM.record(9), [1.0; 3]);
+    let [forgotten, known] = [asked(), with_gravity()].map(|asked| fitted(&asked, &record).1);
+    assert!(forgotten.residuals.rms > 5.0 * known.residuals.rms);
+    assert!(forgotten.warnings.iter().any(|one| one.starts_with("the residuals are not noise")));
+}
+
+#[test]
+fn gravity_needs_the_angle_of_a_joint() {
+    let samples = &ARM.record(10)[..200].to_vec();
+    for heading in ["t,place,velocity [rad/s],torque [N m]", "t,q [m],v,F"] {
+        let found = refusal(&with_gravity(), &text(heading, samples, [1.0; 3]));
+        assert!(
+            found.ends_with("gravity: is fitted to records of a joint, with a column of its angle, in rad or deg"),
+            "{found}"
+        );
+    }
+    let held = Inquiry { fix: vec![Entry("gravity".into(), 1.0)], ..asked() };
+    let data = held.data(&text(SI, samples, [1.0; 3])).unwrap();
+    let found = held.fits(&data, &mut |_| {}, quiet()).unwrap_err().to_string();
+    assert_eq!(found, "gravity = 1: hold gravity_cos and gravity_sin instead");
 }

@@ -486,6 +486,7 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Se
         mass: selection.fixed("mass").unwrap_or(task.mass),
         offset: selection.fixed("offset").unwrap_or(0.0),
         delay: selection.fixed("delay"),
+        gravity: parameter::GRAVITY_COEFFICIENTS.map(|(name, _)| selection.fixed(name).unwrap_or(0.0)),
         loss: if task.is_robust { Loss::robust(experiments) } else { Loss::SQUARES },
         parts: 1,
         pinned: vec![None; parameters.len()],

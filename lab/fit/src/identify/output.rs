@@ -11,7 +11,7 @@ use super::parameter::OF_RIG;
 use super::response::{Ports, forces};
 use super::uncertainty::{digits, digits_within};
 use super::{Estimate, Experiment, Fit, Searches, Verdict};
-use crate::measured::{Movement, Record};
+use crate::measured::{Direction, Movement, Record};
 use stribeck_solve::run::Configuration;
 use stribeck_solve::system::Fault;
 
@@ -80,26 +80,26 @@ impl Fit {
         let as_is = Experiment::new("record", record);
         let by = self.physical.delay.filter(|_| as_is.delay_range.is_some()).map_or(0.0, |delay| delay - as_is.delay);
         let moved = as_is.with_delay(self.physical.delay).into_owned();
-        let friction_force = self.without_inertia(&record.force, &moved.acceleration);
+        let friction_force = self.without_inertia(&record.force, &moved.acceleration, moved.direction.as_ref());
         let displacement = record.displacement.iter().zip(&record.velocity).map(|(x, v)| x + by * v).collect();
-        let (velocity, acceleration) = (moved.velocity, moved.acceleration);
-        Record { displacement, velocity, acceleration, friction_force, ..record.clone() }
+        let Experiment { velocity, acceleration, direction, .. } = moved;
+        Record { displacement, velocity, acceleration, direction, friction_force, ..record.clone() }
     }
 
     /// The same with the friction force that the law explains in it; its number is that of the experiments that were
     /// fitted.
     pub fn predicted_in(&self, corrected: &Record, number: usize) -> Record {
-        let friction_force = self.without_inertia(&self.predicted[number], &corrected.acceleration);
+        let friction_force =
+            self.without_inertia(&self.predicted[number], &corrected.acceleration, corrected.direction.as_ref());
         Record { friction_force, ..corrected.clone() }
     }
 
     /// Friction in forces of the load cell.
-    fn without_inertia(&self, forces: &[f64], acceleration: &[f64]) -> Vec<f64> {
-        forces
-            .iter()
-            .zip(acceleration)
-            .map(|(force, a)| force - (self.physical.mass * a + self.physical.offset))
-            .collect()
+    fn without_inertia(&self, forces: &[f64], acceleration: &[f64], direction: Option<&Direction>) -> Vec<f64> {
+        let friction = |(at, (force, a)): (usize, (&f64, &f64))| {
+            force - (self.physical.mass * a + self.physical.offset) - self.physical.gravity_at(direction, at)
+        };
+        forces.iter().zip(acceleration).enumerate().map(friction).collect()
     }
 
     /// Name of a column of the law.

@@ -27,6 +27,12 @@ pub enum Target {
     Offset,
     /// Delay of the motion behind the force.
     Delay,
+    /// Gravity of an arm: coefficient of the cosine of its angle.
+    Cosine,
+    /// The same of the sine.
+    Sine,
+    /// What follows from both.
+    Gravity,
 }
 
 /// Scale on which a parameter is searched.
@@ -46,8 +52,8 @@ impl Scale {
             Scale::Linear => value,
             Scale::Logarithmic => Real::ln(value),
             Scale::Mixed(small) => {
-                let ratio = value / small;
-                Real::ln(ratio + (ratio * ratio + 1.0).sqrt())
+                let ratio = (value / small).abs();
+                Real::ln(ratio + (ratio * ratio + 1.0).sqrt()).copysign(value)
             }
         }
     }
@@ -276,7 +282,27 @@ pub(super) fn refused(law: &ModelType, reason: impl Display) -> Fault {
 }
 
 /// Names of the parameters that are of the rig and not of the law.
-pub(super) const OF_RIG: [&str; 3] = ["mass", "offset", "delay"];
+pub(super) const OF_RIG: [&str; 6] = ["mass", "offset", "delay", "gravity", "gravity_cos", "gravity_sin"];
+
+/// Name under which the gravity of an arm is fitted, m g l cos(q - q_0) = a cos q + b sin q.
+pub(super) const GRAVITY: &str = "gravity";
+
+/// Its coefficients of cosine and sine.
+pub(super) const GRAVITY_COEFFICIENTS: [(&str, Target); 2] =
+    [("gravity_cos", Target::Cosine), ("gravity_sin", Target::Sine)];
+
+/// The coefficients that a selection fits.
+pub(super) fn fitted_gravity(selection: &Selection) -> impl Iterator<Item = (&'static str, Target)> {
+    let is_fitted =
+        |(name, _): &(&str, Target)| selection.fits(name) || selection.fits(GRAVITY) && selection.fixed(name).is_none();
+    GRAVITY_COEFFICIENTS.into_iter().filter(is_fitted)
+}
+
+/// Whether a selection says anything of gravity.
+pub(super) fn has_gravity(selection: &Selection) -> bool {
+    let is_held = |(name, _): (&str, Target)| selection.fixed(name).is_some();
+    fitted_gravity(selection).next().is_some() || GRAVITY_COEFFICIENTS.into_iter().any(is_held)
+}
 
 /// The parameters of a law that can be fitted.
 pub(super) fn known(law: &ModelType) -> Vec<(usize, Variable)> {
@@ -372,6 +398,13 @@ fn of_rig(experiments: &[Experiment], selection: &Selection, magnitudes: &Magnit
         let range = [-magnitudes.force, magnitudes.force];
         list.push(one("offset", "N", Target::Offset, range, Scale::Linear));
     }
+    for (name, target) in fitted_gravity(selection) {
+        if experiments.iter().any(|one| one.direction.is_none()) {
+            return Err(Fault::value(format_args!("{name}: is fitted to joints whose angle is known")));
+        }
+        let small = 0.01 * magnitudes.force;
+        list.push(one(name, "N", target, [-1e4 * small, 1e4 * small], Scale::Mixed(small)));
+    }
     match (delay_range(experiments)?, selection.fixed("delay")) {
         (None, Some(_)) => Err("delay: is held only where it is looked for; otherwise give it with the record"),
         (Some(range), None) => {
@@ -402,6 +435,9 @@ fn check_names(law: &ModelType, known: &[(usize, Variable)], selection: &Selecti
         match variable.filter(|variable| !variable.admits(*value)) {
             _ if selection.fits(name) => return refuse(format_args!("is held, and to be fitted too")),
             Some(variable) => return refuse(format_args!("must be {}", variable.bound)),
+            None if name == GRAVITY => {
+                return refuse(format_args!("hold gravity_cos and gravity_sin instead"));
+            }
             None if !value.is_finite() => return refuse(format_args!("must be a finite number")),
             None => {}
         }

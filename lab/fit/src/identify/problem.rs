@@ -12,7 +12,7 @@ use super::least_squares::LeastSquares;
 use super::loss::Loss;
 use super::parameter::{Parameter, Target};
 use super::response::{Exact, Ports, forces};
-use crate::measured::Movement;
+use crate::measured::{Direction, Movement};
 
 /// A law, the experiments it is fitted to, and the parameters.
 #[derive(Clone)]
@@ -29,6 +29,8 @@ pub(super) struct Problem<'a> {
     pub offset: f64,
     /// Delay of the motion, if it is held.
     pub delay: Option<f64>,
+    /// Gravity of an arm where it is not parameter: coefficients of the cosine and the sine of its angle.
+    pub gravity: [f64; 2],
     /// Cost of a residual.
     pub loss: Loss,
     /// Parts into which the intervals between samples are divided.
@@ -91,6 +93,16 @@ pub struct Physical {
     pub offset: f64,
     /// Delay of the motion behind the force, if it was fitted or held, s.
     pub delay: Option<f64>,
+    /// Gravity of an arm: coefficients of the cosine and the sine of its angle, N m.
+    pub gravity: [f64; 2],
+}
+
+impl Physical {
+    /// Gravity of an arm at a sample, N m; 0 of other bodies.
+    pub(super) fn gravity_at(&self, direction: Option<&Direction>, at: usize) -> f64 {
+        let [a, b] = self.gravity;
+        direction.map_or(0.0, |one| a * one.cosine[at] + b * one.sine[at])
+    }
 }
 
 /// Part of what a filter takes away of the acceleration that is doubtful (chosen): it takes more of what is faster.
@@ -194,8 +206,13 @@ impl Problem<'_> {
     }
 
     pub fn physical(&self, point: &[f64]) -> Physical {
-        let mut physical =
-            Physical { columns: self.held.clone(), mass: self.mass, offset: self.offset, delay: self.delay };
+        let mut physical = Physical {
+            columns: self.held.clone(),
+            mass: self.mass,
+            offset: self.offset,
+            delay: self.delay,
+            gravity: self.gravity,
+        };
         let mut excess = self.excess;
         for (parameter, value) in self.parameters.iter().zip(self.values(point)) {
             match parameter.target {
@@ -204,6 +221,9 @@ impl Problem<'_> {
                 Target::Mass => physical.mass = value,
                 Target::Offset => physical.offset = value,
                 Target::Delay => physical.delay = Some(value),
+                Target::Cosine => physical.gravity[0] = value,
+                Target::Sine => physical.gravity[1] = value,
+                Target::Gravity => {}
             }
         }
         if let Some((of, over, value)) = excess {
@@ -226,7 +246,12 @@ impl Problem<'_> {
             let experiment = &*experiment;
             let friction = forces(instance, self.ports, &physical.columns, experiment, parts)?;
             let inertia = experiment.acceleration.iter().map(|a| physical.mass * a + physical.offset);
+            let begin = all.len();
             all.extend(friction.iter().zip(inertia).map(|(friction, rest)| friction + rest));
+            if let Some(direction) = &experiment.direction {
+                let forces = all[begin..].iter_mut().enumerate();
+                forces.for_each(|(at, force)| *force += physical.gravity_at(Some(direction), at));
+            }
         }
         Ok(all)
     }
@@ -296,6 +321,7 @@ impl Problem<'_> {
                 self.weighed(self.counting(self.delayed(&physical).flat_map(|one| one.acceleration.clone()).collect()))
             }
             (Target::Offset, _) => self.weighed(vec![1.0; self.samples()]),
+            (target @ (Target::Cosine | Target::Sine), _) => self.directions(&physical, target == Target::Cosine),
             (Target::Column(column), Some(exact)) => {
                 // The static level moves with the kinetic one.
                 let follows = self.parameters.iter().filter_map(|parameter| match parameter.target {
@@ -307,8 +333,17 @@ impl Problem<'_> {
                 self.exactly(exact, &physical, &seeds)
             }
             (Target::Excess { of, .. }, Some(exact)) => self.exactly(exact, &physical, &[(of, 1.0)]),
-            (Target::Delay, _) | (_, None) => self.differences(point, number, STEP),
+            (Target::Delay | Target::Gravity, _) | (_, None) => self.differences(point, number, STEP),
         }
+    }
+
+    /// Cosine or sine of the angles of arms.
+    fn directions(&self, physical: &Physical, is_cosine: bool) -> Vec<f64> {
+        let of = |one: Cow<Experiment>| {
+            let direction = one.direction.clone().unwrap_or_default();
+            if is_cosine { direction.cosine } else { direction.sine }
+        };
+        self.counting(self.delayed(physical).flat_map(of).collect())
     }
 
     fn exactly(&self, exact: Exact, physical: &Physical, seeds: &[(usize, f64)]) -> Vec<f64> {

@@ -514,6 +514,7 @@ fn remedy(parameter: &Parameter) -> &'static str {
         (Target::Excess { .. }, _) => return "move more slowly around rest, and break away from rest",
         (Target::Delay, _) => return "move with several frequencies",
         (Target::Mass, _) => return "accelerate more",
+        (Target::Cosine | Target::Sine, _) => return "turn through a wider range of angles",
         (_, meaning) if is_level(meaning) => return "slide longer at several speeds",
         (_, Meaning::Damping) => return "reverse faster, and sample the reversals more often",
         (_, Meaning::Viscous | Meaning::GrowsWithSpeed) => return "slide faster",

@@ -56,7 +56,9 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Validation>
         let friction = forces(&mut Instance::new(fit.law), ports, &fit.physical.columns, experiment, fit.parts);
         let friction = friction.map_err(|reason| refused(name, reason.to_string()))?;
         let left = |at: usize| {
-            friction[at] + fit.physical.mass * experiment.acceleration[at] + fit.physical.offset - experiment.force[at]
+            let inertia = fit.physical.mass * experiment.acceleration[at];
+            let gravity = fit.physical.gravity_at(experiment.direction.as_ref(), at);
+            friction[at] + inertia + fit.physical.offset - experiment.force[at] + gravity
         };
         let counting: Vec<f64> = (0..friction.len()).filter(|at| experiment.counts(*at)).map(left).collect();
         if counting.is_empty() {

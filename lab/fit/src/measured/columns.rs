@@ -81,7 +81,7 @@ impl Columns {
             notes.extend(self.find(std::slice::from_mut(table), &TIME).map_err(MeasuredError::of_motion)?);
         }
         let moving = if is_apart { &mut *motion } else { &mut *record };
-        let of_moving = self.find_motion(moving).map_err(|error| of_motion(error.into()))?;
+        let of_moving = self.find_motion(moving, setup.has_gravity).map_err(|error| of_motion(error.into()))?;
         notes.extend(self.find_torque(record, motion)?);
         notes.extend(self.find(record, &FORCE)?);
         notes.extend(of_moving);
@@ -225,9 +225,10 @@ impl Columns {
         units::assumed(&columns.collect::<Vec<_>>())
     }
 
-    /// Finds the columns of the motion by their other names, unless one has its own.
-    fn find_motion(&self, tables: &mut [Sheet]) -> Result<Vec<String>, SheetError> {
-        if tables.iter().any(|table| table.has(DISPLACEMENT.name) || table.has(VELOCITY.name)) {
+    /// Finds the columns of the motion by their other names, unless one has its own; the angle of an arm in any case.
+    fn find_motion(&self, tables: &mut [Sheet], needs_angle: bool) -> Result<Vec<String>, SheetError> {
+        let has = |quantity: &Quantity| tables.iter().any(|table| table.has(quantity.name));
+        if has(&DISPLACEMENT) || has(&VELOCITY) && !needs_angle {
             return Ok(Vec::new());
         }
         let notes = [self.find(tables, &DISPLACEMENT)?, self.find(tables, &VELOCITY)?];

@@ -89,6 +89,9 @@ pub enum MeasuredError {
         /// The column with its unit.
         column: String,
     },
+    /// Gravity of a body without an angle.
+    #[error("gravity: is fitted to records of a joint, with a column of its angle, in rad or deg")]
+    NoAngle,
     /// One column is of a body that slides, another of one that turns.
     #[error(
         "{first} and {second}: one is of a body that slides, the other of one that turns; force, displacement and velocity \

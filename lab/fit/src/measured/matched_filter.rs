@@ -29,6 +29,8 @@
 //! until the next sample, which averages it over an interval h; its samples are averaged in the same way,
 //! y_j + (y_j-1 - 2 y_j + y_j+1) / 24.
 //!
+//! For an arm that gravity turns the regressors are also the averages of cos q and sin q, with its angle q.
+//!
 //! # Source
 //! Parallel filtering of force and regressors, and its decimation: M. Brunot, A. Janot, P. C. Young, F. Carrillo, "An
 //! improved instrumental variable method for industrial robot model identification", Control Engineering Practice 74
@@ -40,7 +42,7 @@ use stribeck::number::Real;
 use super::Movement;
 use super::clock::{Clocks, range_around};
 use super::quality::{GAP, noise};
-use super::record::{MatchedFilter, Record};
+use super::record::{Direction, MatchedFilter, Record};
 use super::stencil::NODES;
 
 /// Delay of the motion behind the force of a controller, least and largest, in samples of the motion (chosen): half a
@@ -66,7 +68,9 @@ pub(super) fn shortest(interval: f64) -> f64 {
 const WINDOWS: [f64; 10] = [9.0, 11.0, 15.0, 21.0, 31.0, 41.0, 61.0, 91.0, 131.0, 191.0];
 
 /// Regressors: acceleration, velocity, its sign, 1 and jerk; the errors of the first four decide on the window.
-const TERMS: usize = 5;
+pub(super) const TERMS: usize = 5;
+/// The same with cosine and sine of the angle of an arm that gravity turns.
+pub(super) const OF_ARM: usize = 7;
 const DECISIVE: usize = 4;
 const ACCELERATION: usize = 0;
 const VELOCITY: usize = 1;
@@ -76,8 +80,10 @@ const JERK: usize = 4;
 /// effect and pre-sliding.
 pub const SLOW: f64 = 0.05;
 
-/// Least number of averages for a regression (chosen).
-const LEAST: usize = 4 * TERMS;
+/// Least number of averages for a regression of so many terms (chosen).
+const fn least(terms: usize) -> usize {
+    4 * terms
+}
 
 /// Multiple of the velocity error below which the sign of the velocity is uncertain (chosen, as in [`crate::identify`]).
 const UNKNOWN_SIGN: f64 = 3.0;
@@ -102,7 +108,7 @@ const BIASED: f64 = 3e-3;
 const BANDWIDTH: f64 = 100.0;
 
 /// The matched filter of one record, before its window is chosen.
-pub(super) struct Filter<'a> {
+pub(super) struct Filter<'a, const N: usize> {
     /// Record with the motion smoothed alone.
     record: &'a Record,
     /// Force as it acts.
@@ -116,9 +122,9 @@ pub(super) struct Filter<'a> {
     noise: Noise,
 }
 
-impl<'a> Filter<'a> {
+impl<'a, const N: usize> Filter<'a, N> {
     /// `is_held`: the force is that of a controller which holds it until the next sample.
-    pub fn new(record: &'a Record, raw: &'a dyn Fn(f64) -> Raw, tolerance: f64, is_held: bool) -> Filter<'a> {
+    pub fn new(record: &'a Record, raw: &'a dyn Fn(f64) -> Raw, tolerance: f64, is_held: bool) -> Filter<'a, N> {
         let force = if is_held { held(&record.force) } else { record.force.clone() };
         let motion = raw(record.clocks.delay);
         let noise = noise_of_motion(record, &motion);
@@ -144,7 +150,7 @@ impl<'a> Filter<'a> {
     fn best(&self, windows: &[f64]) -> Option<f64> {
         let tried = windows.iter().filter_map(|window| {
             let averages = self.averages(&self.motion, *window);
-            Some((averages.are_few(self.record), self.regression(&averages)?.log_error(), *window))
+            Some((averages.are_few(self.record, least(N)), self.regression(&averages)?.log_error(), *window))
         });
         tried.min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))).map(|(.., window)| window)
     }
@@ -165,7 +171,7 @@ impl<'a> Filter<'a> {
         Averages::of(self.record, &self.force, motion, window, self.tolerance)
     }
 
-    fn regression(&self, averages: &Averages) -> Option<Regression> {
+    fn regression(&self, averages: &Averages) -> Option<Regression<N>> {
         averages.regression(self.record, self.noise, self.tolerance)
     }
 }
@@ -185,12 +191,15 @@ struct Delayed {
     range: Option<[f64; 2]>,
 }
 
+/// A weighted average of displacement, velocity, acceleration, jerk, force, normal force, cosine and sine.
+type Average = [f64; 8];
+
 /// Weighted averages of force and motion.
 struct Averages {
     /// Sample in the middle of each.
     chosen: Vec<usize>,
-    /// Displacement, velocity, acceleration, jerk, force and normal force.
-    values: Vec<[f64; 6]>,
+    /// Displacement, velocity, acceleration, jerk, force and normal force; cosine and sine of the angle of an arm.
+    values: Vec<Average>,
     least_speed: Vec<f64>,
     /// Standard deviations of an average and of its first three derivatives, for white noise of 1 in the samples.
     gains: [f64; 4],
@@ -230,16 +239,16 @@ impl Averages {
     }
 
     /// Whether few averages are faster than [`SLOW`].
-    fn are_few(&self, record: &Record) -> bool {
+    fn are_few(&self, record: &Record, least: usize) -> bool {
         let slow = SLOW * record.quality.fastest;
-        self.least_speed.iter().filter(|least| **least > slow).count() < LEAST
+        self.least_speed.iter().filter(|speed| **speed > slow).count() < least
     }
 
-    /// Regression of the force where the velocity keeps its sign; None with fewer than [`LEAST`] averages.
-    fn regression(&self, record: &Record, noise: Noise, tolerance: f64) -> Option<Regression> {
+    /// Regression of the force where the velocity keeps its sign; None with fewer averages than [`least`].
+    fn regression<const N: usize>(&self, record: &Record, noise: Noise, tolerance: f64) -> Option<Regression<N>> {
         let is_moving = |least: &f64| *least > UNKNOWN_SIGN * record.velocity_error && *least > 0.0;
         let moving = self.values.iter().zip(&self.least_speed).filter(|(_, least)| is_moving(least));
-        let rows: Vec<(SVector<f64, TERMS>, f64)> = moving.map(|(values, _)| (terms(values), values[4])).collect();
+        let rows: Vec<(SVector<f64, N>, f64)> = moving.map(|(values, _)| (terms(values), values[4])).collect();
         let mut regression = Regression::of(&rows)?;
         let mass = regression.values[ACCELERATION];
         let gain = |order: usize| self.gains[noise.order + order];
@@ -256,14 +265,14 @@ impl Averages {
 
     /// Removes the noise fraction of the orthogonal part of the jerk. A regressor whose orthogonal part is mostly noise is
     /// replaced by its projection on the others: its coefficient is then undetermined, not wrong.
-    fn calibrate(&mut self, regression: &Regression) {
+    fn calibrate<const N: usize>(&mut self, regression: &Regression<N>) {
         let mut noisy = vec![(ACCELERATION, 2), (VELOCITY, 1), (JERK, 3)];
         noisy.retain(|(term, _)| regression.noise_fraction(*term) > NOISY);
-        let kept: Vec<usize> = (0..TERMS).filter(|term| noisy.iter().all(|(noisy, _)| noisy != term)).collect();
+        let kept: Vec<usize> = (0..N).filter(|term| noisy.iter().all(|(noisy, _)| noisy != term)).collect();
         let projections: Vec<_> = noisy.iter().map(|(term, _)| regression.projection(*term, &kept)).collect();
         let fraction = regression.noise_fraction(JERK);
         for values in &mut self.values {
-            let terms = terms(values);
+            let terms = terms::<N>(values);
             for ((_, column), weights) in noisy.iter().zip(&projections) {
                 values[*column] = weights.dot(&terms);
             }
@@ -279,6 +288,7 @@ impl Averages {
         let [displacement, velocity, acceleration, jerk, force, normal_force] = [0, 1, 2, 3, 4, 5].map(column);
         let friction_force = force.iter().zip(&acceleration).map(|(force, a)| force - mass * a).collect();
         let noise = record.quality.noise * self.gains[0];
+        let direction = record.direction.as_ref().map(|_| Direction { cosine: column(6), sine: column(7) });
         let clocks = Clocks { delay, ..record.clocks };
         Record {
             time: self.chosen.iter().map(|at| record.time[*at]).collect(),
@@ -289,6 +299,7 @@ impl Averages {
             force,
             normal_force,
             friction_force,
+            direction,
             window,
             clocks,
             delay_range: range,
@@ -298,20 +309,21 @@ impl Averages {
 }
 
 /// Regressors of an average.
-fn terms([_, v, a, jerk, ..]: &[f64; 6]) -> SVector<f64, TERMS> {
-    SVector::from([*a, *v, v.signum(), 1.0, *jerk])
+fn terms<const N: usize>([_, v, a, jerk, _, _, cosine, sine]: &Average) -> SVector<f64, N> {
+    let all = [*a, *v, v.signum(), 1.0, *jerk, *cosine, *sine];
+    SVector::from_fn(|row, _| all[row])
 }
 
 /// Regularisation of the scaled normal equations (chosen): collinear regressors have a solution too.
 const ROUNDING: f64 = 1e-12;
 
 /// Regression of the force.
-struct Regression {
-    values: SVector<f64, TERMS>,
+struct Regression<const N: usize> {
+    values: SVector<f64, N>,
     /// Normal equations.
-    gram: SMatrix<f64, TERMS, TERMS>,
+    gram: SMatrix<f64, N, N>,
     /// Their inverse.
-    inverse: SMatrix<f64, TERMS, TERMS>,
+    inverse: SMatrix<f64, N, N>,
     /// Variance of the residual.
     variance: f64,
     count: f64,
@@ -319,12 +331,12 @@ struct Regression {
     noises: [(usize, f64, f64); 3],
 }
 
-impl Regression {
-    fn of(rows: &[(SVector<f64, TERMS>, f64)]) -> Option<Regression> {
-        if rows.len() < LEAST {
+impl<const N: usize> Regression<N> {
+    fn of(rows: &[(SVector<f64, N>, f64)]) -> Option<Regression<N>> {
+        if rows.len() < least(N) {
             return None;
         }
-        let (mut gram, mut right) = (SMatrix::<f64, TERMS, TERMS>::zeros(), SVector::<f64, TERMS>::zeros());
+        let (mut gram, mut right) = (SMatrix::<f64, N, N>::zeros(), SVector::<f64, N>::zeros());
         for (terms, force) in rows {
             gram += terms * terms.transpose();
             right += terms * *force;
@@ -332,7 +344,7 @@ impl Regression {
         let inverse = inverse(&gram)?;
         let values = inverse * right;
         let squares: f64 = rows.iter().map(|(terms, force)| (force - terms.dot(&values)).powi(2)).sum();
-        let variance = squares / (rows.len() - TERMS) as f64;
+        let variance = squares / (rows.len() - N) as f64;
         Some(Regression { values, gram, inverse, variance, count: rows.len() as f64, noises: [(0, 0.0, 0.0); 3] })
     }
 
@@ -343,18 +355,18 @@ impl Regression {
     }
 
     /// Part of a regressor that is orthogonal to the others.
-    fn orthogonal(&self, terms: &SVector<f64, TERMS>, term: usize) -> f64 {
+    fn orthogonal(&self, terms: &SVector<f64, N>, term: usize) -> f64 {
         (self.inverse.row(term) * terms)[0] / self.inverse[(term, term)]
     }
 
     /// Weights of the projection of a regressor on some others.
-    fn projection(&self, term: usize, by: &[usize]) -> SVector<f64, TERMS> {
+    fn projection(&self, term: usize, by: &[usize]) -> SVector<f64, N> {
         let is_used = |one: usize| by.contains(&one);
-        let gram = SMatrix::<f64, TERMS, TERMS>::from_fn(|row, column| match (is_used(row), is_used(column)) {
+        let gram = SMatrix::<f64, N, N>::from_fn(|row, column| match (is_used(row), is_used(column)) {
             (true, true) => self.gram[(row, column)],
             _ => f64::from(u8::from(row == column)),
         });
-        let right = SVector::<f64, TERMS>::from_fn(|row, _| if is_used(row) { self.gram[(row, term)] } else { 0.0 });
+        let right = SVector::<f64, N>::from_fn(|row, _| if is_used(row) { self.gram[(row, term)] } else { 0.0 });
         inverse(&gram).map_or(SVector::zeros(), |inverse| inverse * right)
     }
 
@@ -410,12 +422,11 @@ impl Regression {
 }
 
 /// Inverse of normal equations, scaled to a unit diagonal: the largest jerk is far above 1.
-fn inverse(gram: &SMatrix<f64, TERMS, TERMS>) -> Option<SMatrix<f64, TERMS, TERMS>> {
-    type Square = SMatrix<f64, TERMS, TERMS>;
+fn inverse<const N: usize>(gram: &SMatrix<f64, N, N>) -> Option<SMatrix<f64, N, N>> {
     let size = gram.diagonal().map(|square| square.sqrt().max(f64::MIN_POSITIVE));
-    let scaled = Square::from_fn(|row, column| gram[(row, column)] / (size[row] * size[column]));
-    let inverse = (scaled + Square::identity() * ROUNDING).try_inverse()?;
-    Some(Square::from_fn(|row, column| inverse[(row, column)] / (size[row] * size[column])))
+    let scaled = SMatrix::<f64, N, N>::from_fn(|row, column| gram[(row, column)] / (size[row] * size[column]));
+    let inverse = (scaled + SMatrix::identity() * ROUNDING).try_inverse()?;
+    Some(SMatrix::from_fn(|row, column| inverse[(row, column)] / (size[row] * size[column])))
 }
 
 /// Whether no sample is missing within some time of another: a stencil cannot bridge a gap.
@@ -448,17 +459,20 @@ fn gains(half: f64, interval: f64) -> [f64; 4] {
 }
 
 /// Averages in the window around a sample.
-fn average(record: &Record, force: &[f64], motion: &[[f64; 3]], middle: usize, half: f64) -> [f64; 6] {
+fn average(record: &Record, force: &[f64], motion: &[[f64; 3]], middle: usize, half: f64) -> Average {
     let time = &record.time;
     let from = time.partition_point(|t| *t <= time[middle] - half);
     let to = time.partition_point(|t| *t < time[middle] + half);
-    let (mut sums, mut total) = ([0.0; 6], 0.0);
+    let (mut sums, mut total) = ([0.0; 8], 0.0);
+    let is_arm = record.direction.is_some();
     for at in from..to {
         let weight = weight((time[at] - time[middle]) / half);
         let [x, v, a] = motion[at];
         let [left, right] = [at.saturating_sub(1), (at + 1).min(time.len() - 1)];
         let jerk = (motion[right][2] - motion[left][2]) / (time[right] - time[left]);
-        for (sum, value) in sums.iter_mut().zip([x, v, a, jerk, force[at], record.normal_force[at]]) {
+        let [cosine, sine] = if is_arm { [Real::cos(x), Real::sin(x)] } else { [0.0; 2] };
+        let values = [x, v, a, jerk, force[at], record.normal_force[at], cosine, sine];
+        for (sum, value) in sums.iter_mut().zip(values) {
             *sum += weight * value;
         }
         total += weight;

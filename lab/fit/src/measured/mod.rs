@@ -50,6 +50,6 @@ pub use matched_filter::SLOW;
 pub use movement::{Movement, Units};
 pub(crate) use polynomial::correlation_of_slopes;
 pub use quality::noise;
-pub use record::{Delay, Gap, MatchedFilter, Quality, Record, Setup};
+pub use record::{Delay, Direction, Gap, MatchedFilter, Quality, Record, Setup};
 pub(crate) use reduce::load;
 pub(crate) use statistics::{extremes, median, reversals};

@@ -28,6 +28,13 @@ pub(super) fn check(record: &Record, setup: &Setup) -> Result<(), MeasuredError>
 fn work(record: &Record, setup: &Setup) -> f64 {
     let (f, x) = (&record.friction_force, &record.displacement);
     let turns = || (1..x.len()).filter(|at| record.velocity[at - 1] * record.velocity[*at] <= 0.0);
+    if setup.has_gravity {
+        // It gives its energy back where the arm returns to the angle of a turn; what the arm has of it is of the drive.
+        let Some(first) = turns().next() else { return 0.0 };
+        let returns = |at: &usize| (x[at - 1] - x[first]) * (x[*at] - x[first]) <= 0.0;
+        let last = (first + 2..x.len()).rev().find(returns).unwrap_or(first + 1);
+        return (first + 1..last).map(|at| 0.5 * (f[at] + f[at - 1]) * (x[at] - x[at - 1])).sum();
+    }
     let part = match (turns().next(), turns().next_back()) {
         _ if setup.mass > 0.0 => 1..x.len(),
         (Some(first), Some(last)) if first < last => first + 1..last,

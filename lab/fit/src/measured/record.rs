@@ -3,6 +3,7 @@
 use super::clock::Clocks;
 use super::{MeasuredError, Movement};
 use crate::sheet::text;
+use stribeck::number::Real;
 
 /// Properties of a measurement that its file does not have.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,8 @@ pub struct Setup {
     pub skip: f64,
     /// Whether it is an axis, whose force is that of its drive: force and motion then pass a matched filter.
     pub is_axis: bool,
+    /// Whether gravity turns it, so that cosine and sine of its angle are needed.
+    pub has_gravity: bool,
 }
 
 /// Delay of the motion behind the force.
@@ -42,7 +45,15 @@ impl Delay {
 impl Default for Setup {
     /// No mass, one clock.
     fn default() -> Setup {
-        Setup { mass: 0.0, normal_force: None, window: None, delay: Delay::Known(0.0), skip: 0.0, is_axis: false }
+        Setup {
+            mass: 0.0,
+            normal_force: None,
+            window: None,
+            delay: Delay::Known(0.0),
+            skip: 0.0,
+            is_axis: false,
+            has_gravity: false,
+        }
     }
 }
 
@@ -95,6 +106,34 @@ pub struct MatchedFilter {
     pub noise: f64,
 }
 
+/// Cosine and sine of the angle of a joint, filtered like its torque.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Direction {
+    /// Cosine.
+    pub cosine: Vec<f64>,
+    /// Sine.
+    pub sine: Vec<f64>,
+}
+
+impl Direction {
+    /// Of angles.
+    pub(super) fn of(angles: &[f64]) -> Direction {
+        let (cosine, sine) = angles.iter().map(|angle| (Real::cos(*angle), Real::sin(*angle))).unzip();
+        Direction { cosine, sine }
+    }
+
+    /// The same, turned by these angles.
+    pub(crate) fn turned(&self, by: impl Iterator<Item = f64>) -> Direction {
+        let pairs = self.cosine.iter().zip(&self.sine).zip(by);
+        let pairs = pairs.map(|((cosine, sine), by)| {
+            let [c, s] = [Real::cos(by), Real::sin(by)];
+            (cosine * c - sine * s, sine * c + cosine * s)
+        });
+        let (cosine, sine) = pairs.unzip();
+        Direction { cosine, sine }
+    }
+}
+
 /// Force and motion of a body, on the clock of the force. Units are those of one that slides; of one that turns it has
 /// torque, angle and their derivatives, in N m and rad.
 #[derive(Clone, Debug)]
@@ -115,6 +154,8 @@ pub struct Record {
     pub normal_force: Vec<f64>,
     /// Friction force f_f = F - m a, N.
     pub friction_force: Vec<f64>,
+    /// Direction of an arm that gravity turns.
+    pub direction: Option<Direction>,
     /// Window of the filter of the velocity, s; 0 if the velocity was measured.
     pub window: f64,
     /// Window of the filter of the acceleration, s.

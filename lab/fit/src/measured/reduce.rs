@@ -2,11 +2,11 @@
 
 use super::clock::{Clocks, Pair, range_around};
 use super::error::short;
-use super::matched_filter::{self, Filter};
+use super::matched_filter::{self, Filter, OF_ARM, TERMS};
 use super::plausible;
 use super::polynomial::Local;
 use super::quality::{noise, quality, rounding};
-use super::record::{Delay, Quality, Record, Setup};
+use super::record::{Delay, Direction, Quality, Record, Setup};
 use super::statistics::{extremes, median};
 use super::stencil::derivatives;
 use super::window::{Signal, shortest};
@@ -35,6 +35,9 @@ impl Record {
             Some(sheet) => Motion::of(sheet, movement).map_err(MeasuredError::of_motion)?,
             None => Motion::of(sheet, movement)?,
         };
+        if setup.has_gravity && !(movement == Movement::Rotation && motion.has_displacement) {
+            return Err(MeasuredError::NoAngle);
+        }
         let reduction = Reduction { setup, movement, time, force, load, motion };
         let record = if setup.is_axis { reduction.matched()? } else { reduction.smoothed()? };
         record.finite()?;
@@ -118,6 +121,8 @@ pub(crate) fn load(sheet: &Sheet, setup: &Setup, movement: Movement) -> Result<V
 struct Motion {
     time: Vec<f64>,
     displacement: Vec<f64>,
+    /// Whether it was measured.
+    has_displacement: bool,
     /// Velocity, if it was measured.
     velocity: Option<Vec<f64>>,
 }
@@ -137,7 +142,8 @@ impl Motion {
             Some(velocity) => more_than_noise("velocity", movement.unit("m/s"), velocity)?,
             None => more_than_noise("displacement", movement.unit("m"), &displacement)?,
         }
-        Ok(Motion { time, displacement, velocity })
+        let has_displacement = sheet.has(DISPLACEMENT.name);
+        Ok(Motion { time, displacement, has_displacement, velocity })
     }
 
     fn interval(&self) -> f64 {
@@ -215,8 +221,13 @@ impl Reduction<'_> {
             let clocks = Clocks { delay, ..clocks };
             record.time.iter().map(|t| self.motion.unfiltered(clocks.of_motion(*t))).collect()
         };
-        let filter = Filter::new(&record, &raw, tolerance, delay == Delay::OfController);
-        filter.apply(mass, window).ok_or_else(|| {
+        let is_held = delay == Delay::OfController;
+        let found = if self.setup.has_gravity {
+            Filter::<OF_ARM>::new(&record, &raw, tolerance, is_held).apply(mass, window)
+        } else {
+            Filter::<TERMS>::new(&record, &raw, tolerance, is_held).apply(mass, window)
+        };
+        found.ok_or_else(|| {
             let window = window.unwrap_or(matched_filter::shortest(record.quality.interval));
             MeasuredError::NoStroke { window, tolerance }
         })
@@ -269,6 +280,7 @@ impl Reduction<'_> {
             motion.map(|[x, v, a]| (x, (v, a))).unzip();
         Ok(self.assessed(Record {
             movement: self.movement,
+            direction: self.setup.has_gravity.then(|| Direction::of(&displacement)),
             friction_force: force.iter().zip(&acceleration).map(|(force, a)| force - self.setup.mass * a).collect(),
             normal_force,
             is_differentiated: self.motion.velocity.is_none(),

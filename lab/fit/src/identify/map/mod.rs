@@ -246,6 +246,7 @@ pub(super) fn refuse_unheeded(inquiry: &Inquiry) -> Result<(), Fault> {
         ("window", inquiry.window.is_some()),
         ("delay", inquiry.delay.is_some()),
         ("skip", inquiry.skip.is_some()),
+        ("gravity", inquiry.setup().has_gravity),
         ("loss = robust", inquiry.loss == Some(super::LossChoice::Robust)),
     ];
     match asked.iter().find(|(_, is_asked)| *is_asked) {

@@ -66,6 +66,7 @@ fn start(problem: &Problem, one: &Parameter) -> f64 {
         Target::Column(column) => start(column),
         Target::Excess { of, over } => (start(of) - start(over)).max(0.0),
         Target::Mass | Target::Offset | Target::Delay => 0.0,
+        Target::Cosine | Target::Sine | Target::Gravity => 0.0,
     }
 }
 
