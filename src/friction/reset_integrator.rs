@@ -211,12 +211,14 @@ impl ResetIntegrator {
 
     /// Motion of the contact after an event. The limits lie between those of the indicator.
     fn settled(&self) -> Phase {
-        let slides_on = |direction: f64| direction * self.velocity > 0.0;
+        // At rest after sliding the last force stays.
+        let slides_on = |direction: f64| direction * self.velocity >= 0.0;
         let breaks = self.stretch() >= 1.0 + 0.5 * REACHED && self.outward_speed() > 0.5 * PASSED;
         match Phase::of(self.bond).direction() {
             _ if unloading::is_unloaded(self.normal_force) => Phase::Held,
             Some(direction) if slides_on(direction) => Phase::sliding(direction),
             None if breaks || self.bond().is_free() && self.moves_on() => Phase::sliding(self.velocity),
+            None if self.is_at_rest_after_sliding() => Phase::sliding(self.bristle_deflection),
             _ => Phase::Held,
         }
     }
