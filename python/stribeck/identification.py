@@ -28,9 +28,9 @@ class Columns(Protocol):
 
 Record: TypeAlias = str | os.PathLike[str] | Mapping[str, ArrayLike] | Columns
 """A table of a rig: a file, or what has arrays in SI units (a dict, a data frame) by the names `time`, `force`,
-`displacement` or `velocity`, and perhaps `normal_force`, which may be a single number. Names may have other units, those
-of a joint too: `force [N m]`, `displacement [deg]`. `velocity` and `force` without `time` are a map of friction at
-constant speed."""
+`displacement` or `velocity`, and perhaps `normal_force`, which may be a single number. Names may have other units,
+those of a joint too: `force [N m]`, `displacement [deg]`. `velocity` and `force` without `time` are a map of friction
+at constant speed."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class Identification:
         self.fits = [_fit(one) for one in found["laws"]]
         """The fits."""
         self.units: dict[str, str] = found["units"]
-        """Units of `force`, `displacement` and `velocity`: those of a joint if a column has one, as in `force [N m]`."""
+        """Units of `force`, `displacement` and `velocity`: those of a joint if a column has one (`force [N m]`)."""
         self.refused: dict[str, str] = {one["law"]: one["reason"] for one in found["refused"]}
         """Laws that cannot be fitted, with the reason."""
         self.findings: dict[str, list[str]] = found["findings"]
@@ -93,8 +93,9 @@ class Identification:
         or `in steady sliding`), then which columns were used, what is missing or doubtful."""
         self.records = records
         """For each record the arrays `time`, `velocity`, `normal_force`, `force`, `predicted` by the best law, and
-        whether each sample was `fitted`: those at rest and at the ends are not. A map has no `time`. With `axis=True` they are averages, one
-        every half window of the filter. Arrays are called `record 1` and so on, files by their names."""
+        whether each sample was `fitted`: those at rest and at the ends are not. A map has no `time`. With `axis=True`
+        they are averages, one every half window of the filter. Arrays are called `record 1` and so on, files by their
+        names."""
 
     @property
     def best(self) -> Fit:
@@ -117,7 +118,18 @@ def _fit(one: dict[str, Any]) -> Fit:
         Estimate(**{name: each[name] for name in names}, **{name: each[name] and tuple(each[name]) for name in ends})
         for each in one["estimates"]
     ]
-    plain = ("law", "rms", "noise", "validation", "delta_bic", "tied", "repeatable", "lack_of_fit", "warnings", "values")
+    plain = (
+        "law",
+        "rms",
+        "noise",
+        "validation",
+        "delta_bic",
+        "tied",
+        "repeatable",
+        "lack_of_fit",
+        "warnings",
+        "values",
+    )
     return Fit(**{name: one[name] for name in plain}, estimates={each.name: each for each in estimates})
 
 
