@@ -70,7 +70,7 @@ def test_a_map_without_time_is_fitted_as_steady_sliding():
     assert numpy.abs(record["predicted"] - numpy.sign(velocity) * level).max() < 0.03
     with pytest.raises(stribeck.Refused, match="force has 53 values, velocity has 54"):
         stribeck.identify({"velocity": velocity, "force": force[:-1]}, "LuGre", normal_force=10.0)
-    with pytest.raises(stribeck.Refused, match="with 1 N the coefficients are forces"):
+    with pytest.raises(stribeck.Refused, match="with 1 the coefficients are forces"):
         stribeck.identify(columns, "LuGre")
 
 
