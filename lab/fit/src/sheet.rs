@@ -32,9 +32,9 @@ pub use units::{
 /// Largest file that is read, in bytes (chosen: some ten million rows).
 const LARGEST: u64 = 1 << 30;
 /// Most rows of a binary file, and most cells, of which short channels leave some empty (chosen: those of such a text).
-#[cfg_attr(not(any(feature = "mdf", feature = "mat")), allow(dead_code, reason = "for binary files"))]
+#[cfg(any(feature = "mdf", feature = "mat"))]
 const MOST_ROWS: usize = 1 << 24;
-#[cfg_attr(not(any(feature = "mdf", feature = "mat")), allow(dead_code, reason = "for binary files"))]
+#[cfg(any(feature = "mdf", feature = "mat"))]
 const MOST_CELLS: usize = 1 << 27;
 
 /// Heading of a column.
@@ -65,6 +65,7 @@ impl Heading {
 }
 
 /// A channel of a binary file: name, unit, values.
+#[cfg(any(feature = "mdf", feature = "mat"))]
 type Channel = (String, String, Vec<f64>);
 
 /// A table under its headings, as text.
@@ -76,7 +77,7 @@ pub struct Sheet {
     factors: Vec<(String, f64)>,
     /// Whether columns without a unit are known to be in SI units.
     is_si: bool,
-    /// What is to be known of how it was read.
+    /// Note on how it was read.
     note: Option<String>,
     rows: Vec<csv::StringRecord>,
 }
@@ -130,7 +131,7 @@ impl Sheet {
     }
 
     /// A table of channels.
-    #[cfg_attr(not(any(feature = "mdf", feature = "mat")), allow(dead_code, reason = "for binary files"))]
+    #[cfg(any(feature = "mdf", feature = "mat"))]
     fn of_channels(channels: Vec<Channel>) -> Result<Sheet, String> {
         let count = channels.iter().map(|(_, _, values)| values.len()).max().unwrap_or(0);
         if count > MOST_ROWS || count.saturating_mul(channels.len()) > MOST_CELLS {
@@ -175,7 +176,7 @@ impl Sheet {
         self.headings.iter().find(|heading| heading.is(name)).map_or(name, |heading| heading.own.as_str())
     }
 
-    /// What is to be known of how it was read.
+    /// Note on how it was read.
     pub fn note(&self) -> Option<&str> {
         self.note.as_deref()
     }

@@ -17,7 +17,7 @@ pub struct Test {
     pub temperature: Option<Vec<f64>>,
     /// Time, s.
     pub time: Option<Vec<f64>>,
-    /// What is to be known of how the file was read.
+    /// Note on how the file was read.
     pub note: Option<String>,
 }
 

@@ -13,7 +13,7 @@ use crate::measured::Movement;
 use crate::sheet::{Sheet, SheetError};
 
 /// Records as texts.
-struct Text(String);
+pub(super) struct Text(pub String);
 
 impl Source for Text {
     fn tables(&self, _: &Path, _: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
@@ -112,6 +112,14 @@ fn refusal(asked: &Inquiry, record: &Text) -> String {
 
 const SI: &str = "time [s],position [rad],velocity [rad/s],torque [N m]";
 
+/// Whether a parameter is determined, in its unit, with an interval that is not wide and has the truth.
+fn assert_told(fit: &Fit, (name, unit): (&str, &str), truth: f64, widest: f64) {
+    let one = estimate(fit, name);
+    let [low, high] = one.interval();
+    assert!(one.verdict == Verdict::Determined && (low..=high).contains(&truth), "{one:?}");
+    assert!(high - low < widest && one.unit == unit, "{one:?}");
+}
+
 #[test]
 fn the_values_of_a_joint_are_found_and_shown_in_its_units() {
     let record = text(SI, &JOINT.record(1), [1.0; 3]);
@@ -123,10 +131,7 @@ fn the_values_of_a_joint_are_found_and_shown_in_its_units() {
         ("viscous_coefficient", viscous, "N.m.s/rad"),
         ("offset", offset, "N.m"),
     ] {
-        let one = estimate(&fit, name);
-        let [low, high] = one.interval();
-        assert!(one.verdict == Verdict::Determined && (low..=high).contains(&truth), "{one:?}");
-        assert!(high - low < 0.1 * truth.max(0.1) && one.unit == unit, "{one:?}");
+        assert_told(&fit, (name, unit), truth, 0.1 * truth.max(0.1));
     }
     let shown = fit.table(None);
     assert!(shown.contains(" N.m of ") && shown.contains("at a load of 1 N.m a coefficient"), "{shown}");
@@ -297,10 +302,7 @@ fn the_gravity_of_an_arm_is_found_as_torque_and_angle() {
         ("viscous_coefficient", viscous, "N.m.s/rad"),
         ("offset", offset, "N.m"),
     ] {
-        let one = estimate(&fit, name);
-        let [low, high] = one.interval();
-        assert!(one.verdict == Verdict::Determined && (low..=high).contains(&truth) && one.unit == unit, "{one:?}");
-        assert!(high - low < 0.1 * truth.max(0.5), "{one:?}");
+        assert_told(&fit, (name, unit), truth, 0.1 * truth.max(0.5));
     }
     // In degrees and rpm; and another record, which is not fitted.
     let turned = text("time,angle [deg],velocity [rpm],torque [N cm]", &samples, [360.0 / TAU, 60.0 / TAU, 100.0]);

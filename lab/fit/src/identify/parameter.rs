@@ -31,7 +31,7 @@ pub enum Target {
     Cosine,
     /// The same of the sine.
     Sine,
-    /// What follows from both.
+    /// Torque and angle, which follow from both coefficients.
     Gravity,
 }
 

@@ -171,7 +171,7 @@ impl Columns {
         is_current || self.given(quantity).is_some_and(|factor| factor.abs() != 1.0)
     }
 
-    /// Whether the body slides or turns, by the units of the columns that are no signals.
+    /// Whether the body slides or turns, by the units of the columns that are not signals.
     fn movement(&self, record: &[Sheet], motion: &[Sheet]) -> Result<Movement, MeasuredError> {
         let [record, motion] = [record, motion].map(|tables| tables.iter().collect::<Vec<_>>());
         let told = Movement::told(&record, &motion, |quantity| !self.is_scaled(quantity))?;

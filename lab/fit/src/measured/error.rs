@@ -72,9 +72,9 @@ pub enum MeasuredError {
     /// A column of the motor, before the gear, is none.
     #[error("motor_side {name}: must be {wanted}")]
     MotorSide {
-        /// What was given.
+        /// Name that was given.
         name: String,
-        /// What is admitted.
+        /// Names that are admitted.
         wanted: &'static str,
     },
     /// A column has a factor, and another one by its drive.
@@ -166,9 +166,9 @@ pub enum MeasuredError {
         motion: &'static str,
         /// Mass between load cell and contact, kg, or moment of inertia, kg m2.
         mass: f64,
-        /// What resists an acceleration.
+        /// Mass or moment of inertia, in words.
         inertia: &'static str,
-        /// Units of the speed, and of what resists an acceleration.
+        /// Units of the speed and of the inertia.
         units: [&'static str; 2],
     },
 }

@@ -76,12 +76,12 @@ impl Movement {
         Units { force, displacement, velocity }
     }
 
-    /// What resists an acceleration.
+    /// Mass or moment of inertia, in words.
     pub fn inertia(self) -> &'static str {
         if self == Movement::Rotation { "moment of inertia" } else { "mass" }
     }
 
-    /// What a drive exerts.
+    /// Force or torque, in words.
     pub fn force(self) -> &'static str {
         if self == Movement::Rotation { "torque" } else { "force" }
     }

@@ -120,7 +120,7 @@ pub enum SheetError {
         column: String,
         /// Its text.
         text: String,
-        /// What it must be.
+        /// Requirement that it fails.
         wanted: &'static str,
     },
     /// The table has no rows.

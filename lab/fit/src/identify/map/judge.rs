@@ -96,8 +96,8 @@ fn runs(sorted: &[f64]) -> [usize; 2] {
     [same, sorted.len().saturating_sub(1)]
 }
 
-/// What to warn of. Without repeats it is the signs of the residuals that judge a law: those of scatter change between
-/// neighbours as often as they stay.
+/// Warning that the law does not explain the map. Without repeats the signs of the residuals judge it: those of scatter
+/// change between neighbours as often as they stay.
 pub(in crate::identify) fn warnings(problem: &Problem, left: &[f64]) -> Option<String> {
     if let Some(found) = lack_of_fit(problem, left) {
         let after = "; the intervals may not hold";

@@ -47,7 +47,7 @@ pub struct FrictionMap {
     pub settings: Vec<usize>,
     /// Scatter of the repeats, if there are some.
     pub scatter: Option<Scatter>,
-    /// What is to be known of it.
+    /// Remarks on it.
     pub findings: Vec<String>,
 }
 
@@ -137,7 +137,7 @@ impl FrictionMap {
         Ok(())
     }
 
-    /// What the rows tell, and what they cannot tell.
+    /// Remarks on what the rows tell and what they cannot.
     fn told(&self) -> Vec<String> {
         let at_rest = self.velocity.iter().filter(|v| **v == 0.0).count();
         let is_one_way = [1.0, -1.0].iter().any(|sign| self.velocity.iter().all(|v| sign * v >= 0.0));

@@ -2,19 +2,12 @@
 
 use std::path::Path;
 
+use super::super::joint_tests::Text;
 use super::super::tests::{estimate, noise, quick, quiet};
 use super::super::{Answer, Inquiry, Ranking, Settings, Source, Verdict, fit_all};
 use super::*;
 use crate::sheet::{Sheet, SheetError};
 use approx::assert_relative_eq;
-
-struct Text(String);
-
-impl Source for Text {
-    fn tables(&self, _: &Path, _: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
-        Ok(vec![Sheet::parse(&self.0)?])
-    }
-}
 
 fn inquiry(law: &[&str]) -> Inquiry {
     let law = law.iter().map(|name| (*name).to_owned()).collect();
@@ -300,7 +293,7 @@ fn rows_at_rest_are_left_out_and_one_direction_is_said() {
     assert!(estimate(fit, "offset").verdict.to_string().contains("only in combination"), "{:?}", fit.estimates);
     let said = answer.findings["map"].join("\n");
     assert!(said.contains("1 row at rest is left out") && said.contains("one direction only"), "{said}");
-    // In both directions it is told, and with the level it adds up to the forces.
+    // Both directions determine the offset.
     let both: String = [-1.0, 1.0]
         .iter()
         .flat_map(|sign| (1..9).map(move |at| 0.02 * sign * f64::from(at)))

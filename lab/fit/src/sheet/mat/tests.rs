@@ -48,7 +48,7 @@ fn file(header: &str, end: [u8; 4], variables: &[Vec<u8>]) -> Vec<u8> {
     [format!("{header:<124}").as_bytes(), &end, &variables.concat()].concat()
 }
 
-/// What is read from a file, or why it is not, without its name.
+/// Table of a file, or the reason why it has none, without the name of the file.
 fn read_bytes(bytes: &[u8]) -> Result<Sheet, String> {
     let file = tempfile::NamedTempFile::with_suffix(".mat").unwrap();
     std::fs::write(file.path(), bytes).unwrap();
@@ -108,7 +108,7 @@ fn what_cannot_be_read_is_refused_with_a_way_out() {
     assert!(loaded(&many).unwrap_err().ends_with("s6 (1 x 1), s7 (1 x 1) and 2 more"));
 }
 
-/// What somebody may miss among the columns is named: in a note, and where a column is not found.
+/// Variables that are not read are named: in a note, and where a column is not found.
 #[test]
 fn what_is_not_read_is_noted() {
     let complex = element(

@@ -5,7 +5,7 @@ use std::fmt;
 /// Most numbers that are read from a file: those of the largest text, in eight bytes each.
 const MOST_NUMBERS: usize = (super::super::LARGEST / 8) as usize;
 
-/// What is wrong in a file, and where.
+/// Fault of a file, and its place.
 #[derive(Debug)]
 pub struct Damage {
     /// Byte of the file, from 0; in a compressed variable byte of its content.
@@ -34,7 +34,7 @@ pub enum Value {
     Cells(Vec<Value>),
     /// The fields of each element of a structure.
     Structures(Vec<Vec<(String, Value)>>),
-    /// What is not read.
+    /// Kind of a variable that is not read.
     Other(&'static str),
 }
 
