@@ -104,7 +104,8 @@ impl Columns {
             let is_it = |name: &str| name.eq_ignore_ascii_case(quantity.name) || is_among(name, others(quantity));
             is_named(quantity) || tables.iter().any(|table| table.names().any(is_it))
         };
-        let has_signal = || tables.iter().any(|table| table.names().any(|name| is_among(name, &SIGNALS)));
+        let is_signal = |name: &str| is_among(name, &SIGNALS) || is_among(name, &TORQUES);
+        let has_signal = || tables.iter().any(|table| table.names().any(is_signal));
         tables.len() == 1 && has(&VELOCITY) && (has(&FORCE) || has_signal()) && !has(&TIME) && !has(&DISPLACEMENT)
     }
 

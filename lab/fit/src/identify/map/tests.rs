@@ -126,6 +126,9 @@ fn a_map_of_a_joint_is_explained_by_stribecks_curve() {
     assert!(fit.residuals.rms < 0.05, "{}", fit.residuals.rms);
     let said = answer.findings["map"].join("\n");
     assert!(said.contains("at a load of 1 N.m a coefficient of friction is a torque in N.m"), "{said}");
+    // Other names of the same columns.
+    let (named, _) = asked(&JOINT.replace("velocity", "dq").replace("torque", "tau"), &inquiry(&["Stribeck"])).unwrap();
+    assert_eq!(estimate(named.best(), "mu_k").value, level);
     for part in ["each row is taken as steady sliding", "no column time", "'torque' was taken as force"] {
         assert!(said.contains(part), "{said}");
     }
