@@ -550,7 +550,7 @@ def formats() -> None:
     python = folder / "venv" / PYTHON.relative_to(VENV)
     run(python, "-m", "pip", "install", "--quiet", "--requirement", "tests/formats/requirements.txt")
     run(python, "tests/formats/write.py", folder / "files")
-    test = ["cargo", "test", "--package", "stribeck-fit", "--test", "binary"]
+    test = ["cargo", "test", "--package", "stribeck-sheet", "--test", "binary"]
     run(*test, "--", "--nocapture", FORMATS=str(folder / "files"), RUST_BACKTRACE="0")
 
 

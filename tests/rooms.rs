@@ -41,8 +41,12 @@ const HOUSES: &[House] = &[
     House { folder: "ffi/src", rooms: &["guard", "models", "fmi2", "c"] },
     House { folder: "ssp/src", rooms: &["xml", "units", "parameter_set", "system"] },
     House { folder: "lab/draw/src", rooms: &["text", "axis", "curve", "frame"] },
+    House {
+        folder: "lab/sheet/src",
+        rooms: &["units", "time_stamp", "error", "guard", "sheet", "spreadsheet", "mat", "binary"],
+    },
     House { folder: "lab/solve/src", rooms: &["work", "solve", "system", "job", "couple", "run", "study"] },
-    House { folder: "lab/fit/src", rooms: &["sheet", "thesis", "measured", "dyno", "tir", "identify", "rig"] },
+    House { folder: "lab/fit/src", rooms: &["thesis", "measured", "dyno", "tir", "identify", "rig"] },
     House { folder: "lab/plot/src", rooms: &["palette", "picture", "report"] },
     House { folder: "lab/cli/src", rooms: &["benchmark", "standard_output", "outputs", "command", "damper", "tyre"] },
     House {
@@ -81,6 +85,7 @@ const FOLDERS: &[&str] = &[
     "lab/draw",
     "lab/fit",
     "lab/plot",
+    "lab/sheet",
     "lab/solve",
     "python",
     "src",

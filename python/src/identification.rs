@@ -6,7 +6,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck_fit::identify::{Answer, Experiment, Files, Inquiry, Source, Watch};
-use stribeck_fit::sheet::{NORMAL_FORCE, Sheet, SheetError, TIME, VELOCITY};
+use stribeck_sheet::{NORMAL_FORCE, Sheet, SheetError, TIME, VELOCITY};
 use stribeck_solve::job::{Choice, options};
 use stribeck_solve::system::Fault;
 

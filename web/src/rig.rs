@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use stribeck_fit::identify::{self, EARLY, Inquiry, Source, Watch, no_record};
 use stribeck_fit::measured::{Units, average};
 use stribeck_fit::rig::{Faults, VirtualRig};
-use stribeck_fit::sheet::{Sheet, SheetError};
+use stribeck_sheet::{Sheet, SheetError};
 use stribeck_solve::job::{self, Entry};
 use stribeck_solve::system::Fault;
 use ts_rs::TS;

@@ -31,7 +31,7 @@ use stribeck_fit::identify::{
 };
 use stribeck_fit::measured::{Delay, Record, Setup};
 use stribeck_fit::rig::{Faults, VirtualRig};
-use stribeck_fit::sheet::{Sheet, SheetError};
+use stribeck_sheet::{Sheet, SheetError};
 
 const MASS: f64 = 2.0;
 const LOAD: f64 = 20.0;

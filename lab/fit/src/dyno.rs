@@ -55,7 +55,7 @@ use stribeck::numerics::interpolation::Curve;
 use thiserror::Error;
 
 use crate::measured::{extremes, median};
-use crate::sheet::SheetError;
+use stribeck_sheet::SheetError;
 
 pub use file::Test;
 use regression::{isotonic, local, regress};

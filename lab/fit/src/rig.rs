@@ -232,8 +232,8 @@ impl VirtualRig {
 mod tests {
     use super::*;
     use crate::measured::{Delay, Record, Setup};
-    use crate::sheet::Sheet;
     use stribeck::catalogue::by_name;
+    use stribeck_sheet::Sheet;
 
     fn rig(faults: Faults) -> VirtualRig {
         VirtualRig {

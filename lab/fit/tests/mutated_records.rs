@@ -8,7 +8,7 @@ use stribeck_fit::identify::tyre::{Axes, TyreTest};
 use stribeck_fit::identify::{Experiment, Settings, Watch, fit};
 use stribeck_fit::measured::{Delay, Record, Setup, average};
 use stribeck_fit::rig::{Faults, VirtualRig};
-use stribeck_fit::sheet::Sheet;
+use stribeck_sheet::Sheet;
 
 /// Pieces of text that stand for the usual mistakes.
 const PIECES: [&str; 18] = [

@@ -11,8 +11,8 @@ use stribeck_fit::identify::{
 };
 use stribeck_fit::measured::{Record, Setup, average};
 use stribeck_fit::rig::{Faults, VirtualRig};
-use stribeck_fit::sheet::{DISPLACEMENT, FORCE, Sheet, TIME, table};
 use stribeck_fit::tir;
+use stribeck_sheet::{DISPLACEMENT, FORCE, Sheet, TIME, table};
 
 type Outcome = Result<Vec<f64>, String>;
 

@@ -17,8 +17,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use stribeck::catalogue::{Family, documented};
-use stribeck_fit::sheet::of_file;
 use stribeck_plot::picture::Picture;
+use stribeck_sheet::of_file;
 use stribeck_solve::system::Fault;
 
 #[cfg(feature = "foreign")]

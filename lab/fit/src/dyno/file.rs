@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TEMPERATURE, TIME, VELOCITY, table};
+use stribeck_sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TEMPERATURE, TIME, VELOCITY, table};
 
 /// A damper test in SI units, with the signs of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,7 +27,7 @@ impl Test {
         Test::of(&table(path, sheet)?)
     }
 
-    /// Reads a [table](crate::sheet) with the columns `velocity`, `force`, and perhaps `displacement`, `temperature`
+    /// Reads a [table](stribeck_sheet) with the columns `velocity`, `force`, and perhaps `displacement`, `temperature`
     /// and `time`.
     ///
     /// ```

@@ -7,7 +7,7 @@ use stribeck::catalogue::by_name;
 use super::tests::{estimate, fitted, measured, noise, quick, quiet, standard};
 use super::*;
 use crate::measured::{Delay, Record, Setup};
-use crate::sheet::{DISPLACEMENT, FORCE, Sheet, TIME};
+use stribeck_sheet::{DISPLACEMENT, FORCE, Sheet, TIME};
 
 #[test]
 fn mass_friction_and_offset_of_an_axis_are_found_within_half_a_percent() {

@@ -432,7 +432,8 @@ mod tests {
             ("force", time.iter().zip(&random).map(|(t, noise)| force(*t) + 0.03 * noise).collect()),
             ("displacement", time.iter().zip(&shaken).map(|(t, noise)| place(*t) + 1e-7 * noise).collect()),
         ];
-        let sheet = crate::sheet::Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
+        let sheet =
+            stribeck_sheet::Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
         let rig = crate::measured::Setup { mass: 2.0, normal_force: Some(20.0), ..crate::measured::Setup::default() };
         let experiment = Experiment::new("paused", &Record::of(&sheet, None, &rig).unwrap());
         let share = experiment.samples() as f64 / time.len() as f64;

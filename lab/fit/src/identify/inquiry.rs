@@ -19,7 +19,7 @@ use super::{
     Experiment, Method, Ranking, Selection, Settings, Watch, axis, fit_all, held_out, laws_named, names, parameter,
 };
 use crate::measured::{Columns, Delay, Drive, MeasuredError, Record, Setup};
-use crate::sheet::{DISPLACEMENT, FORCE, NO_SHEETS, Sheet, SheetError, TIME, VELOCITY, has_sheets, of_file, tables};
+use stribeck_sheet::{DISPLACEMENT, FORCE, NO_SHEETS, Sheet, SheetError, TIME, VELOCITY, has_sheets, of_file, tables};
 
 /// Records, what is known of their rig, the laws, and how they are fitted.
 #[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize, TS)]

@@ -10,7 +10,7 @@ use stribeck_solve::job::Entry;
 use super::tests::{estimate, noise, quiet};
 use super::*;
 use crate::measured::Movement;
-use crate::sheet::{Sheet, SheetError};
+use stribeck_sheet::{Sheet, SheetError};
 
 /// Records as texts.
 pub(super) struct Text(pub String);

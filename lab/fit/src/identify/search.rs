@@ -325,7 +325,7 @@ mod tests {
     use super::*;
     use crate::measured::{Delay, Record, Setup};
     use crate::rig::{Faults, VirtualRig};
-    use crate::sheet::Sheet;
+    use stribeck_sheet::Sheet;
 
     /// From points without viscous friction: to hold it at 0 does not lead farther down.
     #[test]

@@ -360,7 +360,7 @@ fn laws_that_differ_as_the_contact_speeds_up_explain_their_own_records() {
             seed: 1,
         };
         let known = crate::measured::Setup { mass: 2.0, normal_force: Some(20.0), ..Default::default() };
-        let sheet = crate::sheet::Sheet::parse(&rig.record().unwrap().force).unwrap();
+        let sheet = stribeck_sheet::Sheet::parse(&rig.record().unwrap().force).unwrap();
         let data = Experiment::new(law, &crate::measured::Record::of(&sheet, None, &known).unwrap());
         let fit = fitted(law, slice::from_ref(&data), &Settings { mass: 2.0, ..quick() });
         let noise = crate::measured::noise(&data.force);
@@ -376,7 +376,7 @@ fn record_of_noisy_velocity(law: &str) -> Experiment {
         let (((t, force), load), v) = row;
         text + &format!("{t},{force},{load},{}\n", v + 1e-4 * noise)
     });
-    let sheet = crate::sheet::Sheet::parse(&text).unwrap();
+    let sheet = stribeck_sheet::Sheet::parse(&text).unwrap();
     Experiment::new(law, &crate::measured::Record::of(&sheet, None, &crate::measured::Setup::default()).unwrap())
 }
 
@@ -426,7 +426,7 @@ fn only_samples_at_the_ends_of_the_motion_are_left_out() {
     let moved = |t: f64| 0.01 * (3.0 * t).sin();
     let force = rows(0, 2000, "force", &|t| 2.0 * (1e3 * (3.0 * t).cos()).tanh());
     let counted = |motion: String| {
-        let [force, motion] = [&force, &motion].map(|text| crate::sheet::Sheet::parse(text).unwrap());
+        let [force, motion] = [&force, &motion].map(|text| stribeck_sheet::Sheet::parse(text).unwrap());
         let rig = crate::measured::Setup { normal_force: Some(20.0), window: Some(0.1), ..Default::default() };
         Experiment::new("rig", &crate::measured::Record::of(&force, Some(&motion), &rig).unwrap())
     };

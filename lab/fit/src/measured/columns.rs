@@ -1,7 +1,7 @@
 //! Columns of records: their names in files, and factors for signals in other units.
 
 use super::{Drive, MeasuredError, Movement, Setup, units};
-use crate::sheet::{CURRENT, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
+use stribeck_sheet::{CURRENT, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
 /// Quantities of a record.
 const QUANTITIES: [&Quantity; 5] = [&TIME, &FORCE, &DISPLACEMENT, &VELOCITY, &NORMAL_FORCE];

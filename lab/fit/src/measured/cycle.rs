@@ -2,7 +2,7 @@
 
 use super::statistics::extremes;
 use super::{Movement, Record};
-use crate::sheet::text;
+use stribeck_sheet::text;
 
 /// Mean of the cycles of a record, over equal parts of the period.
 #[derive(Clone, Debug, Default, PartialEq)]

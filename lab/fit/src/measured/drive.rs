@@ -8,7 +8,7 @@
 //! ```
 
 use super::MeasuredError;
-use crate::sheet::{DISPLACEMENT, FORCE, Quantity, VELOCITY};
+use stribeck_sheet::{DISPLACEMENT, FORCE, Quantity, VELOCITY};
 
 /// Motor and gear of a joint.
 #[derive(Clone, Debug, Default, PartialEq)]

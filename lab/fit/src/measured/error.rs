@@ -1,6 +1,6 @@
 //! Errors of a record and of its setup.
 
-use crate::sheet::SheetError;
+use stribeck_sheet::SheetError;
 
 /// Reason why a file is not a record.
 #[derive(Debug, thiserror::Error)]

@@ -7,7 +7,7 @@ use serde::Serialize;
 use ts_rs::TS;
 
 use super::MeasuredError;
-use crate::sheet::{
+use stribeck_sheet::{
     ANGLE, ANGULAR_VELOCITY, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, Quantity, SLIP, Sheet, VELOCITY,
 };
 

@@ -64,7 +64,7 @@ mod tests {
         };
         let is_refused = |text: &str, is_axis: bool| {
             let setup = Setup { normal_force: Some(1.0), is_axis, ..Setup::default() };
-            let sheet = crate::sheet::Sheet::parse(text).unwrap();
+            let sheet = stribeck_sheet::Sheet::parse(text).unwrap();
             matches!(Record::of(&sheet, None, &setup), Err(MeasuredError::Drives { .. }))
         };
         assert!(!is_refused(&text(1.0, 2.0), true), "one stroke that ends slower than it began");

@@ -2,8 +2,8 @@
 
 use super::clock::Clocks;
 use super::{MeasuredError, Movement};
-use crate::sheet::text;
 use stribeck::number::Real;
+use stribeck_sheet::text;
 
 /// Properties of a measurement that its file does not have.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,7 +11,7 @@ use super::statistics::{extremes, median};
 use super::stencil::derivatives;
 use super::window::{Signal, shortest};
 use super::{MeasuredError, Movement};
-use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, TIME, VELOCITY};
+use stribeck_sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, TIME, VELOCITY};
 
 /// Tolerance of a delay that was estimated without the law, in samples of the motion or standard deviations (chosen):
 /// hysteretic friction looks like a delay, and its displacement is not known before the fit.

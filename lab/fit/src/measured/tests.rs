@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use super::*;
-use crate::sheet::Sheet;
+use stribeck_sheet::Sheet;
 
 const MASS: f64 = 2.0;
 const LEVEL: f64 = 4.0;

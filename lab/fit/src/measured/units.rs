@@ -2,7 +2,7 @@
 
 use super::reduce::integral;
 use super::{MeasuredError, Movement};
-use crate::sheet::{DISPLACEMENT, Quantity, Sheet, SheetError, TIME, VELOCITY};
+use stribeck_sheet::{DISPLACEMENT, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
 /// A note on the quantities without a unit in their file, which are assumed to be SI.
 pub(super) fn assumed(columns: &[(&Sheet, &'static Quantity)]) -> Option<String> {

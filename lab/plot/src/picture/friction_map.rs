@@ -80,7 +80,7 @@ mod tests {
     use std::sync::atomic::AtomicBool;
 
     use stribeck_fit::identify::{Data, Inquiry, Ranking, Source, Watch};
-    use stribeck_fit::sheet::{Sheet, SheetError};
+    use stribeck_sheet::{Sheet, SheetError};
 
     use super::super::tyre::tests::places;
     use super::*;

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use stribeck::number::Real;
+use stribeck_sheet::{of_file, table};
 
 use super::description::{Description, Spread};
 use crate::system::Fault;
@@ -94,20 +95,15 @@ fn draw(spread: Spread, random: &mut fastrand::Rng) -> f64 {
     }
 }
 
-/// Names and rows of a CSV file.
+/// Names and rows of a table.
 fn read(path: &Path) -> Result<(Vec<String>, Vec<Vec<f64>>), Fault> {
-    let wrong = |error: &dyn std::fmt::Display| Fault::File(format!("{}: {error}", path.display()));
-    let mut file = csv::ReaderBuilder::new().trim(csv::Trim::All).from_path(path).map_err(|error| wrong(&error))?;
-    let names: Vec<String> = file.headers().map_err(|error| wrong(&error))?.iter().map(str::to_owned).collect();
-    let mut rows = Vec::new();
-    for record in file.records() {
-        let record = record.map_err(|error| wrong(&error))?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let number = |(name, cell): (&String, &str)| {
-            let value: Option<f64> = cell.parse().ok().filter(|value: &f64| value.is_finite());
-            value.ok_or_else(|| wrong(&format_args!("line {line}: {name} = '{cell}': must be a finite number")))
-        };
-        rows.push(names.iter().zip(&record).map(number).collect::<Result<Vec<f64>, Fault>>()?);
-    }
-    Ok((names, rows))
+    let wrong = |error: &dyn std::fmt::Display| Fault::File(of_file(path, error));
+    let sheet = table(path, None).map_err(|error| wrong(&error))?;
+    let names: Vec<String> = sheet.names().map(str::to_owned).collect();
+    let column = |name: &String| match sheet.unit(name) {
+        Some(unit) if !unit.is_empty() => Err(wrong(&format_args!("{name} [{unit}]: must be in SI units, not named"))),
+        _ => sheet.values(name, "").map_err(|error| wrong(&error)),
+    };
+    let columns = names.iter().map(column).collect::<Result<Vec<_>, Fault>>()?;
+    Ok((names, (0..sheet.len()).map(|row| columns.iter().map(|column| column[row]).collect()).collect()))
 }

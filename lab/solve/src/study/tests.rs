@@ -136,6 +136,25 @@ fn rows_that_fail_keep_their_reason_and_the_others() {
     assert!(rows[6].starts_with("5,LuGre,2,0.2,"), "{table}");
 }
 
+/// As spreadsheets of countries with decimal commas write it.
+#[test]
+fn a_table_of_samples_may_have_decimal_commas_and_comments() {
+    let folder = tempfile::tempdir().unwrap();
+    let samples = |text: &str| {
+        fs::write(folder.path().join("samples.csv"), text).unwrap();
+        let description =
+            "table = \"samples.csv\"\nkeep = [\"events\"]\n[run]\nlaw = [\"CoulombStiction\"]\nuntil = 1.0\n";
+        Study::new(toml::from_str(description).unwrap(), folder.path())
+    };
+    let study = samples("\u{feff}# drawn by hand\nrig.mass; mu_s\n1,5; 0,15\n2; 0,2\n").unwrap();
+    make(&study, folder.path(), ALL, 1);
+    let table = table(&study, folder.path());
+    assert!(table.contains("\n0,CoulombStiction,1.5,0.15,") && table.contains("\n1,CoulombStiction,2,0.2,"), "{table}");
+    let refused = |text: &str| samples(text).unwrap_err().to_string();
+    assert!(refused("rig.mass [kg]\n1\n").ends_with("samples.csv: rig.mass [kg]: must be in SI units, not named"));
+    assert!(refused("rig.mass\n1\nnan\n").ends_with("samples.csv: line 3, rig.mass: 'nan' is not a finite number"));
+}
+
 #[test]
 fn a_row_whose_step_does_not_hold_fails() {
     let text = "samples = 2\nkeep = [\"last rig.position\"]\n[vary]\nmu_k = { uniform = [0.09, 0.1] }\n[run]\n\

@@ -94,9 +94,10 @@ impl System {
             system.choose(law)?;
         }
         for (input, signal) in &description.input {
-            let to = system.input(input)?;
-            let signal = moved(&description, input, signal, &source.folder, MOST_RATES)?;
-            system.signals.extend(to.map(|to| (to, signal)));
+            if let Some(to) = system.input(input)? {
+                let signal = system.moved(input, signal, &source.folder, MOST_RATES)?;
+                system.signals.push((to, signal));
+            }
         }
         for (input, output) in &description.connect {
             system.connect(input, output)?;
@@ -265,6 +266,22 @@ impl System {
         }
     }
 
+    /// The signal of an input, with points from files and rates of other signals.
+    fn moved(&self, input: &str, signal: &Signal, folder: &Path, rates: usize) -> Result<Signal, Fault> {
+        let Signal::Course(Course::RateOf(other)) = signal else {
+            // A law may not have the input whose rate another one is.
+            let place = self.place(input).ok();
+            let unit = place.map_or(String::new(), |place| self.unit(WireSource::Variable(place)).name);
+            return signal.loaded(folder, &unit).map_err(|error| prefixed(input, error));
+        };
+        let known = self.description.input.keys().map(String::as_str);
+        let found = self.description.input.get(other).ok_or_else(|| Fault::unknown("signal", other, known))?;
+        if rates == 0 {
+            return Err(Fault::value(format_args!("{input}: {other} is itself the rate of a rate of a signal")));
+        }
+        Ok(self.moved(other, found, folder, rates - 1)?.rate())
+    }
+
     /// Sets a variable of the part that has it; hosts come before laws.
     fn set(&mut self, setting: &Setting) -> Result<(), Fault> {
         if let Some((part, _)) = setting.name.split_once('.')
@@ -361,25 +378,6 @@ impl System {
 
 /// Rates of rates that a signal may be.
 const MOST_RATES: usize = 2;
-
-/// The signal of an input, with points from files and rates of other signals.
-fn moved(
-    description: &Description,
-    input: &str,
-    signal: &Signal,
-    folder: &Path,
-    rates: usize,
-) -> Result<Signal, Fault> {
-    let Signal::Course(Course::RateOf(other)) = signal else {
-        return signal.loaded(folder).map_err(|error| prefixed(input, error));
-    };
-    let known = description.input.keys().map(String::as_str);
-    let found = description.input.get(other).ok_or_else(|| Fault::unknown("signal", other, known))?;
-    if rates == 0 {
-        return Err(Fault::value(format_args!("{input}: {other} is itself the rate of a rate of a signal")));
-    }
-    Ok(moved(description, other, found, folder, rates - 1)?.rate())
-}
 
 /// A description whose signals have the settings meant for them, such as `strut.length.amplitude`, and the others.
 fn tuned(description: &Description, settings: &[Setting]) -> Result<(Description, Vec<Setting>), Fault> {

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use stribeck::number::elementary::{cos, sin};
+use stribeck_sheet::{SheetError, TIME, of_file, table};
 
 use super::Fault;
 
@@ -71,7 +72,7 @@ pub enum Course {
         /// Values.
         value: Vec<f64>,
     },
-    /// Two columns of a CSV file with headings, joined by straight lines.
+    /// Two columns of a table, joined by straight lines.
     Csv {
         /// The file, relative to the system file.
         file: String,
@@ -121,11 +122,11 @@ impl Signal {
         }
     }
 
-    /// The same signal with its points read from its file.
-    pub fn loaded(&self, folder: &Path) -> Result<Signal, Fault> {
+    /// The same signal with its points read from its file; its values have the SI unit of the input that they are for.
+    pub fn loaded(&self, folder: &Path, unit: &str) -> Result<Signal, Fault> {
         let signal = match self {
             Signal::Course(Course::Csv { file, time, column }) => {
-                let (time, value) = read(&folder.join(file), time, column)?;
+                let (time, value) = read(&folder.join(file), time, [column, unit])?;
                 Signal::Course(Course::Points { time, value })
             }
             other => other.clone(),
@@ -246,25 +247,14 @@ fn ramp_end(from: f64, rate: f64, start: f64, to: f64) -> f64 {
     if end >= start { end } else { f64::INFINITY }
 }
 
-fn read(file: &Path, time: &str, column: &str) -> Result<(Vec<f64>, Vec<f64>), Fault> {
-    let wrong = |text: String| Fault::File(format!("{}: {text}", file.display()));
-    let mut reader = csv::Reader::from_path(file).map_err(|error| wrong(error.to_string()))?;
-    let headings = reader.headers().map_err(|error| wrong(error.to_string()))?.clone();
-    let find = |name: &str| {
-        let known = || headings.iter().map(str::trim);
-        known().position(|heading| heading == name).ok_or_else(|| Fault::unknown("column", name, known()))
-    };
-    let columns = [find(time)?, find(column)?];
-    let mut rows = (Vec::new(), Vec::new());
-    for (number, record) in reader.records().enumerate() {
-        let record = record.map_err(|error| wrong(error.to_string()))?;
-        let mut values = [0.0; 2];
-        for (value, column) in values.iter_mut().zip(columns) {
-            let text = record.get(column).unwrap_or("").trim();
-            *value = text.parse().map_err(|_| wrong(format!("row {}: '{text}' is not a number", number + 2)))?;
+/// Times, and values in an SI unit, of a file of any format that records have.
+fn read(file: &Path, time: &str, [column, unit]: [&str; 2]) -> Result<(Vec<f64>, Vec<f64>), Fault> {
+    let columns = || {
+        let sheet = table(file, None)?;
+        if sheet.is_empty() {
+            return Err(SheetError::Empty);
         }
-        rows.0.push(values[0]);
-        rows.1.push(values[1]);
-    }
-    Ok(rows)
+        Ok((sheet.required(time, &TIME)?, sheet.values(column, unit)?))
+    };
+    columns().map_err(|error: SheetError| Fault::File(of_file(file, &error)))
 }

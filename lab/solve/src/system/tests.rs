@@ -377,6 +377,34 @@ fn signals_of_a_dyno_move_as_they_are_set() {
     }
 }
 
+/// A belt in mm/s over ms, as a logger wrote it, and the same points.
+#[test]
+fn signals_of_files_have_the_units_of_their_headings() {
+    let folder = tempfile::tempdir().unwrap();
+    let system = |course: &str, file: &str| {
+        std::fs::write(folder.path().join("belt.csv"), file).unwrap();
+        let (ramp, path) = ("{ ramp = { rate = 0.01, to = 0.2 } }", folder.path().join("drive.toml"));
+        let text = include_str!("built_in/belt-drive.toml");
+        assert!(text.contains(ramp));
+        std::fs::write(&path, text.replace(ramp, course)).unwrap();
+        System::assemble(&Source::open(path.to_str().unwrap()).unwrap(), Some("LuGre"), &[])
+    };
+    let signal = |system: System| system.signals.into_iter().map(|(_, signal)| signal).find(|one| one.at(0.5).1 != 0.0);
+    let csv = "{ csv = { file = \"belt.csv\", column = \"belt\" } }";
+    let read = system(csv, "\u{feff}% a log\r\ntime (ms);belt [mm/s]\r\n0;0,5\r\n2000;20,5\r\n").unwrap();
+    let points = system("{ points = { time = [0.0, 2.0], value = [0.0005, 0.0205] } }", "").unwrap();
+    assert_eq!(signal(read), signal(points));
+    for (file, expected) in [
+        ("time,belt\n0,0\n1,nan\n", "line 3, belt: 'nan' is not a finite number"),
+        ("time,belt [N]\n0,0\n", "belt: unit 'N', must be one of m/s, mm/s, in/s, km/h, kph, mph"),
+        ("time,drum\n0,0\n", "no column 'belt'; there are time, drum"),
+        ("time,belt\n", "the table has no rows"),
+    ] {
+        let refusal = system(csv, file).unwrap_err().to_string();
+        assert!(refusal.contains("belt.csv: ") && refusal.ends_with(expected), "{refusal}");
+    }
+}
+
 #[test]
 fn properties_that_a_signal_does_not_have_are_refused() {
     let refused = |name: &str, value: &str| {

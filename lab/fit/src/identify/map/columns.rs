@@ -1,7 +1,7 @@
 //! Columns of a map.
 
 use crate::measured::{MeasuredError, Movement, Setup, load};
-use crate::sheet::{FORCE, Sheet, VELOCITY};
+use stribeck_sheet::{FORCE, Sheet, VELOCITY};
 
 /// Columns of a map, in SI units.
 pub(in crate::identify) struct MapColumns {

@@ -30,7 +30,7 @@ use super::response::{Ports, forces};
 use super::uncertainty::digits;
 use super::{Experiment, Fit, Inquiry};
 use crate::measured::{Movement, extremes};
-use crate::sheet::text;
+use stribeck_sheet::text;
 
 /// A map of friction, in SI units; of a joint torques in N m and velocities in rad/s.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,8 +6,8 @@ use super::super::joint_tests::Text;
 use super::super::tests::{estimate, noise, quick, quiet};
 use super::super::{Answer, Inquiry, Ranking, Settings, Source, Verdict, fit_all};
 use super::*;
-use crate::sheet::{Sheet, SheetError};
 use approx::assert_relative_eq;
+use stribeck_sheet::{Sheet, SheetError};
 
 fn inquiry(law: &[&str]) -> Inquiry {
     let law = law.iter().map(|name| (*name).to_owned()).collect();

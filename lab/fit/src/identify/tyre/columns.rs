@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 use super::super::uncertainty::digits;
-use crate::sheet::{ANGLE, FORCE, MOMENT, PRESSURE, Quantity, SLIP, Sheet, SheetError};
+use stribeck_sheet::{ANGLE, FORCE, MOMENT, PRESSURE, Quantity, SLIP, Sheet, SheetError};
 
 /// Axes of a tyre test.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize, ValueEnum)]

@@ -10,7 +10,7 @@ use stribeck_solve::system::Fault;
 use thiserror::Error;
 
 use super::{Axes, TyreTask, TyreTest, TyreTestError};
-use crate::sheet::{Sheet, of_file, table};
+use stribeck_sheet::{Sheet, of_file, table};
 
 /// A tyre test, and what is known of it.
 #[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize)]

@@ -7,7 +7,7 @@ use approx::assert_relative_eq;
 use stribeck::host::Contact;
 
 use super::*;
-use crate::sheet::Sheet;
+use stribeck_sheet::Sheet;
 
 /// The set of the library, which has no moments, with the moments of a passenger car tyre (Pacejka 2006, Table A3.1).
 const MOMENTS: [(&str, f64); 13] = [

@@ -5,7 +5,7 @@ use std::panic;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use stribeck_fit::sheet::{Quantity, Sheet, SheetError, table, tables};
+use stribeck_sheet::{Quantity, Sheet, SheetError, table, tables};
 
 /// Any unit: values as they are in the file.
 const PLAIN: Quantity = Quantity {

@@ -7,8 +7,8 @@ use std::io::Read;
 
 use flate2::read::ZlibDecoder;
 
-use super::super::LARGEST;
 use super::value::{Array, Damage, Kind, Limit, Value, each, rows};
+use crate::error::LARGEST;
 
 /// Length of the header.
 const HEADER: usize = 128;

@@ -6,9 +6,10 @@ use std::path::Path;
 
 use calamine::{Data, ExcelDateTime, ExcelDateTimeType, Ods, Range, Reader, SheetType, SheetVisible, Xlsx};
 
-use super::guard::{refused, silently};
-use super::time_stamp::Stamp;
-use super::{Sheet, SheetError, is_of_units};
+use crate::error::SheetError;
+use crate::guard::{refused, silently};
+use crate::sheet::{Sheet, is_of_units, not_too_large};
+use crate::time_stamp::Stamp;
 
 /// A row of a sheet: its number, from 1, and its cells as text.
 type Row = (u64, Vec<String>);
@@ -16,7 +17,7 @@ type Row = (u64, Vec<String>);
 /// The table of a sheet, or of the first one that has a table: a heading over numbers, perhaps with a row of units
 /// between them. Hidden sheets come last.
 pub(super) fn read(path: &Path, extension: &str, wanted: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
-    super::not_too_large(path)?;
+    not_too_large(path)?;
     let bytes = Cursor::new(std::fs::read(path).map_err(|error| refused(path, error))?);
     let text = |error: &dyn Display| format!("the file is not a spreadsheet, or is damaged ({error})");
     let found = match extension {
@@ -53,7 +54,7 @@ where
                 "the table was read from sheet '{name}', the first of {} that has one; --sheet NAME chooses another",
                 names.len()
             );
-            return Ok(Sheet { note: Some(note).filter(|_| names.len() > 1), ..sheet });
+            return Ok(sheet.with(Some(note).filter(|_| names.len() > 1)));
         }
     }
     Err(format!("no sheet has a heading over numbers; there are '{all}'"))

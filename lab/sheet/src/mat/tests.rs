@@ -1,7 +1,7 @@
 //! MAT files made byte by byte, after the description of the format.
 
 use super::*;
-use crate::sheet::{DISPLACEMENT, FORCE, TIME};
+use crate::{DISPLACEMENT, FORCE, TIME};
 
 /// An element of a file: kind, length, bytes, up to a multiple of eight.
 fn element(kind: u32, bytes: &[u8]) -> Vec<u8> {
@@ -53,7 +53,7 @@ fn read_bytes(bytes: &[u8]) -> Result<Sheet, String> {
     let file = tempfile::NamedTempFile::with_suffix(".mat").unwrap();
     std::fs::write(file.path(), bytes).unwrap();
     let name = format!("{}: ", file.path().display());
-    crate::sheet::table(file.path(), None).map_err(|error| error.to_string().replace(&name, ""))
+    crate::table(file.path(), None).map_err(|error| error.to_string().replace(&name, ""))
 }
 
 fn loaded(variables: &[Vec<u8>]) -> Result<Sheet, String> {

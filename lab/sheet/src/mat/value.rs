@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// Most numbers that are read from a file: those of the largest text, in eight bytes each.
-const MOST_NUMBERS: usize = (super::super::LARGEST / 8) as usize;
+const MOST_NUMBERS: usize = (crate::error::LARGEST / 8) as usize;
 
 /// Fault of a file, and its place.
 #[derive(Debug)]

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-use super::LARGEST;
+/// Largest file that is read, in bytes (chosen: some ten million rows).
+pub(crate) const LARGEST: u64 = 1 << 30;
 
 /// An error about a file, with its name unless it has it already.
 pub fn of_file(path: &Path, error: &dyn std::fmt::Display) -> String {

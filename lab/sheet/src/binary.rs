@@ -3,8 +3,9 @@
 
 use std::path::Path;
 
-use super::guard::refused;
-use super::{Sheet, SheetError};
+use crate::error::SheetError;
+use crate::guard::refused;
+use crate::sheet::Sheet;
 
 /// The tables of a file, one for each group of channels with a clock of its own; of a text file there is one. The format
 /// is that of the extension: `.mf4` and `.mdf` are MDF 4, `.mat` is MAT 4 or 5, `.xlsx`, `.xlsm` and `.ods` are
@@ -68,12 +69,12 @@ fn spreadsheet(path: &Path, extension: &str, _sheet: Option<&str>) -> Result<Vec
 
 #[cfg(feature = "mat")]
 fn mat(path: &Path) -> Result<Vec<Sheet>, SheetError> {
-    super::mat::read(path)
+    crate::mat::read(path)
 }
 
 #[cfg(feature = "spreadsheet")]
 fn spreadsheet(path: &Path, extension: &str, sheet: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
-    super::spreadsheet::read(path, extension, sheet)
+    crate::spreadsheet::read(path, extension, sheet)
 }
 
 /// The channel groups of an MDF file. Their master channels are called `time`; samples that the file declares invalid are
@@ -85,9 +86,9 @@ fn mdf(path: &Path) -> Result<Vec<Sheet>, SheetError> {
     use falcon_mdf::{Mf4File, SignalValues};
 
     let wrong = |error: falcon_mdf::Mf4Error| refused(path, error);
-    super::not_too_large(path)?;
+    crate::sheet::not_too_large(path)?;
     let file = Mf4File::open(path).map_err(wrong)?;
-    let mut groups: BTreeMap<(usize, usize), Vec<super::Channel>> = BTreeMap::new();
+    let mut groups: BTreeMap<(usize, usize), Vec<crate::sheet::Channel>> = BTreeMap::new();
     for channel in file.channels() {
         let place = (channel.data_group_index, channel.channel_group_index);
         let master = file.master_channel(place.0, place.1);

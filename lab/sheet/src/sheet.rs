@@ -1,36 +1,13 @@
-//! Tables of measurements as rigs and dynamometers write them.
-//!
-//! A heading names the columns, each with its unit in brackets if it is not the SI unit; a row of units may follow it
-//! instead, with any units for columns that nobody reads. The separator (tab, semicolon, comma, or blanks if there is
-//! none of these) is that of the heading; unless it is a comma, numbers may have a decimal comma. `#` or `%` at the start
-//! of a line begins a comment; unused columns are ignored. A column of time may have time stamps: times of day, or dates
-//! and times by ISO 8601.
-
-mod binary;
-mod error;
-mod guard;
-#[cfg(feature = "mat")]
-mod mat;
-#[cfg(feature = "spreadsheet")]
-mod spreadsheet;
-mod time_stamp;
-mod units;
+//! A table under its headings.
 
 use std::borrow::Cow;
 use std::fs;
 use std::path::Path;
 
-pub use binary::{NO_SHEETS, has_sheets, table, tables};
-pub use error::{SheetError, of_file};
-use time_stamp::Stamp;
-use units::QUANTITIES;
-pub use units::{
-    ANGLE, ANGULAR_VELOCITY, CURRENT, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, PRESSURE, Quantity, SLIP, TEMPERATURE,
-    TIME, VELOCITY,
-};
+use crate::error::{LARGEST, SheetError};
+use crate::time_stamp::Stamp;
+use crate::units::{QUANTITIES, Quantity, TIME};
 
-/// Largest file that is read, in bytes (chosen: some ten million rows).
-const LARGEST: u64 = 1 << 30;
 /// Most rows of a binary file, and most cells, of which short channels leave some empty (chosen: those of such a text).
 #[cfg(any(feature = "mdf", feature = "mat"))]
 const MOST_ROWS: usize = 1 << 24;
@@ -66,7 +43,7 @@ impl Heading {
 
 /// A channel of a binary file: name, unit, values.
 #[cfg(any(feature = "mdf", feature = "mat"))]
-type Channel = (String, String, Vec<f64>);
+pub(crate) type Channel = (String, String, Vec<f64>);
 
 /// A table under its headings, as text.
 #[derive(Debug)]
@@ -111,7 +88,11 @@ impl Sheet {
     }
 
     /// Rows under a heading; the first of them may be a row of units.
-    fn under<'a>(headings: impl Iterator<Item = &'a str>, mut rows: Vec<csv::StringRecord>, separator: char) -> Sheet {
+    pub(crate) fn under<'a>(
+        headings: impl Iterator<Item = &'a str>,
+        mut rows: Vec<csv::StringRecord>,
+        separator: char,
+    ) -> Sheet {
         let mut headings: Vec<Heading> = headings.map(split).collect();
         if rows.first().is_some_and(is_of_units) {
             for (heading, text) in headings.iter_mut().zip(rows.remove(0).iter()) {
@@ -132,7 +113,7 @@ impl Sheet {
 
     /// A table of channels.
     #[cfg(any(feature = "mdf", feature = "mat"))]
-    fn of_channels(channels: Vec<Channel>) -> Result<Sheet, String> {
+    pub(crate) fn of_channels(channels: Vec<Channel>) -> Result<Sheet, String> {
         let count = channels.iter().map(|(_, _, values)| values.len()).max().unwrap_or(0);
         if count > MOST_ROWS || count.saturating_mul(channels.len()) > MOST_CELLS {
             let columns = channels.len();
@@ -174,6 +155,11 @@ impl Sheet {
     /// Name of a column in the file, whatever it was renamed.
     pub fn own_name<'a>(&'a self, name: &'a str) -> &'a str {
         self.headings.iter().find(|heading| heading.is(name)).map_or(name, |heading| heading.own.as_str())
+    }
+
+    #[cfg(any(feature = "mat", feature = "spreadsheet"))]
+    pub(crate) fn with(self, note: Option<String>) -> Sheet {
+        Sheet { note, ..self }
     }
 
     /// Note on how it was read.
@@ -242,18 +228,35 @@ impl Sheet {
 
     /// As [`Sheet::column`], for a column with another name.
     pub fn column_named(&self, name: &str, quantity: &Quantity) -> Result<Option<Vec<f64>>, SheetError> {
+        self.column_in(name, quantity.units, quantity.name == TIME.name)
+    }
+
+    /// Values of a column that must be there, in an SI unit.
+    pub fn values(&self, name: &str, unit: &str) -> Result<Vec<f64>, SheetError> {
+        let own = [(unit, 1.0, 0.0)];
+        let units = QUANTITIES.iter().find(|known| known.units[0].0 == unit).map_or(&own[..], |known| known.units);
+        self.column_in(name, units, false)?.ok_or_else(|| self.missing(name))
+    }
+
+    /// Values of a column that has one of these units, or the first one if it has none.
+    fn column_in(
+        &self,
+        name: &str,
+        units: &[(&str, f64, f64)],
+        may_be_stamps: bool,
+    ) -> Result<Option<Vec<f64>>, SheetError> {
         let mut columns = (0..self.headings.len()).filter(|at| self.headings[*at].is(name));
         let Some(at) = columns.next() else { return Ok(None) };
         if columns.next().is_some() {
             return Err(SheetError::Twice(name.to_owned()));
         }
-        if let Some(first) = self.first_stamp(at).filter(|_| quantity.name == TIME.name) {
+        if let Some(first) = self.first_stamp(at).filter(|_| may_be_stamps) {
             return self.stamped(at, first).map(Some);
         }
         let unit = &self.headings[at].unit;
-        let known = quantity.units.iter().find(|known| unit.is_empty() || known.0 == unit);
+        let known = units.iter().find(|known| unit.is_empty() || known.0 == unit);
         let Some((_, factor, offset)) = known else {
-            let wanted: Vec<&str> = quantity.units.iter().map(|known| known.0).collect();
+            let wanted: Vec<&str> = units.iter().map(|known| known.0).collect();
             let [column, unit] = [name, unit].map(str::to_owned);
             return Err(SheetError::Unit { column, unit, wanted: wanted.join(", ") });
         };
@@ -323,7 +326,7 @@ fn of_rows(error: csv::Error, separator: char) -> SheetError {
     SheetError::Row { line, cells, headings, hint }
 }
 
-fn not_too_large(path: &Path) -> Result<(), SheetError> {
+pub(crate) fn not_too_large(path: &Path) -> Result<(), SheetError> {
     let unreadable = |source| SheetError::Unreadable { path: path.into(), source };
     let bytes = fs::metadata(path).map_err(unreadable)?.len();
     if bytes > LARGEST { Err(SheetError::TooLarge { path: path.into(), bytes }) } else { Ok(()) }
@@ -422,7 +425,7 @@ fn plain(unit: &str) -> String {
 const NO_UNIT: [&str; 3] = ["", "-", "none"];
 
 /// Whether a row has units: at least one that is known, and no number but the unit 1.
-fn is_of_units(row: &csv::StringRecord) -> bool {
+pub(crate) fn is_of_units(row: &csv::StringRecord) -> bool {
     let cells: Vec<String> = row.iter().map(|text| plain(text.trim_matches(['[', ']', '(', ')']))).collect();
     let is_known = |text: &String| {
         text != "1" && QUANTITIES.iter().any(|quantity| quantity.units.iter().any(|unit| unit.0 == text))
@@ -433,6 +436,7 @@ fn is_of_units(row: &csv::StringRecord) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::units::{ANGLE, DISPLACEMENT, FORCE, MOMENT, PRESSURE, SLIP, VELOCITY};
 
     #[test]
     fn units_may_be_in_a_row_of_their_own() {

@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use crate::sheet::{DISPLACEMENT, FORCE, Sheet, TIME};
+use crate::{DISPLACEMENT, FORCE, Sheet, TIME};
 
 const MAIN: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
 const OFFICE: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
@@ -88,7 +88,7 @@ fn workbook(sheets: &[(&str, &str)]) -> tempfile::NamedTempFile {
 
 fn table(path: &Path) -> Result<Sheet, String> {
     let name = format!("{}: ", path.display());
-    crate::sheet::table(path, None).map_err(|error| error.to_string().replace(&name, ""))
+    crate::table(path, None).map_err(|error| error.to_string().replace(&name, ""))
 }
 
 fn times(file: &tempfile::NamedTempFile) -> Vec<f64> {
@@ -114,13 +114,13 @@ fn the_first_sheet_with_a_table_is_read() {
 #[test]
 fn a_sheet_may_be_chosen() {
     let file = workbook(&[("one", "time|force\n1|2"), ("~two", "time|force\n3|4"), ("three", "Rig|A12")]);
-    let chosen = |name| crate::sheet::table(file.path(), Some(name));
+    let chosen = |name| crate::table(file.path(), Some(name));
     let two = chosen("~two").unwrap();
     assert_eq!((two.column(&FORCE).unwrap(), two.note()), (Some(vec![4.0]), None));
     let [unknown, empty] = ["four", "three"].map(|name| chosen(name).unwrap_err().to_string());
     assert!(unknown.ends_with(": no sheet 'four'; there are 'one', 'three', '~two'"), "{unknown}");
     assert!(empty.ends_with(": sheet 'three' has no heading over numbers"), "{empty}");
-    let text = crate::sheet::table(Path::new("a.csv"), Some("one")).unwrap_err().to_string();
+    let text = crate::table(Path::new("a.csv"), Some("one")).unwrap_err().to_string();
     assert_eq!(text, "a.csv: sheet: only spreadsheets have sheets (.xlsx, .xlsm, .ods)");
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::SheetError;
+use crate::error::SheetError;
 
 /// The error for a file that cannot be read.
 pub(super) fn refused(path: &Path, why: impl std::fmt::Display) -> SheetError {

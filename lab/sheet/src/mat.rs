@@ -9,14 +9,15 @@ use std::path::Path;
 
 use value::{Array, Value};
 
-use super::guard::refused;
-use super::{Channel, Sheet, SheetError};
+use crate::error::SheetError;
+use crate::guard::refused;
+use crate::sheet::{Channel, Sheet, not_too_large};
 
 /// The vectors of a MAT file and of the structures and cells in it, as one table; vectors of other lengths end with
 /// empty cells. Units are those that a structure gives for names: tyre machines write `channel`, with the cells `name`
 /// and `units`. Scalars, matrices and texts are left out; a note says so of complex numbers and objects.
 pub(super) fn read(path: &Path) -> Result<Vec<Sheet>, SheetError> {
-    super::not_too_large(path)?;
+    not_too_large(path)?;
     let bytes = std::fs::read(path).map_err(|error| refused(path, error))?;
     let mut found = Found::default();
     for (name, value) in variables(&bytes).map_err(|why| refused(path, why))? {
@@ -27,7 +28,7 @@ pub(super) fn read(path: &Path) -> Result<Vec<Sheet>, SheetError> {
         return Err(refused(path, format_args!("the file has no vectors{}", found.others())));
     }
     let sheet = found.channels().and_then(Sheet::of_channels).map_err(|why| refused(path, why))?;
-    Ok(vec![Sheet { note: found.note(), ..sheet }])
+    Ok(vec![sheet.with(found.note())])
 }
 
 /// The variables of a file, by their names.
