@@ -87,6 +87,7 @@ crate::model! {
     /// plastic; small values come close to LuGre without reaching it, because $alpha$ still rises with $|z|$.
     /// `normal_force` = 0 releases the contact (force 0, deflection 0).
     ///
+    #[doc = include_str!("falling_load.md")]
     /// # Source
     /// Dupont, Hayward, Armstrong, Altpeter (2002), "Single state elastoplastic friction models",
     /// doi:10.1109/TAC.2002.1000274; equations (7.30) to (7.34) of F. Novais, "A critical analysis on friction force

@@ -74,6 +74,7 @@ crate::model! {
     /// LuGre. Without damping ($sigma_1 = 0$) it is passive at constant load. No drift as long as $|f_f| < kappa g$.
     /// Isotropic. No spin about the normal. `normal_force` = 0 releases the contact (force 0, deflection 0).
     ///
+    #[doc = include_str!("falling_load.md")]
     /// # Source
     /// The law along a line: Dupont, Hayward, Armstrong, Altpeter (2002), "Single state elastoplastic friction models",
     /// IEEE Transactions on Automatic Control 47, 787-792; equations (7.30) to (7.34) of F. Novais, "A critical

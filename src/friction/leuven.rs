@@ -85,6 +85,7 @@ crate::model! {
     /// the load falls, an element above its new strength keeps its force until it moves back. `normal_force` = 0
     /// releases the contact (force 0, deflections 0). The force at $v = 0$ is held.
     ///
+    #[doc = include_str!("falling_load.md")]
     /// # Source
     /// Lampaert, Swevers, Al-Bender (2002), "Modification of the Leuven integrated friction model structure", IEEE
     /// Transactions on Automatic Control 47, 683-687, after Swevers, Al-Bender, Ganseman, Prajogo (2000), "An

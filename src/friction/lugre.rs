@@ -62,6 +62,7 @@ crate::model! {
     /// (0 -> 0.1 m/s from full stiction: -14.3 N). `damping_velocity` (of the size of $v_S$) removes it; the default 0
     /// keeps the law of the paper. `normal_force` = 0 releases the contact (force 0, deflection 0).
     ///
+    #[doc = include_str!("falling_load.md")]
     /// # Source
     /// Canudas de Wit, Olsson, Astrom, Lischinsky (1995), doi:10.1109/9.376053. In the paper $sigma_0 g(v)$ is the
     /// level; here $g$ is in newtons and carries the normal force, and $delta = 2$ is a parameter. Defaults: Table 7.1

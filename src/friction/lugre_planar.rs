@@ -67,6 +67,7 @@ crate::model! {
     /// passive at constant load. Isotropic: no preferred direction. No spin about the normal. `normal_force` = 0
     /// releases the contact (force 0, deflection 0).
     ///
+    #[doc = include_str!("falling_load.md")]
     /// # Source
     /// The law along a line: Canudas de Wit, Olsson, Astrom, Lischinsky (1995), doi:10.1109/9.376053. The extension to
     /// the plane, $|v|$ for the magnitude and vectors for the rest, is the usual one for an isotropic contact; here it

@@ -6,6 +6,7 @@ mod common;
 
 mod belt;
 mod contract;
+mod falling_load;
 mod help_texts;
 mod hosts;
 mod many_elements;
