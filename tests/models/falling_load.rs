@@ -6,7 +6,7 @@ use stribeck::model::Kind;
 const SPEED: f64 = 0.015;
 /// Start values of the laws: sigma_0, sigma_1, sigma_2, mu_k and mu_s.
 const STIFFNESS: f64 = 1e5;
-const DAMPING: f64 = 316.327_766;
+const DAMPING: f64 = 316.227_766;
 const VISCOUS: f64 = 0.1;
 const KINETIC: f64 = 0.1;
 const STATIC: f64 = 0.15;
