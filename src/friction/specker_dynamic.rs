@@ -56,7 +56,8 @@ crate::model! {
     /// Cannot hold a load: under a constant load below $f_s$ the body creeps with the speed at which $f_stat$ is the
     /// load, and after a stop the force vanishes within $T_stick$ (57 ms for the defaults). A step of the velocity to
     /// $v << v_Sp$ gives $f_f = K_0 v (1 - exp(-t / T_stick))$, which is $sigma_0 x$ for $t << T_stick$. $|f_f|$ never
-    /// exceeds the maximum of $|f_stat|$ ($1.0044 f_s$ for the defaults) and the viscous part.
+    /// exceeds the maximum of $|f_stat|$ and the viscous part at constant load. The maximum is $1.0044 f_s$ for the
+    /// defaults, $1.024 f_s$ for `mu_s` = `mu_k`, and below $f_s + f_C (1 - tanh(v_Sp / v_0))$ for any levels.
     ///
     /// Not passive: after a reversal from a force $f_0$ to a speed $V$ well above $v_Sp$ the contact returns the energy
     /// $V T_slip (f_0 - f_C ln(1 + f_0 / f_C))$, and fast cycles with slow parts in between gain energy. The power that
@@ -141,6 +142,11 @@ impl<T: Real> Law for SpeckerDynamic<T> {
         self.dissipated_power = self.friction_force * self.velocity;
         let is_slow = self.velocity.abs().below(self.peak_velocity);
         self.sticking = T::truth(is_slow & self.normal_force.is_positive());
+    }
+
+    #[inline(always)]
+    fn overshoot(&self) -> Option<T> {
+        Some(self.curve().overshoot())
     }
 }
 

@@ -71,6 +71,12 @@ pub trait Law: Numbers {
     /// Computes the [`Role::Output`](crate::table::Role::Output) columns from the others, except advice.
     fn output(&mut self);
 
+    /// Largest force without its viscous part, relative to the static level, of a law whose curve exceeds that.
+    #[inline(always)]
+    fn overshoot(&self) -> Option<Self::Number> {
+        None
+    }
+
     /// Computes the outputs that are [advice](crate::table::Column::advice), from the columns that are not outputs.
     fn advise(&mut self) {}
 

@@ -16,6 +16,9 @@ pub trait Evaluate: Component + Scalar {
     /// Computes the time derivatives of the states.
     fn rate(model: &ModelType, row: &[Self], rate: &mut [Self]);
 
+    /// Largest force of a law without its viscous part, relative to the static level.
+    fn overshoot(model: &ModelType, row: &[Self]) -> Self;
+
     /// Lets each state of the row depend on what it depends on after a step, in numbers without values. Others take the
     /// step.
     fn mark_step(_model: &ModelType, _row: &mut [Self]) {}
@@ -36,6 +39,10 @@ impl Evaluate for f64 {
         model.rate(row, rate);
     }
 
+    fn overshoot(model: &ModelType, row: &[f64]) -> f64 {
+        model.overshoot(row)
+    }
+
     fn slope(self) -> f64 {
         0.0
     }
@@ -53,6 +60,10 @@ impl Evaluate for Dual {
 
     fn rate(model: &ModelType, row: &[Dual], rate: &mut [Dual]) {
         model.rate_dual(row, rate);
+    }
+
+    fn overshoot(model: &ModelType, row: &[Dual]) -> Dual {
+        model.overshoot_dual(row)
     }
 
     fn slope(self) -> f64 {
@@ -83,6 +94,15 @@ impl Evaluate for Gradient {
             model.rate_dual(&along, &mut rate_along);
             take(rate, &rate_along, direction);
         }
+    }
+
+    fn overshoot(model: &ModelType, row: &[Gradient]) -> Gradient {
+        let mut bound = [Gradient::from(0.0)];
+        for direction in 0..DIRECTIONS {
+            let along: Vec<Dual> = row.iter().map(|number| number.along(direction)).collect();
+            take(&mut bound, &[model.overshoot_dual(&along)], direction);
+        }
+        bound[0]
     }
 
     /// Not a number if it changes: what asks for one slope has no use for several.
@@ -127,6 +147,11 @@ pub fn output_and_rate_in<M: Model, T: Evaluate>(row: &mut [T], rate: &mut [T]) 
     let rate = &mut rate[..M::TABLE.len()];
     rate.fill(T::from(0.0));
     <M::In<T> as Law>::Interface::rates(model, view_mut(rate));
+}
+
+/// Largest force of a law without its viscous part, relative to the static level.
+pub(super) fn overshoot_in<M: Model, T: Evaluate>(row: &[T]) -> T {
+    view::<M::In<T>, T>(row).overshoot().unwrap_or(T::from(1.0))
 }
 
 /// Computes the time derivatives of the continuous states, in the columns of the states; `rate` is 0 elsewhere.

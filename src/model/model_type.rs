@@ -60,6 +60,8 @@ pub struct ModelType {
     /// As [`ModelType::rate`], with the part of the memory that is in use.
     pub(crate) rate_with: Rate,
     rate_dual: fn(&[Dual], &mut [Dual]),
+    overshoot: fn(&[f64]) -> f64,
+    overshoot_dual: fn(&[Dual]) -> Dual,
     check_model_exchange: fn(&[f64]) -> Result<(), Fault>,
     check_without_events: fn(&[f64]) -> Result<(), Fault>,
     indicate: fn(&[f64], &mut [f64]),
@@ -100,6 +102,8 @@ impl ModelType {
                 view::<M, f64>(row).rate_with(memory, view_mut(rate), memory_rate);
             },
             rate_dual: super::rate_in::<M, Dual>,
+            overshoot: super::evaluate::overshoot_in::<M, f64>,
+            overshoot_dual: super::evaluate::overshoot_in::<M, Dual>,
             check_model_exchange: |row| view::<M, f64>(row).check_model_exchange(),
             check_without_events: |row| view::<M, f64>(row).check_without_events(),
             indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
@@ -209,6 +213,16 @@ impl ModelType {
     /// The same with their derivatives in the direction that the columns of `row` carry; for Model Exchange.
     pub fn rate_dual(&self, row: &[Dual], rate: &mut [Dual]) {
         (self.rate_dual)(row, rate);
+    }
+
+    /// Largest force without its viscous part, relative to the static level.
+    pub fn overshoot(&self, row: &[f64]) -> f64 {
+        (self.overshoot)(row)
+    }
+
+    /// The same with its derivative in the direction that the columns of `row` carry.
+    pub fn overshoot_dual(&self, row: &[Dual]) -> Dual {
+        (self.overshoot_dual)(row)
     }
 
     /// The columns of the states that move with time.

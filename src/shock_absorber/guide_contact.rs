@@ -383,7 +383,7 @@ crate::model! {
     /// `memory[2]`, in its order; whatever else it remembers is not a variable, but part of a saved state. It starts at
     /// rest. If the load falls, whatever carries more than $f_s$ slips until it carries $f_s$: bristles; elements, in
     /// proportion, so that the forces between them stay possible too; the force of a law with a low-pass filter, apart
-    /// from its viscous part and 1 % for the overshoot of its curve. If an importer integrates the states, the force is
+    /// from its viscous part, and what its curve has above $f_s$. If an importer integrates the states, the force is
     /// that after the slip at once, and the states follow with a time constant of 1 ms.
     ///
     /// The parameters have the names and the start values of the laws. Laws with the same start value share a

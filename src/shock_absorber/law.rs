@@ -292,7 +292,7 @@ impl ChosenLaw {
     }
 
     /// Fills a row of zeros.
-    fn fill<T: Scalar>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>, memory: &[T; MEMORY]) {
+    fn fill<T: Evaluate>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>, memory: &[T; MEMORY]) {
         for (column, value) in self.0.given.iter().zip(given.values()) {
             if let Some(place) = row.get_mut(usize::from(*column)) {
                 *place = value;
@@ -311,7 +311,7 @@ impl ChosenLaw {
     }
 
     /// Lets slip whatever carries more than the present load allows.
-    fn slip<T: Scalar>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>) {
+    fn slip<T: Evaluate>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>) {
         match self.0.carrier {
             Carrier::Share => {}
             Carrier::Deflection(deflection, stiffness) => {
@@ -319,7 +319,10 @@ impl ChosenLaw {
             }
             Carrier::Force(force) => {
                 let viscous = self.viscous_coefficient(parameters) * given.velocity.abs();
-                row[force] = row[force].limited(T::from(OVERSHOOT) * given.largest + viscous);
+                let is_too_much = row[force].abs().above(given.largest + viscous);
+                if is_too_much.agreed() != Some(false) {
+                    row[force] = row[force].limited(T::overshoot(self.0.model, row) * given.largest + viscous);
+                }
             }
             Carrier::Elements(strength) => {
                 let strength = strength.map_or(given.largest, |strength| row[strength] * given.largest);
@@ -349,10 +352,6 @@ impl ChosenLaw {
         }
     }
 }
-
-/// Largest force of a smooth curve relative to its static level (chosen; the excess is 0.4 % for the start values of
-/// SpeckerDynamic).
-const OVERSHOOT: f64 = 1.01;
 
 /// Rounding of a sum of forces, relative to the sum (chosen).
 const ROUNDING: f64 = 1e-12;

@@ -166,6 +166,25 @@ fn friction_falls_with_the_load() {
     }
 }
 
+/// What the curve of a law with a low-pass filter has above its static level is no excess: 10.2403 N beyond the peak
+/// velocity for levels of 10 N, by hand (the largest tanh(2 u) + (1 - tanh 2) u exp((1 - u^2) / 2), at u = 1.46016).
+#[test]
+fn a_smooth_curve_keeps_its_summit() {
+    let (number, _) = laws().find(|(_, name)| *name == "SpeckerDynamic").expect("the law");
+    let summit = |u: f64| 10.0 * ((2.0 * u).tanh() + (1.0 - 2f64.tanh()) * u * (0.5 * (1.0 - u * u)).exp());
+    for sign in [1.0, -1.0] {
+        let mut bench = contact(number);
+        bench.set("levels.mu_s", 0.1);
+        bench.set("levels.mu_k", 0.1);
+        press(&mut bench, 100.0);
+        for u in [1.0, 1.2, 1.46016, 1.8, 2.5] {
+            let force = *moved(&mut bench, sign * u * 5e-4, 20_000).last().expect("a force");
+            assert!((sign * force - summit(u)).abs() < 1e-6, "{u}: {force} N, {} N by hand", summit(u));
+        }
+        assert!((summit(1.46016) - 10.2403).abs() < 1e-4, "{}", summit(1.46016));
+    }
+}
+
 /// If a solver integrates the states of a law, the friction falls with the load at once, and the states follow.
 #[test]
 fn friction_falls_with_the_load_under_a_solver() {

@@ -563,6 +563,9 @@ impl Evaluate for Tracked {
         let Some(found) = of_other(model) else { return };
         rate.copy_from_slice(&applied(model, row, &found[row.len()..]));
     }
+    fn overshoot(_model: &ModelType, row: &[Tracked]) -> Tracked {
+        row.iter().fold(Tracked::from(1.0), |sum, number| sum + *number)
+    }
     fn mark_step(model: &ModelType, row: &mut [Tracked]) {
         if let Some(others) = on_course(|course| course.others) {
             (others.mark_step)(model, row);
