@@ -74,6 +74,9 @@ crate::model! {
     /// $i$ and k only (the mixing function of SplitMix64), so the same path gives the same force however it is divided
     /// into steps, and a saved and restored instance repeats its future.
     ///
+    /// Two step sizes, two tolerances and two masters have the same numbers, as long as no step is longer than that of
+    /// the next paragraph.
+    ///
     /// A bristle that would slide by more than $20 Delta$ (about 40 snaps) in one step is instead drawn from the
     /// density above, which it approaches as $exp(-2.09 s / Delta)$: the work of a step is bounded, the force is the
     /// same in distribution to 1e-18, and the energy of such a slide is its expectation. With a linearly moving

@@ -1,8 +1,11 @@
 //! Coupled steps against the solver that knows the rates, and against laws of conservation.
 
+use stribeck::friction::Bristle;
+use stribeck::model::Model;
+
 use super::*;
 use crate::solve::{Grid, Method, Options, Recorder, solve};
-use crate::system::{Motion, Setting, Source, System};
+use crate::system::{Motion, Setting, Source, System, WireSource};
 
 const GRID: Grid = Grid { begin: 0.0, end: 40.0, intervals: 4000 };
 
@@ -37,6 +40,49 @@ fn steps_of_all_models_together_solve_the_belt() {
 fn the_error_falls_with_the_tolerance() {
     let errors = [1e-5, 1e-8].map(|tolerance| (last_position("LuGre", tolerance) - 0.463_150_29).abs());
     assert!(errors[1] < 0.1 * errors[0], "{errors:?}");
+}
+
+/// Strain and number of breaks of each bond at the end of a run, and the distance slid.
+fn bonds(tolerance: f64) -> (Vec<[f64; 2]>, f64) {
+    let (system, end) = (belt("Bristle", &[]), 7.6);
+    let grid = Grid { begin: 0.0, end, intervals: 100 };
+    let mut names = vec![String::from("rig.position")];
+    for bond in 1..=BONDS {
+        names.extend(["strain", "draws"].map(|name| format!("friction.bristle[{bond}].{name}")));
+    }
+    let recorded: Vec<WireSource> = names.iter().map(|name| system.source(name).unwrap()).collect();
+    let (reached, _, (_, values)) = by_steps(&system, grid, &Options::new(end, tolerance), &recorded).unwrap();
+    assert!(reached.is_reached(), "{reached}");
+    let last: Vec<f64> = values.iter().map(|column| *column.last().unwrap()).collect();
+    (last[1..].chunks(2).map(|bond| [bond[0], bond[1]]).collect(), last[0] - 0.1 * end)
+}
+
+const BONDS: usize = 25;
+
+/// The law itself after a distance, in parts of less than 20 Delta.
+fn slid(distance: f64) -> Vec<[f64; 2]> {
+    let mut law = Bristle::default();
+    for _ in 0..1000 {
+        law.velocity = distance / 1000.0;
+        law.step(1.0);
+    }
+    law.bristle[..BONDS].iter().map(|bond| [bond.strain, bond.draws]).collect()
+}
+
+/// Within the first slip, at three tolerances: each bond is where the law has it after the same distance, with the same
+/// random numbers. The distance that the law has slid is known from one bond.
+#[test]
+fn bonds_draw_the_same_numbers_at_any_tolerance() {
+    for tolerance in [1e-3, 1e-4, 1e-5] {
+        let (found, distance) = bonds(tolerance);
+        let shift = found[0][0] - slid(distance)[0][0];
+        let expected = slid(distance + shift);
+        assert!(shift.abs() < 2e-6 && found[0][1] > 1000.0, "{tolerance}: {shift} m, {:?}", found[0]);
+        for (bond, (found, expected)) in found.iter().zip(&expected).enumerate() {
+            assert_eq!(found[1], expected[1], "{tolerance}: bond {bond}");
+            assert!((found[0] - expected[0]).abs() < 1e-10, "{tolerance}: bond {bond}: {found:?} {expected:?}");
+        }
+    }
 }
 
 fn co_simulated(law: &str, step: f64, exchange: Exchange) -> f64 {
