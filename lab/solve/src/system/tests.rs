@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use stribeck::catalogue::{Family, documented};
+use stribeck::numerics::root::bisect;
 
 use super::*;
 use crate::solve::{End, Equations, Grid, Method, Options, Recorder, Statistics, solve};
@@ -49,6 +50,51 @@ fn first_slips_of_laws_with_a_band_are_those_of_their_closed_forms() {
     assert!((times[0] - exact.first_slip).abs() < 1e-10 && (times[1] - leaves).abs() < 1e-10, "{times:?} {leaves}");
     let (statistics, _) = belt("LinearStiction", 1e-12);
     assert!((statistics.events[0].time - 7.395_207_353_82).abs() < 1e-10, "{:?}", statistics.events[0]);
+}
+
+/// Position and velocity of the block, from where it is, after a time t under a constant friction force.
+fn swung([x, v]: [f64; 2], friction: f64, t: f64) -> [f64; 2] {
+    let (w, middle) = (2f64.sqrt(), -0.5 * friction);
+    let ((sine, cosine), out) = ((w * t).sin_cos(), x - middle);
+    [middle + out * cosine + v / w * sine, v * cosine - out * w * sine]
+}
+
+/// The exact motion with Karnopp's law in pieces: the time at which each begins, position and velocity there, and the
+/// friction force; none where the block is held and moves as fast as it entered the band.
+fn pieces_of_karnopp() -> Vec<(f64, [f64; 2], Option<f64>)> {
+    let [kinetic, breakaway, edge] = [0.981, 1.4715, 1e-3];
+    let (mut time, mut state) = (0.0, [0.0, BELT]);
+    let mut pieces = Vec::new();
+    while time < 40.0 {
+        pieces.push((time, state, None));
+        let held = (0.5 * breakaway - state[0]) / state[1];
+        (time, state) = (time + held, [state[0] + state[1] * held, state[1]]);
+        // The spring pulls it out of the band, and out of the way, until it is as fast as the belt again.
+        for (friction, longest, leaves) in [(-breakaway, 0.5, true), (-kinetic, 4.0, false)] {
+            pieces.push((time, state, Some(friction)));
+            let beyond = |t: f64| BELT - swung(state, friction, t)[1] - edge;
+            let begin = if leaves { 0.0 } else { 1.0 };
+            let end = bisect(|t| if leaves { beyond(t) } else { -beyond(t) }, begin, longest);
+            (time, state) = (time + end, swung(state, friction, end));
+        }
+    }
+    pieces
+}
+
+/// The largest error of Karnopp's motion is that of its events, 3 um at any tolerance.
+#[test]
+fn karnopp_is_off_by_the_width_of_its_events() {
+    let pieces = pieces_of_karnopp();
+    let exact = |time: f64| {
+        let (from, state, friction) = pieces.iter().rfind(|piece| piece.0 <= time).expect("a piece");
+        let held = state[0] + state[1] * (time - from);
+        friction.map_or(held, |friction| swung(*state, friction, time - from)[0])
+    };
+    for tolerance in [1e-8, 1e-12] {
+        let (_, motion) = belt("Karnopp", tolerance);
+        let error = motion.iter().map(|(time, x)| (x - exact(*time)).abs()).fold(0.0, f64::max);
+        assert!((2.5e-6..3.5e-6).contains(&error), "{tolerance}: {error} m");
+    }
 }
 
 /// Deflection and its rate, without what has faded, of a bond with the block at x when it was bent by z:
