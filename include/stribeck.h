@@ -2888,7 +2888,7 @@ typedef enum stribeck_non_reversible_variable {
 } stribeck_non_reversible_variable;
 
 /** Guid of Wojewoda for fmi2Instantiate. */
-#define STRIBECK_WOJEWODA_GUID "{f2a5a016-6151-202c-3ec3-6b3fd19909a9}"
+#define STRIBECK_WOJEWODA_GUID "{1d385c77-68e3-75f4-c15b-446876e516e9}"
 
 /** Preset of Wojewoda: Example of a soft pad with a wide hysteresis. */
 #define STRIBECK_WOJEWODA_PRESET_RUBBER_PAD "rubber_pad"
@@ -2899,10 +2899,15 @@ typedef enum stribeck_wojewoda_variable {
   STRIBECK_WOJEWODA_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_WOJEWODA_NORMAL_FORCE = 5891938,
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
+  STRIBECK_WOJEWODA_EXTERNAL_FORCE = 1336490458,
   /** in [m/s2]: Acceleration of body 1 relative to body 2; used if the velocity has no slope. (default 0) */
   STRIBECK_WOJEWODA_ACCELERATION = 799062685,
   /** state [m/s2]: Slope of the velocity over the last step; 0 if it was held. (default 0) */
   STRIBECK_WOJEWODA_VELOCITY_SLOPE = 90397206,
+  /** fixed [stribeck_acceleration_source]: How the law knows whether the contact speeds up or slows down.
+   *  (default Input) */
+  STRIBECK_WOJEWODA_ACCELERATION_SOURCE = 2091868843,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_WOJEWODA_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
@@ -2915,6 +2920,8 @@ typedef enum stribeck_wojewoda_variable {
   STRIBECK_WOJEWODA_SLIPPING = 1815582239,
   /** state [m]: Mean elastic deflection of the bristles. (default 0) */
   STRIBECK_WOJEWODA_BRISTLE_DEFLECTION = 767148150,
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
+  STRIBECK_WOJEWODA_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_WOJEWODA_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */

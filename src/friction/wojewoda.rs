@@ -1,10 +1,11 @@
-use crate::contact::branching::Branching;
+use crate::contact::branching::{AccelerationSource, Branching};
 use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
+use crate::contact::time_stepping::{Branches, Curve, MOVED, OnCurve, PASSED, Phase, PhaseColumn, REACHED};
+use crate::contact::unloading;
 use crate::laws::branches;
-use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, real};
-use crate::number::{Mask, Real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, ramp, real};
+use crate::number::{Mask, Real, choose};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::root::first_rise;
 
@@ -29,10 +30,21 @@ crate::model! {
     /// sliding -> stuck    v reaches or passes 0; sigma_0 |z| := 2 f_C - f_s, where the lower curve ends
     /// ```
     ///
+    /// Whether a free body speeds up depends on this force itself. With `acceleration_source` = Balance the external
+    /// force $f_e$ decides; between the curves a sliding body keeps its velocity ($v > 0$; mirrored for $v < 0$). With
+    /// $f_fu$ for the second line above and $f_fl$ for the third:
+    ///
+    /// ```text
+    /// f_f = f_fu                                  f_e > f_fu
+    /// f_f = f_e                                   f_fl <= f_e <= f_fu
+    /// f_f = f_fl                                  f_e < f_fl
+    /// ```
+    ///
     /// | symbol  | variable             | unit | meaning                                              |
     /// |---------|----------------------|------|------------------------------------------------------|
     /// | v       | `velocity`           | m/s  | velocity of body 1 relative to body 2                |
     /// | f_n     | `normal_force`       | N    | force pressing the surfaces together                 |
+    /// | f_e     | `external_force`     | N    | resultant of all other tangential forces             |
     /// | v'      | `acceleration`       | m/s2 | acceleration of body 1 relative to body 2            |
     /// |         | `velocity_slope`     | m/s2 | $v'$ from a given slope of the velocity              |
     /// | mu_k    | `mu_k`               | 1    | kinetic coefficient of friction                      |
@@ -41,6 +53,7 @@ crate::model! {
     /// | a       | `branch_decay`       | s/m  | steepness of both curves                             |
     /// |         | `slipping`           |      | whether the contact has broken away                  |
     /// | z       | `bristle_deflection` | m    | elastic displacement; sliding: that of the breakaway |
+    /// |         | `phase`              |      | motion as found by the last event of Model Exchange  |
     /// | f_f     | `friction_force`     | N    | friction force                                       |
     ///
     /// # Sign
@@ -55,7 +68,14 @@ crate::model! {
     /// acceleration is that of the slope of `velocity` if the master gives one (fmi2SetRealInputDerivatives), otherwise
     /// that of the input `acceleration` at the beginning of the step; without either it is 0 and the upper curve
     /// applies. After a step with a slope the outputs use that slope until the next step. The dissipated energy is a
-    /// closed form while stuck and for held inputs, and otherwise a quadrature with a relative error below 1e-10.
+    /// closed form while stuck and for held inputs, and otherwise a quadrature with a relative error below 1e-10. In a
+    /// balance of forces inputs that move linearly are held at their means over sixteenths of a step, which is of second
+    /// order; breakaway and stop are then located to one of them.
+    ///
+    /// In Model Exchange breakaway, stop and the change between the curves are events, and the force between two of them
+    /// is that of one line above, also where a solver tries values beyond. A free body needs Balance, with
+    /// `external_force` connected; a motion that is prescribed needs Input and its acceleration. If the load of a stuck
+    /// contact falls, its force follows the level at once, and the displacement with a time constant of 0.1 ms.
     ///
     /// A master that integrates a mass $m$ with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below
@@ -63,9 +83,10 @@ crate::model! {
     /// If all models step at once and exchange afterwards, it chatters at every step, since nothing damps the
     /// stiffness: take the friction first.
     ///
-    /// Sliding needs a shorter step: at breakaway, an acceleration computed from the last force occasionally puts the
+    /// With Input sliding needs a shorter step: at breakaway, an acceleration computed from the last force occasionally puts the
     /// contact on the lower curve for one step, which changes the velocity by $2 (f_s - f_C) h / m$. For a block of 1
-    /// kg on a belt of 0.1 m/s the stick-slip period is 0.6 % too short at $h = 16$ us, 2 % at 31 us and 37 % at 1 ms.
+    /// kg on a belt of 0.1 m/s the stick-slip period is 0.6 % too short at $h = 16$ us, 2 % at 31 us and 37 % at 1 ms. A
+    /// balance of forces has no such loop.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_s` > 2 `mu_k`, because the lower curve would then
@@ -74,7 +95,7 @@ crate::model! {
     /// # Limits
     /// No damping while stuck: a mass on the contact oscillates. The force jumps where the acceleration changes its
     /// sign, and at the stop to the end of the lower curve; an acceleration that is itself computed from this force
-    /// closes a loop that may switch at every step. A stuck contact at $v = 0$ holds. `mu_s` = `mu_k` is the elastic
+    /// closes a loop that may switch at every step, unless forces decide. A stuck contact at $v = 0$ holds. `mu_s` = `mu_k` is the elastic
     /// and perfectly plastic contact. If the load falls, the displacement is cut to what the level can carry: at the
     /// beginning of a step, at the end of one with slopes, and in the force at once.
     ///
@@ -107,15 +128,20 @@ crate::model! {
     Wojewoda: "Hysteretic friction: stuck spring, two branches of sliding (reconstructed after Wojewoda)" {
         velocity: input = VELOCITY,
         normal_force: input = NORMAL_FORCE,
-        /// Source of the acceleration.
+        external_force: input = EXTERNAL_FORCE,
+        /// How the acceleration is known.
         branching: (Branching),
+        /// How the law knows whether the contact speeds up or slows down.
+        acceleration_source: fixed = AccelerationSource::Input.start(),
         mu_k: tunable = MU_K,
         mu_s: tunable = MU_S,
         sigma_0: tunable = SIGMA_0,
         /// Steepness of the curves for speeding up and slowing down (default chosen).
         branch_decay: tunable = real("s/m", 500.0).positive().nominal(500.0).means(Meaning::Own),
         slipping: state = SLIPPING,
-        bristle_deflection: state = BRISTLE_DEFLECTION,
+        bristle_deflection: state = BRISTLE_DEFLECTION.reinit(),
+        /// Motion of the contact as found by the last event of Model Exchange.
+        phase: state = Phase::Free.start(),
         dissipated_energy: state_output = DISSIPATED_ENERGY,
         friction_force: output = FRICTION_FORCE,
         dissipated_power: output = DISSIPATED_POWER,
@@ -123,22 +149,40 @@ crate::model! {
     }
 }
 
+/// Time constant of a deflection that a falling load pushes back, in s (chosen).
+const PUSHED: f64 = 1e-4;
+
 impl<T: Real> Wojewoda<T> {
     /// End of the lower curve, per normal force: 2 mu_k - mu_s.
     fn mu_stop(&self) -> T {
         self.mu_k + self.mu_k - self.mu_s
     }
 
-    /// Level while sliding.
-    fn sliding_level(&self, velocity: T, load: T, acceleration: T) -> T {
-        let slows_down = branches::slows_down(velocity, acceleration);
-        let at_rest = slows_down.choose(|| self.mu_stop(), || self.mu_s);
-        branches::level(velocity, self.mu_k * load, at_rest * load, self.branch_decay)
+    /// Level of the lower curve.
+    fn lower(&self, velocity: T) -> T {
+        let load = self.normal_force;
+        branches::level(velocity, self.mu_k * load, self.mu_stop() * load, self.branch_decay)
+    }
+
+    /// Level of the upper curve.
+    fn upper(&self, velocity: T) -> T {
+        let load = self.normal_force;
+        branches::level(velocity, self.mu_k * load, self.mu_s * load, self.branch_decay)
+    }
+
+    /// Largest deflection that the level can carry.
+    fn limit(&self) -> T {
+        self.mu_s * self.normal_force / self.sigma_0
     }
 
     /// Deflection, limited to what the level can carry.
-    fn held_deflection(&self, load: T) -> T {
-        self.bristle_deflection.pushed_back(self.mu_s * load / self.sigma_0)
+    fn held_deflection(&self) -> T {
+        self.bristle_deflection.pushed_back(self.limit())
+    }
+
+    /// Motion of the contact as found by the last event of Model Exchange.
+    fn phase(&self) -> PhaseColumn<T> {
+        PhaseColumn(self.phase)
     }
 
     fn is_slipping(&self) -> T::Mask {
@@ -151,24 +195,80 @@ impl<T: Real> Wojewoda<T> {
         self.is_slipping() & (direction.vanishes() | is_opposite)
     }
 
+    /// The same of the present velocity. Between events it never does.
+    fn is_arriving(&self) -> T::Mask {
+        self.phase().is_free() & self.arrives(self.velocity.sign())
+    }
+
+    /// Whether the contact is stuck.
+    fn is_stuck(&self) -> T::Mask {
+        self.phase().is(Phase::Held) | self.phase().is_free() & !self.is_slipping()
+    }
+
+    /// Rate of the deflection.
+    fn deflection_rate(&self) -> T {
+        let excess = self.bristle_deflection - self.held_deflection();
+        let is_outward = (self.velocity * excess).is_positive();
+        let pushed_back = choose!(is_outward, T::zero(), excess / T::from(PUSHED));
+        choose!(self.is_stuck() & !self.normal_force.vanishes(), self.velocity - pushed_back, T::zero())
+    }
+
+    /// The contact on its two curves.
+    fn contact(&self) -> OnCurve<'_, T, Self> {
+        let Wojewoda { velocity, normal_force, external_force, .. } = *self;
+        OnCurve { law: self, velocity, normal_force, external_force, phase: self.phase() }
+    }
+
     fn force(&self) -> T {
-        let (load, direction) = (self.normal_force, self.velocity.sign());
+        let load = self.normal_force;
         let arriving = || self.mu_stop() * load * self.bristle_deflection.sign();
-        let slipping = || self.sliding_level(self.velocity, load, self.branching.known_acceleration()) * direction;
-        let stuck = || self.sigma_0 * self.held_deflection(load);
-        let moving = || self.is_slipping().choose(slipping, stuck);
-        load.vanishes().choose(|| T::zero(), || self.arrives(direction).choose(arriving, moving))
+        let slipping = || self.contact().sliding_on_branches();
+        let stuck = || self.sigma_0 * self.held_deflection();
+        let moving = || self.is_stuck().choose(stuck, slipping);
+        load.vanishes().choose(|| T::zero(), || self.is_arriving().choose(arriving, moving))
+    }
+}
+
+impl<T: Real> Curve<T> for Wojewoda<T> {
+    fn curve(&self, velocity: T) -> T {
+        let slows_down = branches::slows_down(velocity, self.branching.known_acceleration());
+        slows_down.choose(|| self.lower(velocity), || self.upper(velocity)) * velocity.sign()
+    }
+
+    fn level(&self) -> T {
+        self.mu_s * self.normal_force
+    }
+
+    fn band(&self) -> Option<T> {
+        None
+    }
+}
+
+impl<T: Real> Branches<T> for Wojewoda<T> {
+    fn levels(&self, velocity: T) -> [T; 2] {
+        [self.lower(velocity), self.upper(velocity)]
+    }
+
+    fn is_by_balance(&self) -> T::Mask {
+        AccelerationSource::Balance.is(self.acceleration_source)
     }
 }
 
 impl<T: Real> Law for Wojewoda<T> {
-    type Interface = CoSimulation;
+    type Interface = ModelExchange;
 
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
-        let stuck = !self.is_slipping() | self.arrives(self.velocity.sign());
+        let stuck = self.is_stuck() | self.is_arriving();
         self.sticking = T::truth(stuck & self.normal_force.is_positive());
+    }
+}
+
+impl<T: Real> Derivatives for Wojewoda<T> {
+    fn derivatives(&self, rate: &mut Self) {
+        rate.bristle_deflection = self.deflection_rate();
+        rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 
@@ -194,6 +294,42 @@ impl Wojewoda {
         }
     }
 
+    /// |z| in parts of the largest that the level can carry.
+    fn stretch(&self) -> f64 {
+        self.bristle_deflection.abs() / self.limit()
+    }
+
+    /// Speed in the direction of the deflection, in parts of the least one that counts.
+    fn outward_speed(&self) -> f64 {
+        self.velocity * self.bristle_deflection.sign() / MOVED
+    }
+
+    /// Motion of the contact after an event. The limits lie between those of the indicator.
+    fn settled(&self) -> Phase {
+        let breaks = self.stretch() >= 1.0 + 0.5 * REACHED && self.outward_speed() > 0.5 * PASSED;
+        match Phase::of(self.phase).direction() {
+            _ if unloading::is_unloaded(self.normal_force) => Phase::Held,
+            Some(direction) if direction * self.velocity >= 0.0 => Phase::sliding(direction),
+            None if breaks || !(self.is_stuck() | self.is_arriving()) => Phase::sliding(self.velocity),
+            _ => Phase::Held,
+        }
+    }
+
+    /// Deflection after an event that has found a contact stuck.
+    fn stuck_deflection(&self) -> f64 {
+        let slid = match Phase::of(self.phase) {
+            Phase::Free if self.is_slipping() => self.bristle_deflection.sign(),
+            phase => phase.direction().unwrap_or(0.0),
+        };
+        if unloading::is_unloaded(self.normal_force) {
+            0.0
+        } else if slid == 0.0 {
+            self.held_deflection()
+        } else {
+            self.stopped(slid, self.normal_force)
+        }
+    }
+
     /// Advances over a motion in one direction.
     fn follow(&mut self, part: Motion) {
         if self.arrives(part.direction()) {
@@ -215,8 +351,13 @@ impl Wojewoda {
 
     /// Sliding -> stuck.
     fn stop(&mut self, load: f64) {
-        self.bristle_deflection = self.bristle_deflection.sign() * self.mu_stop() * load / self.sigma_0;
+        self.bristle_deflection = self.stopped(self.bristle_deflection.sign(), load);
         self.slipping = 0.0;
+    }
+
+    /// Deflection of a contact that has come to rest.
+    fn stopped(&self, direction: f64, load: f64) -> f64 {
+        direction * self.mu_stop() * load / self.sigma_0
     }
 
     /// The first instant of a motion at which sigma_0 z reaches f_s in the direction of motion.
@@ -238,7 +379,7 @@ impl Wojewoda {
 
     /// Limits the displacement to what the level can carry.
     fn limit_deflection(&mut self, load: f64) {
-        self.bristle_deflection = self.held_deflection(load);
+        self.bristle_deflection = Wojewoda { normal_force: load, ..*self }.held_deflection();
     }
 
     fn stick(&mut self, part: Motion) {
@@ -254,10 +395,9 @@ impl Wojewoda {
 
     /// Energy dissipated while sliding.
     fn work(&self, part: &Motion) -> f64 {
-        let acceleration = self.branching.known_acceleration();
         let power = |t: f64| {
-            let velocity = part.velocity_at(t);
-            self.sliding_level(velocity, part.load_at(t), acceleration) * velocity.abs()
+            let moved = Wojewoda { velocity: part.velocity_at(t), normal_force: part.load_at(t), ..*self };
+            moved.contact().sliding_on_branches() * moved.velocity
         };
         if part.is_steady() {
             return power(0.0) * part.duration;
@@ -282,12 +422,42 @@ impl Model for Wojewoda {
         Ok(())
     }
 
+    const EVENT_INDICATORS: usize = 4;
+
+    fn is_linear(&self) -> bool {
+        self.phase().is(Phase::Held)
+    }
+
+    fn event_indicators(&self, indicators: &mut [f64]) {
+        let change = match Phase::of(self.phase).direction() {
+            None => (1.0 + REACHED - self.stretch()).max(PASSED - self.outward_speed()),
+            Some(direction) => direction * self.velocity / MOVED + PASSED,
+        };
+        let [lower, upper] = self.contact().changes_of_branch(self.branching.known_acceleration());
+        indicators.copy_from_slice(&[change, lower, upper, unloading::load(self.normal_force)]);
+    }
+
+    fn at_event(&mut self) {
+        self.branching.velocity_slope = 0.0;
+        let phase = self.settled();
+        let stuck = self.stuck_deflection();
+        self.bristle_deflection = phase.direction().map_or(stuck, |direction| direction * self.limit());
+        self.slipping = f64::from(u8::from(phase.direction().is_some()));
+        self.phase = phase.number();
+    }
+
     fn step(&mut self, dt: f64) {
+        self.phase = Phase::Free.number();
         self.advance(Motion::held(self.velocity, self.normal_force, dt));
         self.settle();
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        self.phase = Phase::Free.number();
+        if self.is_by_balance() {
+            ramp::in_pieces(self, slope, dt, ramp::PIECES);
+            return self.settle();
+        }
         let begin = ramp::Inputs::of(self);
         self.advance(Motion {
             acceleration: slope.velocity,
@@ -296,13 +466,6 @@ impl Model for Wojewoda {
         });
         ramp::set_inputs(self, &begin, slope, dt);
         self.settle();
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        if !self.is_slipping() {
-            rate.bristle_deflection = self.velocity;
-        }
-        rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 

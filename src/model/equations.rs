@@ -244,6 +244,11 @@ pub trait Model: Described + Law<Number = f64> {
     /// model need not have one for every jump or kink of its curves: solvers cross those with smaller steps.
     fn event_indicators(&self, _indicators: &mut [f64]) {}
 
+    /// [`Model::PIECEWISE_LINEAR`] until the next event.
+    fn is_linear(&self) -> bool {
+        Self::PIECEWISE_LINEAR
+    }
+
     /// Changes whatever changes at events only; the run begins with one. Model Exchange only.
     fn at_event(&mut self) {}
 

@@ -35,8 +35,6 @@ pub struct ModelType {
     pub model_exchange: bool,
     /// Number of its event indicators.
     pub event_indicators: usize,
-    /// [`Model::PIECEWISE_LINEAR`].
-    pub piecewise_linear: bool,
     /// Number of values that an instance keeps beside the row: [`Model::MEMORY`].
     pub memory: usize,
     /// Its functions over several rows at once, if it runs in lanes.
@@ -65,6 +63,7 @@ pub struct ModelType {
     check_model_exchange: fn(&[f64]) -> Result<(), Fault>,
     check_without_events: fn(&[f64]) -> Result<(), Fault>,
     indicate: fn(&[f64], &mut [f64]),
+    is_linear: fn(&[f64]) -> bool,
 }
 
 impl ModelType {
@@ -80,7 +79,6 @@ impl ModelType {
             presets: M::PRESETS,
             model_exchange: is_for_exchange::<M>(),
             event_indicators: M::EVENT_INDICATORS,
-            piecewise_linear: M::PIECEWISE_LINEAR,
             memory: M::MEMORY,
             kernels: M::KERNELS,
             guid: guid_of::<M>(),
@@ -107,6 +105,7 @@ impl ModelType {
             check_model_exchange: |row| view::<M, f64>(row).check_model_exchange(),
             check_without_events: |row| view::<M, f64>(row).check_without_events(),
             indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
+            is_linear: |row| view::<M, f64>(row).is_linear(),
             try_at_event: |row, memory, room| commit::<M>(row, memory, room, 0, |model, _| model.at_event()),
         }
     }
@@ -244,6 +243,11 @@ impl ModelType {
     /// Writes the event indicators.
     pub fn indicate(&self, row: &[f64], indicators: &mut [f64]) {
         (self.indicate)(row, indicators);
+    }
+
+    /// Whether rates and outputs are linear until the next event; see [`Model::PIECEWISE_LINEAR`].
+    pub fn is_linear(&self, row: &[f64]) -> bool {
+        (self.is_linear)(row)
     }
 
     /// Changes whatever changes at events only. False if a result is not finite; the row must not be used then.

@@ -98,7 +98,7 @@ def test_without_lag_the_law_is_the_one_of_the_static_curve():
 
 def test_the_acceleration_is_connected():
     """Before the block comes to rest it slows down: the force is that of the lower branch, to the last digits."""
-    run = run_belt(model="Wojewoda", step=1e-4, time=10.5)
+    run = run_belt(model="Wojewoda", step=1e-4, time=10.5, parameters={"acceleration_source": "Input"})
     slow = (run.velocity < -1e-3) & (run.velocity > -2e-3)
     slows_down = slow & (run.acceleration > 0.1) & ~run.sticking
     assert slows_down.any()

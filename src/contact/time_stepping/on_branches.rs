@@ -40,20 +40,29 @@ impl<T: Real, L: Branches<T>> OnCurve<'_, T, L> {
 
     /// Force of a law with two curves.
     pub(crate) fn on_branches(&self) -> T {
+        let resting = || resting(self.phase, self.external_force, self.law.level());
+        self.rests().choose(resting, || self.sliding_on_branches())
+    }
+
+    /// Its force while it slides.
+    pub(crate) fn sliding_on_branches(&self) -> T {
         let slides = self.phase.slides();
         let velocity = choose!(slides, self.extended(), self.velocity);
         let direction = choose!(slides, self.phase.direction(), velocity.sign());
-        let sliding =
-            || self.law.is_by_balance().choose(|| self.balanced(velocity, direction), || self.law.curve(velocity));
-        self.rests().choose(|| resting(self.phase, self.external_force, self.law.level()), sliding)
+        self.law.is_by_balance().choose(|| self.balanced(velocity, direction), || self.law.curve(velocity))
     }
 }
 
 impl<L: Branches<f64>> OnCurve<'_, f64, L> {
-    /// `acceleration` is the one that is known if the balance does not decide.
     pub(crate) fn write_indicators_on_branches(&self, acceleration: f64, indicators: &mut [f64]) {
         self.write_indicators(indicators);
-        let changes = match Phase::of(self.phase.0).direction() {
+        indicators[1..3].copy_from_slice(&self.changes_of_branch(acceleration));
+    }
+
+    /// Event indicators of the change between the curves. `acceleration` is the one that is known if the balance does
+    /// not decide.
+    pub(crate) fn changes_of_branch(&self, acceleration: f64) -> [f64; 2] {
+        match Phase::of(self.phase.0).direction() {
             None => [NO_EVENT; 2],
             Some(_) if !self.law.is_by_balance() => [acceleration + LEAST, NO_EVENT],
             Some(direction) => {
@@ -62,7 +71,6 @@ impl<L: Branches<f64>> OnCurve<'_, f64, L> {
                 let excess = |level: f64| if size > 0.0 { (along - level) / size - LEAST } else { NO_EVENT };
                 self.law.levels(self.extended()).map(excess)
             }
-        };
-        indicators[1..3].copy_from_slice(&changes);
+        }
     }
 }

@@ -37,7 +37,7 @@ pub(crate) struct PhaseColumn<T>(pub T);
 
 impl<T: Real> PhaseColumn<T> {
     #[inline(always)]
-    pub(super) fn is(self, phase: Phase) -> T::Mask {
+    pub(crate) fn is(self, phase: Phase) -> T::Mask {
         phase.is(self.0)
     }
 

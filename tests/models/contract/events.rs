@@ -189,6 +189,43 @@ fn leaving_and_entering_the_band_are_events() {
     }
 }
 
+/// A stuck spring breaks where it carries the static level, moving outwards; the contact that slides comes to rest past
+/// zero velocity, with the force at which the lower curve ends. Trials beyond an event change no branch.
+#[test]
+fn a_spring_breaks_at_the_static_level_and_comes_to_rest_with_the_last_force() {
+    let mut bench = Bench::for_model_exchange("Wojewoda", &[("acceleration_source", 2.0)]);
+    let goes_on = |bench: &Bench| {
+        let mut indicators = vec![f64::NAN; bench.instance.model().event_indicators];
+        bench.instance.indicate(&mut indicators).expect("finite indicators");
+        indicators[0] > 0.0
+    };
+    for side in [1.0, -1.0] {
+        bench.set("bristle_deflection", 0.0);
+        bench.set("velocity", 0.0);
+        bench.instance.at_event().expect("an event");
+        for (share, speed, holds) in [(0.999, 1e-4, true), (1.001, 1e-4, false), (1.001, -1e-4, true)] {
+            bench.set("bristle_deflection", side * share * 1.4715e-5);
+            bench.set("velocity", side * speed);
+            assert_eq!((goes_on(&bench), bench.get("sticking")), (holds, 1.0), "{share} {speed}");
+            assert!((side * bench.get("friction_force") - 1.4715 * share.min(1.0)).abs() < 1e-12);
+        }
+        bench.set("velocity", side * 2e-3);
+        bench.instance.at_event().expect("an event");
+        let fade = 0.4905 * (-1.0f64).exp();
+        for (external, force) in [(2.0, 0.981 + fade), (1.0, 1.0), (0.3, 0.981 - fade)] {
+            bench.set("external_force", side * external);
+            assert!((side * bench.get("friction_force") - force).abs() < 1e-12, "{external}");
+            assert_eq!((goes_on(&bench), bench.get("slipping")), (true, 1.0));
+        }
+        bench.set("velocity", side * -1e-8);
+        assert!(!goes_on(&bench) && side * bench.get("friction_force") > 0.4904, "past its rest, and on its branch");
+        bench.instance.at_event().expect("an event");
+        let found = ["sticking", "slipping", "friction_force"].map(|name| bench.get(name));
+        assert_eq!(found[..2], [1.0, 0.0]);
+        assert!((side * found[2] - 0.4905).abs() < 1e-12 && goes_on(&bench), "{found:?}");
+    }
+}
+
 /// Force, power and rates of a row in a phase; none if Model Exchange refuses them.
 fn driven_by(model: &ModelType, row: &[f64], phase: f64) -> Option<Vec<f64>> {
     let mut row = row.to_vec();

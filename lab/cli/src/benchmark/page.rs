@@ -101,10 +101,13 @@ Some of these motions amplify every error, so that no solver is as good as its t
   so that its bonds are those of the distance slid, at any tolerance. The spring that they are before the first slip is
   not damped, however: it swings at 50 Hz, and the phase at which it breaks decides when the block starts. Runs at 1e-3
   to 1e-6 differ by 7e-4 m in the first slip.
-- `Wojewoda`, `MaxwellSlip`, `Armstrong` and `FrictionalLag` break away where their force falls with speed, and what
-  differs before grows exponentially then. Runs at 1e-6 and 1e-7 differ by 1e-10, 5e-8, 2e-9 and 9e-13 m shortly before the
-  first slip (at 7, 7, 6 and 7 s), and by 2e-4, 3e-4, 4e-5 and 8e-7 m at 8 s. Each of the four further slips adds to it,
-  and a tolerance ten times finer makes it two to four times smaller.
+- `Wojewoda` lets the block slow down to 1.6 um/s, which it keeps until the spring reaches the upper curve: how fast it creeps
+  decides when it speeds up again, and the difference grows exponentially then. Runs at 1e-6 and 1e-7 differ by 1e-3 m at
+  the end.
+- `MaxwellSlip`, `Armstrong` and `FrictionalLag` break away where their force falls with speed, and what differs before
+  grows exponentially then. Runs at 1e-6 and 1e-7 differ by 5e-8, 2e-9 and 9e-13 m shortly before the first slip (at 7, 6
+  and 7 s), and by 3e-4, 4e-5 and 8e-7 m at 8 s. Each of the four further slips adds to it, and a tolerance ten times finer
+  makes it two to four times smaller.
 ";
 
 pub(super) fn solvers(measurements: &[Measurement]) -> Vec<Solver> {

@@ -132,12 +132,17 @@ fn steps_that_make_no_sense_are_refused() {
     }
 }
 
+/// The setting with which a law follows the acceleration of the block.
+fn by_acceleration() -> Setting {
+    Setting { name: "acceleration_source".to_owned(), value: "Input".to_owned() }
+}
+
 /// A law that jumps at rest holds the block at belt speed until the spring exceeds its level, and then repeats itself.
 /// The periods are those of co-simulation as its step falls to 1 us.
 #[test]
 fn laws_that_jump_at_rest_hold_the_block() {
-    for (law, period) in [("FrictionalLag", 7.627), ("Wojewoda", 7.565)] {
-        let system = belt(law, &[]);
+    for (law, settings, period) in [("FrictionalLag", vec![], 7.627), ("Wojewoda", vec![by_acceleration()], 7.565)] {
+        let system = belt(law, &settings);
         let recorded = [system.source("rig.position").unwrap()];
         let (end, _, (time, values)) = by_steps(&system, GRID, &Options::new(40.0, 1e-6), &recorded).unwrap();
         assert!(end.is_reached(), "{law}: {end}");
@@ -155,8 +160,7 @@ fn laws_that_jump_at_rest_hold_the_block() {
 /// to steps that are halved until they agree. The block slips as the spring reaches the static level, at 7.3575 s.
 #[test]
 fn a_balance_of_forces_is_the_acceleration_it_leads_to() {
-    let setting = Setting { name: "acceleration_source".to_owned(), value: "Input".to_owned() };
-    let by_acceleration = belt("NonReversible", &[setting]);
+    let by_acceleration = belt("NonReversible", &[by_acceleration()]);
     let recorded = [by_acceleration.source("rig.position").unwrap()];
     let (end, _, (_, steps)) = by_steps(&by_acceleration, GRID, &Options::new(40.0, 1e-6), &recorded).unwrap();
     assert!(end.is_reached(), "{end}");
@@ -170,6 +174,28 @@ fn a_balance_of_forces_is_the_acceleration_it_leads_to() {
     let largest = steps[0].iter().zip(&recorder.states[0]).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(largest < 1e-5, "{largest:e}");
     assert!(Motion::check(&by_acceleration).unwrap_err().to_string().contains("acceleration_source = Balance"));
+}
+
+/// The same of a spring that breaks. The block then never rests again, and what differs in how it creeps grows with the
+/// next slip.
+#[test]
+fn a_spring_that_breaks_moves_alike_by_events_and_by_steps() {
+    let (end, until) = (14.0, Grid { begin: 0.0, end: 14.0, intervals: 1400 });
+    let stepped = belt("Wojewoda", &[by_acceleration()]);
+    let recorded = [stepped.source("rig.position").unwrap()];
+    let (reached, _, (_, steps)) = by_steps(&stepped, until, &Options::new(end, 1e-8), &recorded).unwrap();
+    assert!(reached.is_reached(), "{reached}");
+    for (tolerance, most) in [(1e-3, 1e-3), (1e-10, 2e-4)] {
+        let mut motion = Motion::new(&belt("Wojewoda", &[]), &recorded).unwrap();
+        let position = motion.places().iter().position(|place| *place == stepped.place("rig.position").unwrap());
+        let (mut states, mut recorder) = (motion.start(), Recorder::new(until, &motion));
+        let options = Options::new(end, tolerance);
+        let (reached, _) = solve(Method::Rodas5P, &mut motion, &mut states, &options, &mut recorder);
+        assert!(reached.is_reached(), "{reached}");
+        let solved = &recorder.states[position.unwrap()];
+        let largest = steps[0].iter().zip(solved).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(largest < most, "{tolerance:e}: {largest:e} m");
+    }
 }
 
 #[test]

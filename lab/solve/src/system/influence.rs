@@ -56,8 +56,11 @@ impl Influence {
     }
 }
 
-/// Whether an output depends on an input of either sign while the contact slides or rests, whatever the other inputs, the modes and the
-/// states, but for numbers that only a step sets: they may stand in for the input.
+/// Factor by which an input is also tried beyond its usual size (chosen): a force between two levels has to reach them.
+const BEYOND: f64 = 1e3;
+
+/// Whether an output depends on an input of either sign while the contact slides or rests, whatever the other inputs, the
+/// modes and the states, but for numbers that only a step sets: they may stand in for the input.
 pub(super) fn is_used(model: &ModelType, row: &[f64], input: usize) -> bool {
     let mut draw = Draw::of(model, row);
     let held = |(_, variable): &(usize, Variable)| {
@@ -71,6 +74,9 @@ pub(super) fn is_used(model: &ModelType, row: &[f64], input: usize) -> bool {
         held.iter().for_each(|column| before[*column] = row[*column]);
         if let Some(velocity) = velocity.filter(|_| trial % 2 == 0) {
             before[velocity] = 0.0;
+        }
+        if trial % 4 == 1 {
+            before[input] *= BEYOND;
         }
         after.copy_from_slice(&before);
         after[input] = -before[input];

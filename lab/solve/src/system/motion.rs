@@ -402,7 +402,7 @@ impl Equations for Motion {
     }
 
     fn is_piecewise_linear(&self) -> bool {
-        !self.moving_signals && self.movers.iter().all(|mover| mover.model.piecewise_linear)
+        !self.moving_signals && self.movers.iter().all(|mover| mover.model.is_linear(&mover.row))
     }
 
     fn next_break(&self, time: f64) -> f64 {

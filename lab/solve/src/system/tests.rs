@@ -126,6 +126,123 @@ fn a_bond_breaks_and_forms_where_closed_forms_say() {
     }
 }
 
+/// A block that lags behind the belt, on the two curves of the law of Wojewoda, by its own integration.
+struct TwoCurves {
+    time: f64,
+    /// Position, and speed against the belt.
+    at: [f64; 2],
+    branch: Branch,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Branch {
+    Upper,
+    Between,
+    Lower,
+}
+
+impl TwoCurves {
+    const KINETIC: f64 = 0.981;
+    const STATIC: f64 = 1.4715;
+    const STIFFNESS: f64 = 1e5;
+    const SPRING: f64 = 2.0;
+
+    /// The first breakaway: until then the block swings without damping on spring and contact, by
+    /// y = d (t - sin(w t) / w) against the belt.
+    fn broken() -> TwoCurves {
+        let both = Self::SPRING + Self::STIFFNESS;
+        let (w, d) = (both.sqrt(), Self::SPRING * BELT / both);
+        let way = |t: f64| d * (t - (w * t).sin() / w);
+        let time = bisected(7.0, 8.0, |t| Self::STIFFNESS * way(t) - Self::STATIC);
+        TwoCurves { time, at: [BELT * time - way(time), d * (1.0 - (w * time).cos())], branch: Branch::Upper }
+    }
+
+    /// Pull of the spring, lower and upper level.
+    fn forces([position, speed]: [f64; 2]) -> [f64; 3] {
+        let fade = (-500.0 * speed).exp() * (Self::STATIC - Self::KINETIC);
+        [Self::SPRING * position, Self::KINETIC - fade, Self::KINETIC + fade]
+    }
+
+    fn rates(&self, at: [f64; 2]) -> [f64; 2] {
+        let [pull, lower, upper] = Self::forces(at);
+        let acceleration = match self.branch {
+            Branch::Upper => pull - upper,
+            Branch::Between => 0.0,
+            Branch::Lower => pull - lower,
+        };
+        [BELT - at[1], acceleration]
+    }
+
+    /// Positive beyond the end of the branch.
+    fn excess(&self, at: [f64; 2]) -> f64 {
+        let [pull, lower, upper] = Self::forces(at);
+        match self.branch {
+            Branch::Upper => upper - pull,
+            Branch::Between => (pull - upper).max(lower - pull),
+            Branch::Lower => pull - lower,
+        }
+    }
+
+    /// A step of Runge and Kutta.
+    fn moved(&self, h: f64) -> [f64; 2] {
+        let beside = |k: [f64; 2], h: f64| [self.at[0] + h * k[0], self.at[1] + h * k[1]];
+        let k_1 = self.rates(self.at);
+        let k_2 = self.rates(beside(k_1, 0.5 * h));
+        let k_3 = self.rates(beside(k_2, 0.5 * h));
+        let k_4 = self.rates(beside(k_3, h));
+        std::array::from_fn(|i| self.at[i] + h / 6.0 * (k_1[i] + 2.0 * (k_2[i] + k_3[i]) + k_4[i]))
+    }
+
+    /// Goes on to the end of the branch; the block never comes to rest again.
+    fn leave(&mut self) {
+        const H: f64 = 1e-5;
+        while self.excess(self.moved(H)) < 0.0 {
+            self.at = self.moved(H);
+            self.time += H;
+            assert!(self.at[1] > 0.0, "at rest at {}", self.time);
+        }
+        let h = bisected(0.0, H, |h| self.excess(self.moved(h)));
+        self.at = self.moved(h);
+        self.time += h;
+        let [pull, lower, upper] = Self::forces(self.at);
+        // At high speed there is nothing between them.
+        let is_one = upper - lower < 1e-9;
+        self.branch = match self.branch {
+            Branch::Upper if is_one => Branch::Lower,
+            Branch::Between if pull > lower => Branch::Upper,
+            _ => Branch::Between,
+        };
+    }
+}
+
+/// The zero of a rising function between two numbers.
+fn bisected(mut low: f64, mut high: f64, rising: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if rising(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    high
+}
+
+/// Breakaway and changes of the curve over two slips. The first breakaway has a closed form, and every tolerance meets it.
+/// The curve changes when the pull is beyond its level by 1e-9 of it, which takes 1e-8 s.
+#[test]
+fn a_block_changes_its_curves_where_another_integration_says() {
+    let mut block = TwoCurves::broken();
+    let mut expected = vec![block.time];
+    for _ in 0..5 {
+        block.leave();
+        expected.push(block.time);
+    }
+    let off = |tolerance: f64| -> Vec<f64> {
+        let events = belt("Wojewoda", tolerance).0.events;
+        events.iter().zip(&expected).map(|(event, expected)| (event.time - expected).abs()).collect()
+    };
+    let [loose, tight] = [1e-3, 1e-12].map(off);
+    assert!(loose.len() == 6 && loose[0] < 1e-9 && loose.iter().all(|off| *off < 1e-2), "{loose:?} {expected:?}");
+    assert!(tight.len() == 6 && tight[0] < 1e-9 && tight.iter().all(|off| *off < 2e-8), "{tight:?} {expected:?}");
+}
+
 /// First maximum, position at the end: computed with LSODA (static laws), Radau and LSODA (dynamic laws) at 1e-10 by
 /// another program from the printed equations.
 #[test]
@@ -364,12 +481,10 @@ fn every_law_runs_in_every_system() {
     }
     open.sort();
     let expected = [
-        "belt-drive Wojewoda friction.acceleration",
         "four-post NonReversible strut_fl.acceleration",
         "four-post Wojewoda strut_fl.acceleration",
         "quarter-car NonReversible strut.acceleration",
         "quarter-car Wojewoda strut.acceleration",
-        "two-blocks Wojewoda friction.acceleration",
     ];
     assert_eq!(open, expected);
 }
@@ -381,11 +496,13 @@ fn a_balance_of_forces_needs_its_force() {
         let balance = [Setting { name: "friction.acceleration_source".into(), value: "Balance".into() }];
         System::assemble(&Source::open(name).unwrap(), Some(law), &balance)
     };
-    for (name, input) in [("quarter-car", "strut"), ("dyno", "strut"), ("motion", "friction")] {
-        let fault = assembled(name, "NonReversible").err().unwrap().to_string();
-        assert!(fault.starts_with(&format!("{input}.external_force is held at 0, but with")), "{name}: {fault}");
+    for law in ["NonReversible", "Wojewoda"] {
+        for (name, input) in [("quarter-car", "strut"), ("dyno", "strut"), ("motion", "friction")] {
+            let fault = assembled(name, law).err().unwrap().to_string();
+            assert!(fault.starts_with(&format!("{input}.external_force is held at 0, but with")), "{name}: {fault}");
+        }
+        assert!(assembled("belt", law).is_ok());
     }
-    assert!(assembled("belt", "NonReversible").is_ok());
     assert!(assembled("quarter-car", "LuGre").is_ok());
 }
 
@@ -468,7 +585,7 @@ fn properties_that_a_signal_does_not_have_are_refused() {
 /// The blocks keep their momentum m_1 v_1 + m_2 v_2, and the energy that they lose is dissipated in the contact.
 #[test]
 fn two_blocks_conserve_momentum_and_close_their_energy_balance() {
-    for law in ["CoulombStiction", "LinearStiction", "BrownMcPhee", "LuGre"] {
+    for law in ["CoulombStiction", "LinearStiction", "BrownMcPhee", "LuGre", "Wojewoda"] {
         let results = ["blocks.velocity_1", "blocks.velocity_2", "friction.dissipated_energy"];
         let outcome = solved("two-blocks", law, &[], 1e-12, &results);
         let [v_1, v_2, lost] = results.map(|name| outcome.values(name).unwrap());
