@@ -3,6 +3,9 @@
 pub mod branching;
 pub(crate) mod conditions;
 pub(crate) mod delay_line;
+pub(crate) mod element_limits;
+pub(crate) mod element_path;
+pub(crate) mod element_slip;
 pub(crate) mod elements;
 pub mod end_velocity;
 pub mod motion;

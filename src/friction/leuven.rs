@@ -1,9 +1,13 @@
 use crate::contact::conditions::is_elastic;
+use crate::contact::element_limits::{Limits, Stretch, lag};
+use crate::contact::element_slip::{self, EVENTS_OF_ELEMENTS, Onset};
 use crate::contact::elements::{self, Division, Ramp, Share};
 use crate::contact::quantities::*;
+use crate::contact::time_stepping::{MOVED, Phase, PhaseColumn};
+use crate::contact::unloading;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, boolean, real};
 use crate::number::elementary::{exp_m1, pow};
 use crate::number::{Mask, Real, Scalar};
 use crate::numerics::approach;
@@ -13,7 +17,9 @@ crate::part! {
     Element {
         /// Share of the element.
         share: (Share),
-        force: state = ELEMENT_FORCE,
+        force: state = ELEMENT_FORCE.reinit(),
+        /// Has the last event of Model Exchange found the element slipping?
+        slips: state = boolean(false),
     }
 }
 
@@ -49,6 +55,8 @@ crate::model! {
     /// | k_i / sigma_0 | `element[i].stiffness_share` | 1     | share of an element in the stiffness             |
     /// | W_i / (w f_s) | `element[i].strength_share`  | 1     | share of an element in the strength              |
     /// | F_i           | `element[i].force`           | N     | force of an element                              |
+    /// |               | `element[i].slips`           |       | mode of an element, as the last event has found it |
+    /// |               | `slip`                       |       | direction of slip, as the last event has found it |
     /// | z             | `bristle_deflection`         | m     | mean deflection                                  |
     /// | f_f           | `friction_force`             | N     | friction force                                   |
     ///
@@ -72,6 +80,12 @@ crate::model! {
     /// sign and where the level is curved, and in each piece level and strengths count as linear. $F_h$ follows a
     /// moving level as closely as the bristles do. An element that slips while the load rises stays at its strength
     /// unless the strength grows faster than the element's force can.
+    ///
+    /// In Model Exchange the forces of all 64 elements and $z$ are continuous states; elements beyond `element_count`
+    /// rest. An element begins to slip at an event, where $|F_i|$ reaches $W_i$ while it moves outwards, and all stick
+    /// again at the event at which $dz/dt$ changes its sign: where $v$ reverses, or where the level falls below $F_h$. A
+    /// third event releases the elements where the load vanishes. Slipping elements follow a rising load with a time
+    /// constant of 0.1 ms.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `hysteresis_strength` < 1, because elements that are
@@ -125,7 +139,9 @@ crate::model! {
         element_count: fixed = ELEMENT_COUNT,
         /// Elements; those beyond element_count are not used.
         element: [Element; 64] = elements::FOUR,
-        bristle_deflection: state = BRISTLE_DEFLECTION,
+        bristle_deflection: state = BRISTLE_DEFLECTION.reinit(),
+        /// Direction of slip as found by the last event of Model Exchange: none (Held), Forward or Backward.
+        slip: state = Phase::Free.start(),
         dissipated_energy: state_output = DISSIPATED_ENERGY,
         friction_force: output = FRICTION_FORCE,
         dissipated_power: output = DISSIPATED_POWER,
@@ -137,8 +153,13 @@ crate::model! {
 const ROUNDING: f64 = 1e-14;
 
 impl<T: Scalar> Leuven<T> {
-    /// |s(v)|; 0 if it has all but vanished, as it does at high speed for f_C = 0.
+    /// |s(v)|; 0 if it has all but vanished, as it does at high speed for f_C = 0, or if an event has released the contact.
     fn level(&self) -> T {
+        let is_released = !PhaseColumn(self.slip).is_free() & self.normal_force.at_most(T::from(unloading::RELEASED));
+        is_released.choose(|| T::zero(), || self.loaded_level())
+    }
+
+    fn loaded_level(&self) -> T {
         let coulomb = self.mu_k * self.normal_force;
         let breakaway = self.mu_s * self.normal_force;
         let level = stribeck::level(self.velocity, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent);
@@ -215,7 +236,7 @@ impl<T: Scalar> Leuven<T> {
 }
 
 impl<T: Scalar> Law for Leuven<T> {
-    type Interface = CoSimulation;
+    type Interface = ModelExchange;
 
     fn output(&mut self) {
         let hysteresis = self.moving_hysteresis();
@@ -227,9 +248,61 @@ impl<T: Scalar> Law for Leuven<T> {
     }
 }
 
-impl Leuven {
-    fn division(&self) -> Division<f64> {
+impl<T: Scalar> Derivatives for Leuven<T> {
+    fn derivatives(&self, rate: &mut Self) {
+        let deflection_rate = self.deflection_rate(self.level());
+        let (division, strength) = (self.division(), self.strength());
+        for (index, element) in self.element[..self.count()].iter().enumerate() {
+            let share = division.of(index, &element.share);
+            let spring = share.stiffness_share * self.sigma_0 * deflection_rate;
+            rate.element[index].force = self.force_rate(element, share.strength_share * strength, spring);
+        }
+        rate.bristle_deflection = deflection_rate;
+        rate.dissipated_energy = self.force(self.hysteresis(), deflection_rate) * self.velocity;
+    }
+}
+
+/// Time constant with which a slipping element follows a rising load, in s (chosen).
+const FOLLOWS: f64 = 1e-4;
+
+/// Part of the velocity at which the deflection counts as reversed (chosen): in steady sliding only rounding is left.
+const TURNED: f64 = 1e-9;
+
+impl<T: Scalar> Leuven<T> {
+    fn division(&self) -> Division<T> {
         Division::new(self.distribution, self.element[..self.count()].iter().map(|e| e.share))
+    }
+
+    /// dF_i/dt for that of its spring. Between events an element that slips in a direction follows its strength there.
+    fn force_rate(&self, element: &Element<T>, strength: T, spring: T) -> T {
+        let slip = PhaseColumn(self.slip);
+        let direction = slip.direction();
+        let follows = || {
+            let missing = (strength - direction * element.force).larger(T::zero()) / T::from(FOLLOWS);
+            let most = (direction * spring).larger(T::zero());
+            direction * missing.above(most).select(most, missing)
+        };
+        let yields = slip.is_free() & (spring.sign() * element.force).at_least(strength);
+        let stuck = || yields.choose(|| T::zero(), || spring);
+        (slip.slides() & !element.slips.vanishes()).choose(follows, stuck)
+    }
+}
+
+impl Leuven {
+    fn onset(&self, index: usize, division: &Division<f64>, deflection_rate: f64) -> Onset {
+        let strength = self.spring(division, index).1 * self.strength();
+        Onset { slip: Phase::of(self.slip), force: self.element[index].force, strength, speed: deflection_rate }
+    }
+
+    /// Rate of the deflection in the direction of slip, in parts of the velocity; none without slip.
+    fn onward(&self, deflection_rate: f64) -> Option<f64> {
+        Phase::of(self.slip).direction().map(|to| to * deflection_rate / (self.velocity.abs() + MOVED))
+    }
+
+    /// Whether an element slips after an event.
+    fn slips_on(&self, index: usize, division: &Division<f64>, deflection_rate: f64) -> bool {
+        let has_slipped = Phase::of(self.slip).direction().is_some() && self.element[index].slips != 0.0;
+        has_slipped || self.onset(index, division, deflection_rate).is_due()
     }
 
     /// k_i and W_i / (w f_s).
@@ -239,10 +312,18 @@ impl Leuven {
         (share.stiffness_share * self.sigma_0, share.strength_share)
     }
 
+    /// Forgets what events have found: steps see it themselves.
+    fn leave_events(&mut self) {
+        if self.slip != Phase::Free.number() {
+            self.slip = Phase::Free.number();
+            self.element.iter_mut().for_each(|element| element.slips = 0.0);
+        }
+    }
+
     fn release(&mut self) {
         self.bristle_deflection = 0.0;
         for element in &mut self.element {
-            element.force = 0.0;
+            (element.force, element.slips) = (0.0, 0.0);
         }
     }
 
@@ -316,92 +397,9 @@ impl Leuven {
     }
 }
 
-/// Forces that the elements can carry, in shares of w f_s.
-#[derive(Clone, Copy)]
-struct Limits<'a> {
-    division: &'a Division<f64>,
-    /// w f_s as seen by the elements; it falls with the deflection where the load falls, down to a floor.
-    line: f64,
-    fall: f64,
-    floor: f64,
-    /// Elements that slip along their rising strength, and w f_s in the middle of the piece, where they are held.
-    slipping: Marks,
-    held: f64,
-}
-
-impl<'a> Limits<'a> {
-    /// Limits for a held load.
-    fn held(division: &'a Division<f64>, strength: f64) -> Limits<'a> {
-        Limits { division, line: strength, fall: 0.0, floor: strength, slipping: Marks::default(), held: strength }
-    }
-
-    fn at(&self, index: usize) -> f64 {
-        if self.slipping.has(index) { self.held } else { self.line }
-    }
-
-    /// The deflection at which an element slips, given its force in the direction of the deflection; none if it does
-    /// not follow.
-    #[inline]
-    fn room(&self, index: usize, stiffness: f64, share: f64, force: f64) -> Option<f64> {
-        if self.slipping.has(index) {
-            let left = share * self.held - force;
-            return (left > 0.0).then(|| left / stiffness);
-        }
-        let left = share * self.line - force;
-        if self.fall == 0.0 {
-            return (left > 0.0).then(|| left / stiffness);
-        }
-        let above_floor = share * self.floor - force;
-        (left > 0.0).then(|| f64::max(left / (stiffness + share * self.fall), above_floor / stiffness))
-    }
-}
-
-/// A mark on each of some elements.
-#[derive(Clone, Copy, Default)]
-struct Marks([u64; elements::MOST.div_ceil(64)]);
-
-impl Marks {
-    #[inline]
-    fn has(&self, index: usize) -> bool {
-        self.0[index / 64] >> (index % 64) & 1 == 1
-    }
-
-    fn set(&mut self, index: usize) {
-        self.0[index / 64] |= 1 << (index % 64);
-    }
-}
-
 /// Distance from its strength, in shares of its possible change over a piece of a ramp, within which an element counts
 /// as slipping (chosen).
 const NEAR: f64 = 1e-3;
-
-/// Both ends of a piece of a ramp, and its middle, whose inputs are set.
-struct Stretch {
-    /// w f_s at both ends.
-    strength: [f64; 2],
-    /// |s| at both ends.
-    level: [f64; 2],
-    /// |v| at the end.
-    speed: f64,
-    duration: f64,
-}
-
-impl Stretch {
-    /// Slope of w f_s.
-    fn rise(&self) -> f64 {
-        (self.strength[1] - self.strength[0]) / self.duration
-    }
-
-    /// K |v| / |s| times the duration, at the end and near the level, where the law is n times as fast.
-    fn distance(&self, stiffness: f64, exponent: f64) -> f64 {
-        exponent * stiffness * self.speed * self.duration / self.level[1]
-    }
-}
-
-/// 1 / x - 1 / (e^x - 1): the lag of an exponential approach behind its moving level after x, in shares of the change.
-fn lag(x: f64) -> f64 {
-    if x < 1e-3 { 0.5 - x / 12.0 } else { 1.0 / x - 1.0 / exp_m1(x) }
-}
 
 /// Least level that a piece of a ramp approaches, relative to that of its middle (chosen): where the level falls by most
 /// of itself, the one that would end where an approach to the moving level ends may be negative.
@@ -544,6 +542,7 @@ impl Model for Leuven {
     }
 
     fn step(&mut self, dt: f64) {
+        self.leave_events();
         let level = self.level();
         let distance = self.velocity.abs() * dt;
         let before = self.bristle_deflection;
@@ -562,6 +561,7 @@ impl Model for Leuven {
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        self.leave_events();
         let begin = ramp::Inputs::of(self);
         let ramp = Ramp {
             velocity: [self.velocity, slope.velocity],
@@ -578,17 +578,36 @@ impl Model for Leuven {
         }
     }
 
-    fn rate(&self, rate: &mut Self) {
-        let level = self.level();
-        rate.bristle_deflection = self.deflection_rate(level);
-        rate.dissipated_energy = self.force(self.hysteresis(), rate.bristle_deflection) * self.velocity;
-        let (division, strength) = (self.division(), self.strength());
-        let direction = rate.bristle_deflection.sign();
+    const EVENT_INDICATORS: usize = EVENTS_OF_ELEMENTS;
+
+    fn event_indicators(&self, indicators: &mut [f64]) {
+        let (deflection_rate, division) = (self.deflection_rate(self.level()), self.division());
+        let sticking = (0..self.count()).filter(|index| self.element[*index].slips == 0.0);
+        let onsets = sticking.map(|index| self.onset(index, &division, deflection_rate));
+        let onward = self.onward(deflection_rate).map(|onward| onward + TURNED);
+        indicators.copy_from_slice(&element_slip::indicators(onsets, onward, self.normal_force));
+    }
+
+    fn at_event(&mut self) {
+        let deflection_rate = self.deflection_rate(self.level());
+        if self.onward(deflection_rate).is_none_or(|onward| onward < -0.5 * TURNED) {
+            self.slip = Phase::Held.number();
+        }
+        let (division, mut slips) = (self.division(), false);
         for index in 0..self.count() {
-            let (stiffness, share) = self.spring(&division, index);
-            if direction * self.element[index].force < share * strength {
-                rate.element[index].force = stiffness * rate.bristle_deflection;
-            }
+            let slip = self.slips_on(index, &division, deflection_rate);
+            self.element[index].slips = f64::from(u8::from(slip));
+            slips |= slip;
+        }
+        self.slip = match Phase::of(self.slip) {
+            _ if !slips => Phase::Held,
+            Phase::Held => Phase::sliding(deflection_rate),
+            found => found,
+        }
+        .number();
+        if unloading::is_unloaded(self.normal_force) || self.level() == 0.0 {
+            self.release();
+            self.slip = Phase::Held.number();
         }
     }
 }

@@ -1,16 +1,19 @@
+use crate::contact::element_path::{Follower, Path};
+use crate::contact::element_slip::{self, EVENTS_OF_ELEMENTS, Onset};
 use crate::contact::elements::{self, Division, ElementDistribution, Ramp, Share};
 use crate::contact::quantities::*;
+use crate::contact::time_stepping::{MOVED, PASSED, Phase, PhaseColumn};
+use crate::contact::unloading;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{self, CoSimulation, Fault, Law, Meaning, Model, Preset, Width, boolean, real};
-use crate::number::elementary::exp_m1;
-use crate::number::{Mask, Real, Scalar};
+use crate::model::{self, Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, Width, boolean, real};
+use crate::number::{Mask, Real, Scalar, choose};
 use crate::numerics::relaxation;
 
 crate::part! {
     /// The state of an element.
     Block {
-        force: state = ELEMENT_FORCE,
+        force: state = ELEMENT_FORCE.reinit(),
         /// Is the element slipping?
         slipping: state = boolean(false),
     }
@@ -77,6 +80,7 @@ crate::model! {
     /// | alpha_i          | `element[i].strength_share`  | 1     | share of an element in the level                  |
     /// | F_i              | `element[i].force`           | N     | force of an element                               |
     /// |                  | `element[i].slipping`        |       | mode of an element                                |
+    /// |                  | `slip`                       |       | direction of slip, as the last event has found it |
     /// | f_f              | `friction_force`             | N     | friction force                                    |
     ///
     /// # Sign
@@ -98,8 +102,17 @@ crate::model! {
     /// step at once and exchange afterwards, it chatters at every step, since nothing damps the stiffness: take the
     /// friction first.
     ///
+    /// In Model Exchange the forces of the 64 elements that have variables are continuous states; those beyond `element_count` rest. An
+    /// element begins to slip at an event, where $|F_i|$ reaches $alpha_i s(v)$ while it moves outwards, and all stick
+    /// again at the event at which $v$ reverses; in between, `slip` is the direction of slip, and an element follows its
+    /// equation whatever values a solver tries. A third event releases the elements where the load vanishes. While all
+    /// elements stick, or with $f_s = f_C$, the equations are linear. Elements without damping vibrate, and reverse a
+    /// thousand times in some seconds of stick-slip: $sigma_1 > 0$ saves events, and without it a motion beyond the first
+    /// breakaway depends on the phase of the vibration, so that it is known to a few thousandths of its amplitude only.
+    ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; more than 64 elements with Explicit shares.
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; more than 64 elements with Explicit shares, or in Model
+    /// Exchange.
     ///
     /// # Limits
     /// For $sigma_1 = 0$ (default, the form of 2005) a stuck body vibrates without damping on the springs of its
@@ -156,6 +169,8 @@ crate::model! {
         element_count: fixed = ELEMENT_COUNT.at_most(MOST as f64),
         /// Elements; those beyond element_count are not used.
         element: [Element; LISTED] = elements::FOUR,
+        /// Direction of slip as found by the last event of Model Exchange: none (Held), Forward or Backward.
+        slip: state = Phase::Free.start(),
         dissipated_energy: state_output = DISSIPATED_ENERGY,
         friction_force: output = FRICTION_FORCE,
         dissipated_power: output = DISSIPATED_POWER,
@@ -164,11 +179,15 @@ crate::model! {
 }
 
 impl<T: Scalar> MaxwellSlip<T> {
-    /// s(v).
+    /// s(v); 0 if an event has released the contact.
     fn level(&self) -> T {
+        let is_found = !PhaseColumn(self.slip).is_free();
+        let is_released = is_found & self.normal_force.at_most(T::from(unloading::RELEASED));
         let coulomb = self.mu_k * self.normal_force;
         let breakaway = self.mu_s * self.normal_force;
-        stribeck::level(self.velocity, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent)
+        let stribeck =
+            || stribeck::level(self.velocity, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent);
+        is_released.choose(|| T::zero(), stribeck)
     }
 
     fn count(&self) -> usize {
@@ -206,7 +225,14 @@ impl<T: Scalar> MaxwellSlip<T> {
             stiffness: self.sigma_0,
             level,
             attraction: self.attraction,
+            slip: PhaseColumn(self.slip),
         }
+    }
+
+    /// Dissipated power, for the sums of F_i and dF_i/dt.
+    fn power(&self, [force, rate]: [T; 2]) -> T {
+        let damped = self.sigma_1 / self.sigma_0 * rate + self.viscous_coefficient * self.velocity;
+        self.normal_force.is_positive().choose(|| (force + damped) * self.velocity, || T::zero())
     }
 
     /// Sum of dF_i/dt, and whether all elements slip.
@@ -239,6 +265,8 @@ struct Springs<T> {
     level: T,
     /// C.
     attraction: T,
+    /// Direction of slip that an event has found.
+    slip: PhaseColumn<T>,
 }
 
 impl<T: Scalar> Springs<T> {
@@ -250,12 +278,13 @@ impl<T: Scalar> Springs<T> {
             strength: share.strength_share * self.level,
             // Slip, divided by the share of the element: the time constant is the same for all.
             rate: self.attraction / self.level,
+            slip: self.slip,
         }
     }
 }
 
 impl<T: Scalar> Law for MaxwellSlip<T> {
-    type Interface = CoSimulation;
+    type Interface = ModelExchange;
 
     fn output(&mut self) {
         self.output_with(&[]);
@@ -277,6 +306,20 @@ impl<T: Scalar> Law for MaxwellSlip<T> {
         self.friction_force = is_loaded.choose(loaded, || T::zero());
         self.sticking = sticking;
         self.dissipated_power = self.friction_force * self.velocity;
+    }
+}
+
+impl<T: Scalar> Derivatives for MaxwellSlip<T> {
+    fn derivatives(&self, rate: &mut Self) {
+        let springs = self.springs(self.level());
+        let mut sum = [T::zero(); 2];
+        for index in 0..self.listed() {
+            let Element { share, block } = &self.element[index];
+            let force_rate = springs.of(index, share).force_rate(block, self.velocity);
+            rate.element[index].block.force = force_rate;
+            sum = [sum[0] + block.force, sum[1] + force_rate];
+        }
+        rate.dissipated_energy = self.power(sum);
     }
 }
 
@@ -323,6 +366,7 @@ impl Model for MaxwellSlip {
     }
 
     fn step_ramp_with(&mut self, memory: &mut [f64], slope: &Self, dt: f64) {
+        self.slip = Phase::Free.number();
         let begin = ramp::Inputs::of(self);
         let ramp = Ramp {
             velocity: [self.velocity, slope.velocity],
@@ -337,10 +381,6 @@ impl Model for MaxwellSlip {
         ramp::set_inputs(self, &begin, slope, dt);
     }
 
-    fn rate(&self, rate: &mut Self) {
-        self.rate_with(&[], rate, &mut []);
-    }
-
     fn rate_with(&self, memory: &[f64], rate: &mut Self, memory_rate: &mut [f64]) {
         let springs = self.springs(self.level());
         let mut sum = [0.0, 0.0];
@@ -349,15 +389,54 @@ impl Model for MaxwellSlip {
             rate.force = springs.of(index, &share).force_rate(block, self.velocity);
             sum = [sum[0] + block.force, sum[1] + rate.force];
         });
-        if self.normal_force > 0.0 {
-            let damped = self.sigma_1 / self.sigma_0 * sum[1] + self.viscous_coefficient * self.velocity;
-            rate.dissipated_energy = (sum[0] + damped) * self.velocity;
+        rate.dissipated_energy = self.power(sum);
+    }
+
+    const EVENT_INDICATORS: usize = EVENTS_OF_ELEMENTS;
+
+    const PIECEWISE_LINEAR: bool = true;
+
+    fn check_model_exchange(&self) -> Result<(), Fault> {
+        if self.count() > LISTED {
+            let text = format_args!("in Model Exchange, because only the first {LISTED} elements have variables");
+            return Err(Fault::new(format_args!("element_count = {}: must be <= {LISTED} {text}", self.count())));
         }
+        Ok(())
+    }
+
+    fn event_indicators(&self, indicators: &mut [f64]) {
+        let springs = self.springs(self.level());
+        let sticking = self.element[..self.listed()].iter().enumerate().filter(|(_, e)| e.block.slipping == 0.0);
+        let onsets = sticking.map(|(index, e)| springs.of(index, &e.share).onset(&e.block, self.velocity));
+        let onward = Phase::of(self.slip).direction().map(|direction| direction * self.velocity / MOVED + PASSED);
+        indicators.copy_from_slice(&element_slip::indicators(onsets, onward, self.normal_force));
+    }
+
+    fn at_event(&mut self) {
+        let mut springs = self.springs(self.level());
+        let is_released = unloading::is_unloaded(self.normal_force) || springs.level == 0.0;
+        let found = Phase::of(self.slip);
+        let keeps = found.direction().is_some_and(|direction| direction * self.velocity >= 0.0);
+        if !keeps && !springs.slip.is_free() {
+            springs.slip = PhaseColumn(Phase::Held.number());
+        }
+        let (velocity, mut slips) = (self.velocity, false);
+        self.elements_mut(&mut []).enumerate().for_each(|(index, (share, block))| {
+            let slip = !is_released && springs.of(index, &share).slips_on(block, velocity);
+            block.slipping = f64::from(u8::from(slip));
+            slips |= slip;
+            if is_released {
+                block.force = 0.0;
+            }
+        });
+        let direction = if keeps { found } else { Phase::sliding(velocity) };
+        self.slip = if slips { direction } else { Phase::Held }.number();
     }
 }
 
 impl MaxwellSlip {
     fn step_with(&mut self, memory: &mut [f64], dt: f64) {
+        self.slip = Phase::Free.number();
         let springs = self.springs(self.level());
         let (velocity, mut energy, mut change) = (self.velocity, self.dissipated_energy, 0.0);
         self.elements_mut(memory).enumerate().for_each(|(index, (share, block))| {
@@ -410,101 +489,6 @@ impl MaxwellSlip {
     }
 }
 
-/// Integral of the square of a linear function.
-fn square_integral([a, b]: [f64; 2], duration: f64) -> f64 {
-    (a * a + a * b + b * b) / 3.0 * duration
-}
-
-/// An element in the direction of the motion.
-#[derive(Default)]
-struct Follower {
-    force: f64,
-    slips: bool,
-    work: f64,
-    /// Integral of the velocity over the force.
-    damping: f64,
-}
-
-/// Limits of an element while speed and level move linearly.
-struct Path {
-    stiffness: f64,
-    /// alpha_i s(v) at both ends.
-    strength: [f64; 2],
-    /// C alpha_i.
-    attraction: f64,
-    speed: [f64; 2],
-    duration: f64,
-}
-
-impl Path {
-    fn follow(&self, element: &mut Follower) {
-        let slips = element.slips && element.force > 0.0;
-        let onset = if slips { 0.0 } else { self.onset(element.force) };
-        element.slips = onset < self.duration;
-        if onset > 0.0 {
-            self.stick(element, onset.min(self.duration));
-        }
-        if element.slips {
-            if onset > 0.0 {
-                element.force = self.strength_at(onset);
-            }
-            self.slip(element, onset);
-        }
-    }
-
-    fn strength_at(&self, time: f64) -> f64 {
-        self.strength[0] + (self.strength[1] - self.strength[0]) * (time / self.duration)
-    }
-
-    fn speed_at(&self, time: f64) -> f64 {
-        self.speed[0] + (self.speed[1] - self.speed[0]) * (time / self.duration)
-    }
-
-    /// The instant at which a spring reaches its moving level; infinite if it does not.
-    fn onset(&self, force: f64) -> f64 {
-        // c + b t + a t^2 >= 0
-        let a = 0.5 * self.stiffness * (self.speed[1] - self.speed[0]) / self.duration;
-        let b = self.stiffness * self.speed[0] - (self.strength[1] - self.strength[0]) / self.duration;
-        let c = force - self.strength[0];
-        let square = b * b - 4.0 * a * c;
-        if c > 0.0 || c == 0.0 && (b > 0.0 || b == 0.0 && a >= 0.0) {
-            0.0
-        } else if b > 0.0 && square >= 0.0 {
-            -2.0 * c / (b + square.sqrt())
-        } else if a > 0.0 {
-            (square.sqrt() - b) / (2.0 * a)
-        } else {
-            f64::INFINITY
-        }
-    }
-
-    fn stick(&self, element: &mut Follower, time: f64) {
-        let speed = [self.speed[0], self.speed_at(time)];
-        let (before, distance) = (element.force, 0.5 * (speed[0] + speed[1]) * time);
-        element.force += self.stiffness * distance;
-        element.work += 0.5 * (before + element.force) * distance;
-        element.damping += self.stiffness * square_integral(speed, time);
-    }
-
-    /// Slips from an instant to the end. The difference g of force and level follows `dg/dt = -rate g - slope`, with
-    /// the rate in the middle.
-    fn slip(&self, element: &mut Follower, from: f64) {
-        let (time, strength) = (self.duration - from, [self.strength_at(from), self.strength[1]]);
-        let (before, change) = (element.force, strength[1] - strength[0]);
-        let rate = self.attraction / (0.5 * (strength[0] + strength[1]));
-        let gap = before - strength[0];
-        let decay = -exp_m1(-rate * time);
-        let lag = change * (if rate * time > 0.0 { decay / (rate * time) } else { 1.0 });
-        let gap_end = gap * (1.0 - decay) - lag;
-        element.force = strength[1] + gap_end;
-        let short = rate * time < 1e-5;
-        let gaps = if short { 0.5 * time * (gap + gap_end) } else { (gap - gap_end - change) / rate };
-        let speed = 0.5 * (self.speed_at(from) + self.speed[1]);
-        element.work += speed * (0.5 * (strength[0] + strength[1]) * time + gaps);
-        element.damping += speed * (element.force - before);
-    }
-}
-
 /// Limits of an element while the inputs are held.
 struct Spring<T> {
     /// k_i.
@@ -513,25 +497,38 @@ struct Spring<T> {
     strength: T,
     /// C / s(v).
     rate: T,
+    /// Direction of slip that an event has found.
+    slip: PhaseColumn<T>,
 }
 
 impl<T: Scalar> Spring<T> {
-    /// Whether the element slips at that velocity, or from now on.
+    /// Whether the element slips: as the last event has found it or, without one, at that velocity or from now on.
     fn slips(&self, block: &Block<T>, velocity: T) -> T::Mask {
+        let slipped = !block.slipping.vanishes();
         let outward = block.force * velocity.sign();
-        let continues = !block.slipping.vanishes() & outward.is_positive();
-        !velocity.vanishes() & (continues | outward.at_least(self.strength))
+        let moves_on = !velocity.vanishes() & (slipped & outward.is_positive() | outward.at_least(self.strength));
+        self.slip.slides() & slipped | self.slip.is_free() & moves_on
     }
 
     /// dF_i/dt.
     fn force_rate(&self, block: &Block<T>, velocity: T) -> T {
-        let slipping = || self.rate * (velocity.sign() * self.strength - block.force);
+        let direction = choose!(self.slip.slides(), self.slip.direction(), velocity.sign());
+        let slipping = || self.rate * (direction * self.strength - block.force);
         let loaded = || self.slips(block, velocity).choose(slipping, || self.stiffness * velocity);
         self.strength.vanishes().choose(|| T::zero(), loaded)
     }
 }
 
 impl Spring<f64> {
+    fn onset(&self, block: &Block, velocity: f64) -> Onset {
+        Onset { slip: Phase::of(self.slip.0), force: block.force, strength: self.strength, speed: velocity }
+    }
+
+    /// Whether the element slips after an event.
+    fn slips_on(&self, block: &Block, velocity: f64) -> bool {
+        self.slips(block, velocity) || !self.slip.is_free() && self.onset(block, velocity).is_due()
+    }
+
     /// Advances the element exactly and returns the work done on it.
     fn step(&self, block: &mut Block, velocity: f64, dt: f64) -> f64 {
         if self.strength == 0.0 {

@@ -19,6 +19,9 @@ pub trait Evaluate: Component + Scalar {
     /// Largest force of a law without its viscous part, relative to the static level.
     fn overshoot(model: &ModelType, row: &[Self]) -> Self;
 
+    /// Tells numbers without values that nobody asks for the rates at hand: they belong to a model for co-simulation only.
+    fn refuse_rates() {}
+
     /// Lets each state of the row depend on what it depends on after a step, in numbers without values. Others take the
     /// step.
     fn mark_step(_model: &ModelType, _row: &mut [Self]) {}

@@ -8,7 +8,7 @@ use super::{Kernels, Law, Model, Preset, is_for_exchange};
 use crate::guid::{self, GuidText};
 use crate::number::Dual;
 use crate::reference::{self, Place, Reference, References};
-use crate::table::{Fault, Ports, Role, Table, Variable};
+use crate::table::{Fault, Meaning, Ports, Role, Table, Variable};
 
 /// Arguments: row, memory, workspace for a copy, slopes and time.
 type AdvanceRamp = fn(&mut [f64], &mut [f64], Room, &[f64], f64) -> bool;
@@ -228,6 +228,13 @@ impl ModelType {
     pub fn continuous_states(&self) -> impl Iterator<Item = usize> {
         let table = self.table;
         (0..table.len()).filter(move |column| table.at(*column).is_continuous_state())
+    }
+
+    /// Those of them that the parameters of a row use: the states of elements beyond the number of elements rest.
+    pub fn states_in_use(&self, row: &[f64]) -> impl Iterator<Item = usize> {
+        let (table, count) = (self.table, self.table.of(Meaning::ElementCount).map(|column| row[column]));
+        let index = move |column: usize| table.at(column).path.segments()[0].index;
+        self.continuous_states().filter(move |column| count.is_none_or(|count| f64::from(index(*column)) <= count))
     }
 
     /// Refuses parameters with which the model is for co-simulation only.

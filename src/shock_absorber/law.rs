@@ -147,6 +147,9 @@ impl ChosenLaw {
         memory: &[T; MEMORY],
         rate: &mut [T; MEMORY],
     ) {
+        if !self.0.is_exchanged {
+            T::refuse_rates();
+        }
         self.on_row(|row| {
             self.fill(row, given, parameters, memory);
             self.on_row(|rates| {
@@ -229,8 +232,8 @@ impl ChosenLaw {
     /// Refuses a law, or parameters, that are for co-simulation only.
     pub(crate) fn check_model_exchange(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
         let name = self.0.model.name;
-        if !self.0.model.model_exchange {
-            let text = format_args!("friction.model = {name}: must be a law that supports Model Exchange");
+        if !self.0.is_exchanged {
+            let text = format_args!("friction.model = {name}: must be a law that supports Model Exchange in a contact");
             return Err(Fault::new(text));
         }
         let named = |fault: Fault| Fault::new(format_args!("friction.model = {name}: {}", fault.0));

@@ -10,21 +10,37 @@ const fn is_remembered(variable: &Variable) -> bool {
     variable.role.is_state() && !matches!(variable.meaning, Meaning::Energy)
 }
 
-/// Whether an importer that integrates the states itself integrates this one.
-const fn is_moving(law: Declared, variable: &Variable) -> bool {
-    law.model.model_exchange && is_remembered(variable) && variable.is_continuous_state()
+/// Most continuous states of a law with which a contact supports Model Exchange (chosen). FMI 2.0 fixes the number of
+/// continuous states of a model, so that each contact has them with every law: with the elements of `Leuven` they would
+/// be seventeen, nearly all of them idle with another law.
+const MOST_MOVING: usize = 2;
+
+const fn continuous_states(law: Declared) -> usize {
+    let (mut count, mut at) = (0, 0);
+    while at < law.table.len() {
+        let variable = &law.table[at];
+        count += (is_remembered(variable) && variable.is_continuous_state()) as usize;
+        at += 1;
+    }
+    count
 }
 
-/// Largest number of continuous states of a law that supports Model Exchange: they come first in the memory. A discrete
-/// state never has such a place, where a solver may write anything.
+/// Whether a contact with the law supports Model Exchange.
+const fn is_exchanged(law: Declared) -> bool {
+    law.model.model_exchange && continuous_states(law) <= MOST_MOVING
+}
+
+/// Whether an importer that integrates the states itself integrates this one.
+const fn is_moving(law: Declared, variable: &Variable) -> bool {
+    is_exchanged(law) && is_remembered(variable) && variable.is_continuous_state()
+}
+
+/// Largest number of continuous states of a law in Model Exchange: they come first in the memory. A discrete state never
+/// has such a place, where a solver may write anything.
 const MOVING: usize = {
     let (mut most, mut law) = (0, 0);
     while law < COUNT {
-        let (mut count, mut at) = (0, 0);
-        while at < LAWS[law].table.len() {
-            count += is_moving(LAWS[law], &LAWS[law].table[at]) as usize;
-            at += 1;
-        }
+        let count = if is_exchanged(LAWS[law]) { continuous_states(LAWS[law]) } else { 0 };
         if count > most {
             most = count;
         }
@@ -35,7 +51,7 @@ const MOVING: usize = {
 
 /// First place for the discrete states of a law.
 const fn first_jumping(law: Declared) -> usize {
-    if law.model.model_exchange { MOVING } else { 0 }
+    if is_exchanged(law) { MOVING } else { 0 }
 }
 
 /// Number of places that suffices for the states of any law.
@@ -82,6 +98,8 @@ const ABSENT: u16 = u16::MAX;
 /// A law and the sources of the columns of its row. Columns without one are 0.
 pub(super) struct Plan {
     pub(super) model: &'static ModelType,
+    /// Whether a contact with the law supports Model Exchange.
+    pub(super) is_exchanged: bool,
     /// Columns of the quantities of the contact.
     pub(super) given: [u16; GIVENS],
     /// Parameters, by their places among those of all laws.
@@ -240,6 +258,7 @@ const fn plan(at: usize, firsts: [u16; KINDS + 1]) -> Plan {
     }
     Plan {
         model: law.model,
+        is_exchanged: is_exchanged(law),
         given: givens,
         parameters: Links(firsts[0], firsts[1]),
         memory: Links(firsts[1], firsts[2]),

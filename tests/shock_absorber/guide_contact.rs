@@ -188,8 +188,13 @@ fn a_smooth_curve_keeps_its_summit() {
 /// If a solver integrates the states of a law, the friction falls with the load at once, and the states follow.
 #[test]
 fn friction_falls_with_the_load_under_a_solver() {
+    // With the elements of some laws a contact is for steps only.
+    let is_integrated = |name: &str| {
+        let law = by_name(name).unwrap();
+        law.model_exchange && law.find("element_count").is_none()
+    };
     let mut tested = 0;
-    for (number, name) in laws().filter(|(_, name)| by_name(name).unwrap().model_exchange) {
+    for (number, name) in laws().filter(|(_, name)| is_integrated(name)) {
         let mut bench = contact(number);
         press(&mut bench, 100.0);
         moved(&mut bench, 0.01, 300);

@@ -14,7 +14,7 @@ use crate::number::{Mask, Real, choose};
 
 pub(crate) use on_branches::{Branches, EVENTS_ON_BRANCHES};
 pub(crate) use on_curve::{Curve, EVENTS_ON_CURVE, Lift, OnCurve, memoryless};
-pub(crate) use phase::{MOVED, PASSED, Phase, PhaseColumn, REACHED};
+pub(crate) use phase::{MOVED, NO_EVENT, PASSED, Phase, PhaseColumn, REACHED};
 pub(crate) use two_levels::{EVENTS_OF_TWO_LEVELS, TwoLevels, two_levels};
 
 crate::choices! {

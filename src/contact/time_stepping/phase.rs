@@ -149,4 +149,4 @@ impl Band {
 }
 
 /// Event indicator of an event that never occurs.
-pub(super) const NO_EVENT: f64 = 1.0;
+pub(crate) const NO_EVENT: f64 = 1.0;

@@ -3,7 +3,7 @@
 use super::{axes, friction_models, set_velocity};
 use crate::common::random::Random;
 use crate::common::{Bench, holding_laws, rows};
-use approx::abs_diff_eq;
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use stribeck::model::ModelType;
 
 /// Without load in Model Exchange: an event indicator changes its sign where the load vanishes, and the event releases
@@ -265,4 +265,89 @@ fn laws_that_run_without_events_follow_no_phase() {
     let mut holding: Vec<&str> = holding_laws().filter(|law| known.contains(law)).collect();
     holding.sort_unstable();
     assert_eq!(holding, known);
+}
+
+/// Which events are due: onset of slip, its end, loss of the load.
+fn due(bench: &Bench) -> Vec<bool> {
+    let mut indicators = vec![f64::NAN; bench.instance.model().event_indicators];
+    bench.instance.indicate(&mut indicators).expect("finite indicators");
+    indicators.iter().map(|indicator| *indicator < 0.0).collect()
+}
+
+/// Rate of the force of the first element.
+fn force_rate(bench: &Bench) -> f64 {
+    let mut rate = bench.instance.row().to_vec();
+    bench.instance.model().rate(bench.instance.row(), &mut rate);
+    rate[bench.column("element[1].force")]
+}
+
+/// An element of Maxwell-slip friction is a spring until an event finds it at its share of the level, moving outwards,
+/// and slips until an event finds that the motion has turned.
+#[test]
+fn elements_begin_and_cease_to_slip_at_events() {
+    let mut bench = Bench::for_model_exchange("MaxwellSlip", &[("velocity", 1e-5)]);
+    let limit = 0.1 * 0.15 * 9.81;
+    let spring = 0.5 * 1e5 * 1e-5;
+    let level = |velocity: f64| 0.1 * (0.981 + 0.4905 * (-(velocity * 1e3).powi(2)).exp());
+    bench.instance.at_event().expect("an event");
+    for (force, velocity, is_due) in [(0.999, 1e-5, false), (1.001, 1e-5, true), (1.001, -1e-5, false)] {
+        for side in [1.0, -1.0] {
+            bench.set("element[1].force", side * force * limit);
+            bench.set("velocity", side * velocity);
+            assert_eq!(due(&bench), [is_due, false, false], "{force} {velocity} {side}");
+            assert_abs_diff_eq!(force_rate(&bench), side * spring * velocity.signum(), epsilon = 1e-12);
+        }
+    }
+    bench.set("element[1].force", 1.001 * limit);
+    bench.set("velocity", 1e-5);
+    bench.instance.at_event().expect("an event");
+    assert_eq!((bench.get("element[1].slipping"), bench.get("slip"), bench.get("sticking")), (1.0, 3.0, 1.0));
+    bench.set("velocity", 1e-3);
+    assert_eq!(due(&bench), [false; 3]);
+    // C (alpha - F / s), whatever the trial velocity.
+    for velocity in [1e-3, -1e-3] {
+        bench.set("velocity", velocity);
+        let expected = 1e3 * (0.1 - 0.1 * 1.001 * limit / level(velocity));
+        assert_abs_diff_eq!(force_rate(&bench), expected, epsilon = 1e-9);
+    }
+    assert_eq!(due(&bench), [false, true, false]);
+    bench.instance.at_event().expect("an event");
+    assert_eq!((bench.get("element[1].slipping"), bench.get("slip")), (0.0, 2.0));
+    assert_abs_diff_eq!(force_rate(&bench), -0.5 * 1e5 * 1e-3, epsilon = 1e-9);
+}
+
+/// The same for `Leuven`, whose elements move with the deflection, slip at their strength and follow it while the load
+/// rises, but not faster than their springs.
+#[test]
+fn elements_of_leuven_slip_as_the_deflection_moves() {
+    let (v, load) = (1e-5, 9.81);
+    let mut bench = Bench::for_model_exchange("Leuven", &[("velocity", v)]);
+    let limit = 0.1 * 1.2 * 0.15 * load;
+    let level = |load: f64| load * (0.1 + 0.05 * (-(v * 1e3f64).powi(2)).exp());
+    bench.instance.at_event().expect("an event");
+    for (share, velocity, is_due) in [(0.999, v, false), (1.001, v, true), (1.001, -v, false)] {
+        for side in [1.0, -1.0] {
+            let force = side * share * limit;
+            bench.set("element[1].force", force);
+            bench.set("velocity", side * velocity);
+            assert_eq!(due(&bench), [is_due, false, false], "{share} {velocity} {side}");
+            let spring = 0.5 * 1e5 * (side * velocity - v * force / level(load));
+            assert_abs_diff_eq!(force_rate(&bench), spring, epsilon = 1e-12);
+        }
+    }
+    bench.set("element[1].force", limit * (1.0 + 1e-11));
+    bench.set("velocity", v);
+    bench.instance.at_event().expect("an event");
+    assert_eq!((bench.get("element[1].slips"), bench.get("slip")), (1.0, 3.0));
+    assert_eq!((due(&bench), force_rate(&bench)), (vec![false; 3], 0.0));
+    bench.set("normal_force", load * (1.0 + 1e-9));
+    assert_abs_diff_eq!(force_rate(&bench), (1e-9 - 1e-11) * limit / 1e-4, epsilon = 1e-11);
+    bench.set("normal_force", 2.0 * load);
+    let spring = 0.5 * 1e5 * v * (1.0 - limit / level(2.0 * load));
+    assert_abs_diff_eq!(force_rate(&bench), spring, epsilon = 1e-9);
+    bench.set("normal_force", load);
+    bench.set("velocity", -v);
+    assert_eq!(due(&bench), [false, true, false]);
+    bench.instance.at_event().expect("an event");
+    assert_eq!((bench.get("element[1].slips"), bench.get("slip")), (0.0, 2.0));
 }

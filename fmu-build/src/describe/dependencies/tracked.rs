@@ -558,13 +558,16 @@ impl Evaluate for Tracked {
     }
     fn rate(model: &ModelType, row: &[Tracked], rate: &mut [Tracked]) {
         if !model.model_exchange {
-            on_course(|course| course.is_refused = true);
+            Tracked::refuse_rates();
         }
         let Some(found) = of_other(model) else { return };
         rate.copy_from_slice(&applied(model, row, &found[row.len()..]));
     }
     fn overshoot(_model: &ModelType, row: &[Tracked]) -> Tracked {
         row.iter().fold(Tracked::from(1.0), |sum, number| sum + *number)
+    }
+    fn refuse_rates() {
+        on_course(|course| course.is_refused = true);
     }
     fn mark_step(model: &ModelType, row: &mut [Tracked]) {
         if let Some(others) = on_course(|course| course.others) {

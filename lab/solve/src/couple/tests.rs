@@ -156,6 +156,29 @@ fn laws_that_jump_at_rest_hold_the_block() {
     }
 }
 
+/// Two roads to the same motion: rates with located events, and the steps of the laws, halved until they agree.
+#[test]
+fn elements_move_in_steps_as_between_their_events() {
+    let damped = [("sigma_1", "316.2"), ("viscous_coefficient", "0.1")];
+    let damped = damped.map(|(name, value)| Setting { name: name.to_owned(), value: value.to_owned() });
+    let grid = Grid { begin: 0.0, end: 14.0, intervals: 1400 };
+    for (law, settings) in [("MaxwellSlip", &damped[..]), ("Leuven", &[])] {
+        let system = belt(law, settings);
+        let recorded = [system.source("rig.position").unwrap()];
+        let (end, _, (_, steps)) = by_steps(&system, grid, &Options::new(14.0, 1e-6), &recorded).unwrap();
+        assert!(end.is_reached(), "{law}: {end}");
+        for (tolerance, most) in [(1e-3, 5e-4), (1e-10, 5e-6)] {
+            let mut motion = Motion::new(&system, &recorded).unwrap();
+            let (mut states, mut recorder) = (motion.start(), Recorder::new(grid, &motion));
+            let options = Options::new(14.0, tolerance);
+            let (end, statistics) = solve(Method::Rodas5P, &mut motion, &mut states, &options, &mut recorder);
+            assert!(end.is_reached() && statistics.events.len() == 9, "{law}: {end} {:?}", statistics.events);
+            let largest = steps[0].iter().zip(&recorder.values[0]).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(largest < most, "{law} {tolerance:e}: {largest:e}");
+        }
+    }
+}
+
 /// Two roads to the same motion: the balance of forces with located events, and the acceleration of the block as an input
 /// to steps that are halved until they agree. The block slips as the spring reaches the static level, at 7.3575 s.
 #[test]

@@ -33,7 +33,7 @@ impl Method {
                         march::run::<$Step, $n>(&mut Padded::new(equations, $n), states, options, recorder)
                     })+
                     _ => {
-                        let reason = format!("{count} states; the limit is 64");
+                        let reason = format!("{count} states; the limit is 72");
                         (End::Failed { time: options.begin, reason }, Statistics::default())
                     }
                 }
@@ -45,14 +45,14 @@ impl Method {
                 2 => Piecewise<Rodas5P<2>, 2>,
                 3 => Piecewise<Rodas5P<3>, 3>,
                 4 => Piecewise<Rodas5P<4>, 4>,
-                6 => Rodas5P<6>,
+                6 => Piecewise<Rodas5P<6>, 6>,
                 16 => Rodas5P<16>,
-                64 => Rodas5P<64>,
+                72 => Rodas5P<72>,
             },
             Method::Rosenbrock23 => sizes! {
                 4 => Rosenbrock23<4>,
                 16 => Rosenbrock23<16>,
-                64 => Rosenbrock23<64>,
+                72 => Rosenbrock23<72>,
             },
         }
     }

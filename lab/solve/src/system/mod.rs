@@ -22,4 +22,6 @@ pub use signal::Signal;
 pub use values::{Setting, closest, spelled};
 
 #[cfg(test)]
+mod event_tests;
+#[cfg(test)]
 mod tests;

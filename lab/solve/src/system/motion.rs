@@ -251,7 +251,7 @@ fn states(system: &System, recorded: &[WireSource]) -> Vec<Place> {
     };
     let (mut states, mut unread) = (Vec::new(), Vec::new());
     for (part, made) in system.parts.iter().enumerate() {
-        for column in made.model.continuous_states() {
+        for column in made.model.states_in_use(&made.row) {
             let place = Place { part, column };
             if made.model.table.at(column).meaning != Meaning::Energy || is_read(place) {
                 states.push(place);

@@ -1,7 +1,5 @@
 //! Systems against closed forms and published figures.
 
-use std::f64::consts::TAU;
-
 use stribeck::catalogue::{Family, documented};
 use stribeck::numerics::root::bisect;
 
@@ -10,9 +8,16 @@ use crate::solve::{End, Equations, Grid, Method, Options, Recorder, Statistics, 
 use crate::stick_slip::{BELT, StickSlip};
 
 /// The belt with a law: statistics, and the recorded motion (time, position of the block).
-fn belt(law: &str, tolerance: f64) -> (Statistics, Vec<(f64, f64)>) {
+pub(super) fn belt(law: &str, tolerance: f64) -> (Statistics, Vec<(f64, f64)>) {
+    belt_with(law, &[], tolerance)
+}
+
+/// The same with settings.
+pub(super) fn belt_with(law: &str, settings: &[(&str, f64)], tolerance: f64) -> (Statistics, Vec<(f64, f64)>) {
+    let setting = |(name, value): &(&str, f64)| Setting { name: (*name).to_owned(), value: value.to_string() };
+    let settings: Vec<Setting> = settings.iter().map(setting).collect();
     let source = Source::open("belt").unwrap();
-    let system = System::assemble(&source, Some(law), &[]).unwrap();
+    let system = System::assemble(&source, Some(law), &settings).unwrap();
     let mut motion = Motion::new(&system, &[]).unwrap();
     let position = motion.places().iter().position(|place| *place == system.place("rig.position").unwrap()).unwrap();
     let (mut states, until) = (motion.start(), 40.0);
@@ -97,152 +102,6 @@ fn karnopp_is_off_by_the_width_of_its_events() {
     }
 }
 
-/// Deflection and its rate, without what has faded, of a bond with the block at x when it was bent by z:
-/// m z'' + c z' + (K + k) z = -k (x - z + v_b t).
-fn steady_bond(x: f64, z: f64, [spring, stiffness, damping]: [f64; 3]) -> [f64; 2] {
-    let both = stiffness + spring;
-    let drift = -spring * BELT / both;
-    [-(spring * (x - z) + damping * drift) / both, drift]
-}
-
-/// The spring breaks the bond when its swinging has long faded; the block then slides in a harmonic motion about f_C / k
-/// until it is as fast as the belt.
-#[test]
-fn a_bond_breaks_and_forms_where_closed_forms_say() {
-    let (StickSlip { w, .. }, stiffness, damping, level) = (StickSlip::table_6_1(), 1e5, 1e5f64.sqrt(), 0.981);
-    let (spring, most) = (w * w, level / stiffness);
-    let system = [spring, 1.5 * stiffness, damping];
-    let breaks = |[start, drift]: [f64; 2]| (start + most) / -drift;
-    let steady = steady_bond(0.0, 0.0, system);
-    let first = breaks(steady);
-    let (out, speed) = (BELT * first - most - level / spring, BELT + steady[1]);
-    let back = -(out * out + (speed * speed - BELT * BELT) / (w * w)).sqrt();
-    let rests = first + (TAU + (w * back).atan2(BELT) - (w * out).atan2(speed)) / w;
-    let expected = [first, rests, rests + breaks(steady_bond(level / spring + back, -most, system))];
-    for tolerance in [1e-3, 1e-12] {
-        let (statistics, _) = belt("ResetIntegrator", tolerance);
-        let times: Vec<f64> = statistics.events.iter().take(3).map(|event| event.time).collect();
-        assert!(times.iter().zip(expected).all(|(time, exact)| (time - exact).abs() < 1e-9), "{times:?} {expected:?}");
-    }
-}
-
-/// A block that lags behind the belt, on the two curves of the law of Wojewoda, by its own integration.
-struct TwoCurves {
-    time: f64,
-    /// Position, and speed against the belt.
-    at: [f64; 2],
-    branch: Branch,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-enum Branch {
-    Upper,
-    Between,
-    Lower,
-}
-
-impl TwoCurves {
-    const KINETIC: f64 = 0.981;
-    const STATIC: f64 = 1.4715;
-    const STIFFNESS: f64 = 1e5;
-    const SPRING: f64 = 2.0;
-
-    /// The first breakaway: until then the block swings without damping on spring and contact, by
-    /// y = d (t - sin(w t) / w) against the belt.
-    fn broken() -> TwoCurves {
-        let both = Self::SPRING + Self::STIFFNESS;
-        let (w, d) = (both.sqrt(), Self::SPRING * BELT / both);
-        let way = |t: f64| d * (t - (w * t).sin() / w);
-        let time = bisected(7.0, 8.0, |t| Self::STIFFNESS * way(t) - Self::STATIC);
-        TwoCurves { time, at: [BELT * time - way(time), d * (1.0 - (w * time).cos())], branch: Branch::Upper }
-    }
-
-    /// Pull of the spring, lower and upper level.
-    fn forces([position, speed]: [f64; 2]) -> [f64; 3] {
-        let fade = (-500.0 * speed).exp() * (Self::STATIC - Self::KINETIC);
-        [Self::SPRING * position, Self::KINETIC - fade, Self::KINETIC + fade]
-    }
-
-    fn rates(&self, at: [f64; 2]) -> [f64; 2] {
-        let [pull, lower, upper] = Self::forces(at);
-        let acceleration = match self.branch {
-            Branch::Upper => pull - upper,
-            Branch::Between => 0.0,
-            Branch::Lower => pull - lower,
-        };
-        [BELT - at[1], acceleration]
-    }
-
-    /// Positive beyond the end of the branch.
-    fn excess(&self, at: [f64; 2]) -> f64 {
-        let [pull, lower, upper] = Self::forces(at);
-        match self.branch {
-            Branch::Upper => upper - pull,
-            Branch::Between => (pull - upper).max(lower - pull),
-            Branch::Lower => pull - lower,
-        }
-    }
-
-    /// A step of Runge and Kutta.
-    fn moved(&self, h: f64) -> [f64; 2] {
-        let beside = |k: [f64; 2], h: f64| [self.at[0] + h * k[0], self.at[1] + h * k[1]];
-        let k_1 = self.rates(self.at);
-        let k_2 = self.rates(beside(k_1, 0.5 * h));
-        let k_3 = self.rates(beside(k_2, 0.5 * h));
-        let k_4 = self.rates(beside(k_3, h));
-        std::array::from_fn(|i| self.at[i] + h / 6.0 * (k_1[i] + 2.0 * (k_2[i] + k_3[i]) + k_4[i]))
-    }
-
-    /// Goes on to the end of the branch; the block never comes to rest again.
-    fn leave(&mut self) {
-        const H: f64 = 1e-5;
-        while self.excess(self.moved(H)) < 0.0 {
-            self.at = self.moved(H);
-            self.time += H;
-            assert!(self.at[1] > 0.0, "at rest at {}", self.time);
-        }
-        let h = bisected(0.0, H, |h| self.excess(self.moved(h)));
-        self.at = self.moved(h);
-        self.time += h;
-        let [pull, lower, upper] = Self::forces(self.at);
-        // At high speed there is nothing between them.
-        let is_one = upper - lower < 1e-9;
-        self.branch = match self.branch {
-            Branch::Upper if is_one => Branch::Lower,
-            Branch::Between if pull > lower => Branch::Upper,
-            _ => Branch::Between,
-        };
-    }
-}
-
-/// The zero of a rising function between two numbers.
-fn bisected(mut low: f64, mut high: f64, rising: impl Fn(f64) -> f64) -> f64 {
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if rising(middle) < 0.0 { low = middle } else { high = middle }
-    }
-    high
-}
-
-/// Breakaway and changes of the curve over two slips. The first breakaway has a closed form, and every tolerance meets it.
-/// The curve changes when the pull is beyond its level by 1e-9 of it, which takes 1e-8 s.
-#[test]
-fn a_block_changes_its_curves_where_another_integration_says() {
-    let mut block = TwoCurves::broken();
-    let mut expected = vec![block.time];
-    for _ in 0..5 {
-        block.leave();
-        expected.push(block.time);
-    }
-    let off = |tolerance: f64| -> Vec<f64> {
-        let events = belt("Wojewoda", tolerance).0.events;
-        events.iter().zip(&expected).map(|(event, expected)| (event.time - expected).abs()).collect()
-    };
-    let [loose, tight] = [1e-3, 1e-12].map(off);
-    assert!(loose.len() == 6 && loose[0] < 1e-9 && loose.iter().all(|off| *off < 1e-2), "{loose:?} {expected:?}");
-    assert!(tight.len() == 6 && tight[0] < 1e-9 && tight.iter().all(|off| *off < 2e-8), "{tight:?} {expected:?}");
-}
-
 /// First maximum, position at the end: computed with LSODA (static laws), Radau and LSODA (dynamic laws) at 1e-10 by
 /// another program from the printed equations.
 #[test]
@@ -306,7 +165,7 @@ fn is_made_of_straight_lines(system: &System) -> bool {
 }
 
 /// Of the laws without further states, those whose curves are made of straight lines, and no others, say so. Of the
-/// others a bond that breaks does; its closed form is above.
+/// others a bond that breaks and elements that stick and slip do; their closed forms are above.
 #[test]
 fn laws_made_of_straight_lines_say_so() {
     let source = Source::open("belt").unwrap();
@@ -323,7 +182,7 @@ fn laws_made_of_straight_lines_say_so() {
             bonds.push(law.name);
         }
     }
-    assert_eq!(bonds, ["ResetIntegrator"], "the deflection of a bond has straight lines, too");
+    assert_eq!(bonds, ["ResetIntegrator", "MaxwellSlip"], "springs have straight lines, too");
     assert!(wrong.is_empty() && counts[0] > 5 && counts[1] > 5, "{counts:?} {wrong:?}");
 }
 
