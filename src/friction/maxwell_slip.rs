@@ -416,7 +416,7 @@ impl Model for MaxwellSlip {
         let mut springs = self.springs(self.level());
         let is_released = unloading::is_unloaded(self.normal_force) || springs.level == 0.0;
         let found = Phase::of(self.slip);
-        let keeps = found.direction().is_some_and(|direction| direction * self.velocity >= 0.0);
+        let keeps = found.direction().is_some_and(|direction| direction * self.velocity > 0.0);
         if !keeps && !springs.slip.is_free() {
             springs.slip = PhaseColumn(Phase::Held.number());
         }

@@ -309,7 +309,7 @@ impl Wojewoda {
         let breaks = self.stretch() >= 1.0 + 0.5 * REACHED && self.outward_speed() > 0.5 * PASSED;
         match Phase::of(self.phase).direction() {
             _ if unloading::is_unloaded(self.normal_force) => Phase::Held,
-            Some(direction) if direction * self.velocity >= 0.0 => Phase::sliding(direction),
+            Some(direction) if direction * self.velocity > 0.0 => Phase::sliding(direction),
             None if breaks || !(self.is_stuck() | self.is_arriving()) => Phase::sliding(self.velocity),
             _ => Phase::Held,
         }
