@@ -305,7 +305,8 @@ fn save(arguments: &Arguments, best: &Fit, experiments: &[Experiment]) -> Result
     let Some(path) = &arguments.out else { return Ok(()) };
     let notice = |text: &str| eprintln!("stribeck: {}: {text}", path.display());
     if let Some((_, format)) = Format::ALL.into_iter().find(|(ending, _)| outputs::has_ending(path, ending)) {
-        let Exported { text, lost } = best.exported(format, experiments)?;
+        let Exported { text, lost } =
+            best.exported(format, experiments).map_err(|error| Failure::of_file(path, &error))?;
         lost.iter().for_each(|one| notice(&format!("not carried over: {one}")));
         return write(path, text);
     }

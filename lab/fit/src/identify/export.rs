@@ -7,6 +7,7 @@ use stribeck_solve::job::literal;
 use stribeck_solve::system::Fault;
 use toml::{Table, Value};
 
+use super::parameter::refused;
 use super::{Experiment, Fit};
 use crate::measured::Movement;
 
@@ -127,11 +128,10 @@ impl Joint {
 
     /// The level of friction in N, and the viscous coefficient in N.s/m; of a joint in N.m and N.m.s/rad.
     fn level_and_damping(&mut self) -> Result<[f64; 2], Fault> {
-        let law = self.law.name;
-        let no_level = || Fault::value(format_args!("{law} has no kinetic level, which the file needs"));
+        let no_level = || refused(self.law, "has no kinetic level, which the file needs");
         let level = self.name(Meaning::KineticLevel).ok_or_else(no_level)?;
         if self.is_open(&level) {
-            return Err(Fault::value(format_args!("{level} is not determined, and the file needs it")));
+            return Err(refused(self.law, format_args!("{level} is not determined, and the file needs it")));
         }
         let viscous = self.name(Meaning::Viscous);
         let damping = viscous.as_ref().map_or(0.0, |name| self.or_zero(name));
@@ -311,7 +311,7 @@ mod tests {
         let data = [measured("LuGre", &[("sigma_0", 1e4)], &still, 0.01, 1)];
         let fit = fitted("LuGre", &data, &quick());
         let fault = fit.exported(Format::Mujoco, &data).unwrap_err().to_string();
-        assert_eq!(fault, "mu_k is not determined, and the file needs it");
+        assert_eq!(fault, "LuGre: mu_k is not determined, and the file needs it");
         let Exported { text, lost } = fit.exported(Format::Python, &data).unwrap();
         assert!(lost.contains(&"mu_k, which is not determined".to_owned()) && !text.contains("mu_k"), "{text}");
     }
