@@ -145,10 +145,11 @@ def test_crates_that_symbols_and_paths_name_are_listed(built, dist):
     of_std = {path.name.removeprefix("lib").rpartition("-")[0] for path in folder.glob("lib*.rlib")}
     named = {name[: int(length)] for length, name in symbols} - of_std
     crates = components_of(files_of(dist / "LuGre.fmu"))
-    assert named >= {"libm", "nalgebra", "stribeck"}
+    # Functions that are inlined everywhere, as those of nalgebra, have no symbol, and no path if they cannot panic.
+    assert named >= {"libm", "stribeck"}
     assert named <= {crate.partition(" ")[0].replace("-", "_") for crate in crates}
     paths = set(re.findall(r"/registry/src/[^/]+/([\w-]+?)-(\d+\.\d[\w.+-]*)/", library))
-    assert "nalgebra" in dict(paths)
+    assert "libm" in dict(paths)
     assert {f"{name} {version}" for name, version in paths} <= set(crates)
 
 
