@@ -3992,7 +3992,7 @@ typedef enum stribeck_maxwell_slip_variable {
 } stribeck_maxwell_slip_variable;
 
 /** Guid of Leuven for fmi2Instantiate. */
-#define STRIBECK_LEUVEN_GUID "{1508cccf-92d5-d735-43b7-22e1bf149ad2}"
+#define STRIBECK_LEUVEN_GUID "{bf498e23-439b-fdd9-9dc3-e020f60abfc2}"
 
 /** Preset of Leuven: Example: levels and stiffness of Novais (2024), Tables 6.1, 7.1; rest chosen (the start values). */
 #define STRIBECK_LEUVEN_PRESET_FOUR_ELEMENTS "four_elements"
@@ -4036,512 +4036,512 @@ typedef enum stribeck_leuven_variable {
   STRIBECK_LEUVEN_ELEMENT_1_STRENGTH_SHARE = 1653101785,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_1_FORCE = 417008123,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_1_SLIPS = 791154103,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_1_SLIPPING = 61645750,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
   STRIBECK_LEUVEN_ELEMENT_2_STIFFNESS_SHARE = 635638510,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
   STRIBECK_LEUVEN_ELEMENT_2_STRENGTH_SHARE = 1020390876,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_2_FORCE = 956601336,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_2_SLIPS = 1852665116,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_2_SLIPPING = 916397611,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
   STRIBECK_LEUVEN_ELEMENT_3_STIFFNESS_SHARE = 236442871,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
   STRIBECK_LEUVEN_ELEMENT_3_STRENGTH_SHARE = 1826059887,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_3_FORCE = 810068841,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_3_SLIPS = 510525397,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_3_SLIPPING = 1045816540,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_4_STIFFNESS_SHARE = 507261856,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
   STRIBECK_LEUVEN_ELEMENT_4_STRENGTH_SHARE = 466493098,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_4_FORCE = 1956354086,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_4_SLIPS = 1783250298,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_4_SLIPPING = 567684305,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_5_STIFFNESS_SHARE = 978834793,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_5_STRENGTH_SHARE = 968197717,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_5_FORCE = 1495200879,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_5_SLIPS = 1327492123,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_5_SLIPPING = 1747360226,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_6_STIFFNESS_SHARE = 2004137970,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_6_STRENGTH_SHARE = 1481769336,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_6_FORCE = 1688949644,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_6_SLIPS = 241745760,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_6_SLIPPING = 780131655,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_7_STIFFNESS_SHARE = 423657291,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_7_STRENGTH_SHARE = 363891723,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_7_FORCE = 1643862173,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_7_SLIPS = 305910489,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_7_SLIPPING = 2136700712,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_8_STIFFNESS_SHARE = 1337862804,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_8_STRENGTH_SHARE = 866511878,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_8_FORCE = 475811146,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_8_SLIPS = 747017198,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_8_SLIPPING = 1088859837,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_9_STIFFNESS_SHARE = 1333387469,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_9_STRENGTH_SHARE = 1790412305,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_9_FORCE = 427133779,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_9_SLIPS = 535230015,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_9_SLIPPING = 790213006,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_10_STIFFNESS_SHARE = 930777631,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_10_STRENGTH_SHARE = 1307487559,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_10_FORCE = 309754689,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_10_SLIPS = 1110688189,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_10_SLIPPING = 1971059860,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_11_STIFFNESS_SHARE = 1582832214,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_11_STRENGTH_SHARE = 1197920180,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_11_FORCE = 1627200688,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_11_SLIPS = 1229000292,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_11_SLIPPING = 1236750147,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_12_STIFFNESS_SHARE = 242124973,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_12_STRENGTH_SHARE = 318599793,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_12_FORCE = 1622967027,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_12_SLIPS = 1772639967,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_12_SLIPPING = 423589806,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_13_STIFFNESS_SHARE = 488236916,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_13_STRENGTH_SHARE = 569303654,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_13_FORCE = 934999786,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_13_SLIPS = 1948639630,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_13_SLIPPING = 592280285,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_14_STIFFNESS_SHARE = 867993811,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_14_STRENGTH_SHARE = 464171203,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_14_FORCE = 1304020821,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_14_SLIPS = 1135251457,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_14_SLIPPING = 51371456,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_15_STIFFNESS_SHARE = 1030058266,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_15_STRENGTH_SHARE = 1045466960,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_15_FORCE = 2058652516,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_15_SLIPS = 1961324776,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_15_SLIPPING = 277263231,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_16_STIFFNESS_SHARE = 1516159377,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_16_STRENGTH_SHARE = 236029453,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_16_FORCE = 1408145063,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_16_SLIPS = 1556875139,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_16_SLIPPING = 1467883514,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_17_STIFFNESS_SHARE = 1526225256,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_17_STRENGTH_SHARE = 1201028194,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_17_FORCE = 303569406,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_17_SLIPS = 443898210,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_17_SLIPPING = 1335271913,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_18_STIFFNESS_SHARE = 209375959,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_18_STRENGTH_SHARE = 596598607,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_18_FORCE = 2027178633,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_18_SLIPS = 1727532021,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_18_SLIPPING = 800456828,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_19_STIFFNESS_SHARE = 1120869198,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_19_STRENGTH_SHARE = 207821116,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_19_FORCE = 1048396568,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_19_SLIPS = 1902883644,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_19_SLIPPING = 722875339,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_20_STIFFNESS_SHARE = 946953330,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_20_STRENGTH_SHARE = 184261368,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_20_FORCE = 1384494092,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_20_SLIPS = 2084773856,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_20_SLIPPING = 1106485959,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_21_STIFFNESS_SHARE = 1513956299,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_21_STRENGTH_SHARE = 1213867403,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_21_FORCE = 1339406621,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_21_SLIPS = 1454937,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_21_SLIPPING = 315571368,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_22_STIFFNESS_SHARE = 1597560864,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_22_STRENGTH_SHARE = 1316468778,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_22_FORCE = 1651898534,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_22_SLIPS = 1478794746,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_22_SLIPPING = 894038609,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_23_STIFFNESS_SHARE = 2069133801,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_23_STRENGTH_SHARE = 1818173397,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_23_FORCE = 1190745327,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_23_SLIPS = 1023036571,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_23_SLIPPING = 2073714530,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_24_STIFFNESS_SHARE = 1725937518,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_24_STRENGTH_SHARE = 1870366556,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_24_FORCE = 652145784,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_24_SLIPS = 1548209564,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_24_SLIPPING = 1242751915,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_25_STIFFNESS_SHARE = 1326741879,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_25_STRENGTH_SHARE = 528551919,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_25_FORCE = 505613289,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_25_SLIPS = 206069845,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_25_SLIPPING = 1372170844,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_26_STIFFNESS_SHARE = 2058379500,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_26_STRENGTH_SHARE = 1023527406,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_26_FORCE = 904932594,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_26_SLIPS = 75661702,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_26_SLIPPING = 1220548901,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_27_STIFFNESS_SHARE = 927374885,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_27_STRENGTH_SHARE = 355593817,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_27_FORCE = 112552571,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_27_SLIPS = 486698551,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_27_SLIPPING = 388000054,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_28_STIFFNESS_SHARE = 1832821434,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_28_STRENGTH_SHARE = 798860656,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_28_FORCE = 1990520644,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_28_SLIPS = 170063560,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_28_SLIPPING = 1763494623,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_29_STIFFNESS_SHARE = 1725129971,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_29_STRENGTH_SHARE = 13610851,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_29_FORCE = 1966599861,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_29_SLIPS = 1797933665,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_29_SLIPPING = 291006880,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_30_STIFFNESS_SHARE = 1598222037,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_30_STRENGTH_SHARE = 432647785,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_30_FORCE = 1876414123,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_30_SLIPS = 401213159,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_30_SLIPPING = 458579142,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_31_STIFFNESS_SHARE = 1134555100,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_31_STRENGTH_SHARE = 245259646,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_31_FORCE = 673411298,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_31_SLIPS = 1640347446,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_31_SLIPPING = 695477365,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_32_STIFFNESS_SHARE = 772041447,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_32_STRENGTH_SHARE = 1257553087,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_32_FORCE = 585098457,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_32_SLIPS = 1007942853,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_32_SLIPPING = 1547016876,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_33_STIFFNESS_SHARE = 872053022,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_33_STRENGTH_SHARE = 992579756,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_33_FORCE = 1202670568,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_33_SLIPS = 445501388,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_33_SLIPPING = 1215492283,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_34_STIFFNESS_SHARE = 665747033,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_34_STRENGTH_SHARE = 964650981,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_34_FORCE = 1613712607,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_34_SLIPS = 1855109067,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_34_SLIPPING = 1256503346,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_35_STIFFNESS_SHARE = 1703752592,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_35_STRENGTH_SHARE = 1012019194,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_35_FORCE = 114543126,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_35_SLIPS = 435793194,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_35_SLIPPING = 691903969,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_36_STIFFNESS_SHARE = 1398614523,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_36_STRENGTH_SHARE = 1685909851,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_36_FORCE = 1016182349,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_36_SLIPS = 1527680777,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_36_SLIPPING = 694061816,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_37_STIFFNESS_SHARE = 903984738,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_37_STRENGTH_SHARE = 1625210248,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_37_FORCE = 18164220,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_37_SLIPS = 1314161232,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_37_SLIPPING = 102603351,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_38_STIFFNESS_SHARE = 1356982141,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_38_STRENGTH_SHARE = 849034273,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_38_FORCE = 1336195843,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_38_SLIPS = 1035290031,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_38_SLIPPING = 737377246,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_39_STIFFNESS_SHARE = 1715598724,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_39_STRENGTH_SHARE = 1964832726,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_39_FORCE = 1304001018,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_39_SLIPS = 748934174,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_39_SLIPPING = 993257933,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_40_STIFFNESS_SHARE = 52686992,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_40_STRENGTH_SHARE = 1556782842,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_40_FORCE = 1891458838,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_40_SLIPS = 65225258,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_40_SLIPPING = 1641759969,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_41_STIFFNESS_SHARE = 1162165081,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_41_STRENGTH_SHARE = 1509414629,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_41_FORCE = 1243144671,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_41_SLIPS = 1484541131,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_41_SLIPPING = 58875698,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_42_STIFFNESS_SHARE = 1400402786,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_42_STRENGTH_SHARE = 22490248,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_42_FORCE = 1795079932,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_42_SLIPS = 943593296,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_42_SLIPPING = 1052459351,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_43_STIFFNESS_SHARE = 1895032571,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_43_STRENGTH_SHARE = 83189851,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_43_FORCE = 645614413,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_43_SLIPS = 1157112841,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_43_SLIPPING = 1643917816,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_44_STIFFNESS_SHARE = 1630973148,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_44_STRENGTH_SHARE = 790023294,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_44_FORCE = 302843362,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_44_SLIPS = 1269779510,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_44_SLIPPING = 1645333365,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_45_STIFFNESS_SHARE = 2094640085,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_45_STRENGTH_SHARE = 977411433,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_45_FORCE = 1505846187,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_45_SLIPS = 30645223,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_45_SLIPPING = 1408435142,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_46_STIFFNESS_SHARE = 1368471070,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_46_STRENGTH_SHARE = 1537343404,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_46_FORCE = 832102632,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_46_SLIPS = 74933452,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_46_SLIPPING = 17864635,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_47_STIFFNESS_SHARE = 1268459495,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_47_STRENGTH_SHARE = 1802316735,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_47_FORCE = 214530521,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_47_SLIPS = 637374917,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_47_SLIPPING = 349389228,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_48_STIFFNESS_SHARE = 962357688,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_48_STRENGTH_SHARE = 551198226,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_48_FORCE = 1487246542,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_48_SLIPS = 1381461106,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_48_SLIPPING = 63228505,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_49_STIFFNESS_SHARE = 1693810849,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_49_STRENGTH_SHARE = 1863738557,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_49_FORCE = 1661841975,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_49_SLIPS = 8352531,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_49_SLIPPING = 1268102634,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_50_STIFFNESS_SHARE = 858733547,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_50_STRENGTH_SHARE = 1454051371,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_50_FORCE = 203243773,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_50_SLIPS = 1755003193,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_50_SLIPPING = 913270536,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_51_STIFFNESS_SHARE = 729255570,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_51_STRENGTH_SHARE = 1369670296,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_51_FORCE = 1665163628,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_51_SLIPS = 1664689472,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_51_SLIPPING = 429935015,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_52_STIFFNESS_SHARE = 478314121,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_52_STRENGTH_SHARE = 1175523701,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_52_FORCE = 750257615,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_52_SLIPS = 582548859,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_52_SLIPPING = 1135649474,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_53_STIFFNESS_SHARE = 249802176,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_53_STRENGTH_SHARE = 1412119242,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_53_FORCE = 599051910,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_53_SLIPS = 425948122,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_53_SLIPPING = 558867377,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_54_STIFFNESS_SHARE = 80424343,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_54_STRENGTH_SHARE = 1301221135,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_54_FORCE = 837516361,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_54_SLIPS = 962327221,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_54_SLIPPING = 196555580,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_55_STIFFNESS_SHARE = 782214158,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_55_STRENGTH_SHARE = 2098940,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_55_FORCE = 1684639960,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_55_SLIPS = 1838269948,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_55_SLIPPING = 1945475467,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_56_STIFFNESS_SHARE = 1642684485,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_56_STRENGTH_SHARE = 1564337017,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_56_FORCE = 873888731,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_56_SLIPS = 865257111,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_56_SLIPPING = 1061606934,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_57_STIFFNESS_SHARE = 1394649868,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_57_STRENGTH_SHARE = 143624462,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_57_FORCE = 172823890,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_57_SLIPS = 1532613350,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_57_SLIPPING = 507858693,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_58_STIFFNESS_SHARE = 101493395,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_58_STRENGTH_SHARE = 1962539907,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_58_FORCE = 114358549,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_58_SLIPS = 1112480449,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_58_SLIPPING = 1197397120,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_59_STIFFNESS_SHARE = 234895322,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_59_STRENGTH_SHARE = 1234062608,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_59_FORCE = 1362131492,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_59_SLIPS = 1264700584,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_59_SLIPPING = 1894357567,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_60_STIFFNESS_SHARE = 1306091582,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_60_STRENGTH_SHARE = 1993267020,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_60_FORCE = 2000504648,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_60_SLIPS = 76650540,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_60_SLIPPING = 1409802907,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_61_STIFFNESS_SHARE = 1830921223,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_61_STRENGTH_SHARE = 949193311,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_61_FORCE = 1622568249,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_61_SLIPS = 2003939109,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_61_SLIPPING = 1513784204,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_62_STIFFNESS_SHARE = 544926460,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_62_STRENGTH_SHARE = 1321062046,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_62_FORCE = 954080834,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_62_SLIPS = 1962593686,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_62_SLIPPING = 1026729045,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_63_STIFFNESS_SHARE = 1751068149,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_63_STRENGTH_SHARE = 1706177161,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_63_FORCE = 1435926411,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_63_SLIPS = 426759623,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_63_SLIPPING = 884594470,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_64_STIFFNESS_SHARE = 887313282,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
   STRIBECK_LEUVEN_ELEMENT_64_STRENGTH_SHARE = 655092008,
   /** state [N]: Force of the element. (default 0) */
   STRIBECK_LEUVEN_ELEMENT_64_FORCE = 266751068,
-  /** state [Boolean]: Has the last event of Model Exchange found the element slipping? (default false) */
-  STRIBECK_LEUVEN_ELEMENT_64_SLIPS = 2028679088,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_LEUVEN_ELEMENT_64_SLIPPING = 1934953527,
   /** state [m]: Mean elastic deflection of the bristles. (default 0) */
   STRIBECK_LEUVEN_BRISTLE_DEFLECTION = 767148150,
   /** state [stribeck_phase]: Direction of slip as found by the last event of Model Exchange: none (Held), Forward or Backward.

@@ -49,8 +49,8 @@ impl<'a> Limits<'a> {
 pub(crate) struct Marks([u64; elements::MOST.div_ceil(64)]);
 
 impl Marks {
-    #[inline]
     /// Whether an element has one.
+    #[inline]
     pub(crate) fn has(&self, index: usize) -> bool {
         self.0[index / 64] >> (index % 64) & 1 == 1
     }

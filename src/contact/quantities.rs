@@ -67,6 +67,8 @@ quantities! {
     ELEMENT_COUNT = integer(4).at_least(1.0).at_most(elements::MOST as f64).means(Meaning::ElementCount);
     /// Force of the element.
     ELEMENT_FORCE = real("N", 0.0).odd();
+    /// Is the element slipping?
+    ELEMENT_SLIPPING = boolean(false);
 
     // States.
     /// Mean elastic deflection of the bristles.

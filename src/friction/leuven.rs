@@ -7,7 +7,7 @@ use crate::contact::time_stepping::{MOVED, Phase, PhaseColumn};
 use crate::contact::unloading;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, boolean, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, real};
 use crate::number::elementary::{exp_m1, pow};
 use crate::number::{Mask, Real, Scalar};
 use crate::numerics::approach;
@@ -18,8 +18,7 @@ crate::part! {
         /// Share of the element.
         share: (Share),
         force: state = ELEMENT_FORCE.reinit(),
-        /// Has the last event of Model Exchange found the element slipping?
-        slips: state = boolean(false),
+        slipping: state = ELEMENT_SLIPPING,
     }
 }
 
@@ -55,7 +54,7 @@ crate::model! {
     /// | k_i / sigma_0 | `element[i].stiffness_share` | 1     | share of an element in the stiffness             |
     /// | W_i / (w f_s) | `element[i].strength_share`  | 1     | share of an element in the strength              |
     /// | F_i           | `element[i].force`           | N     | force of an element                              |
-    /// |               | `element[i].slips`           |       | mode of an element, as the last event has found it |
+    /// |               | `element[i].slipping`        |       | mode of an element, as the last event has found it |
     /// |               | `slip`                       |       | direction of slip, as the last event has found it |
     /// | z             | `bristle_deflection`         | m     | mean deflection                                  |
     /// | f_f           | `friction_force`             | N     | friction force                                   |
@@ -285,7 +284,7 @@ impl<T: Scalar> Leuven<T> {
         };
         let yields = slip.is_free() & (spring.sign() * element.force).at_least(strength);
         let stuck = || yields.choose(|| T::zero(), || spring);
-        (slip.slides() & !element.slips.vanishes()).choose(follows, stuck)
+        (slip.slides() & !element.slipping.vanishes()).choose(follows, stuck)
     }
 }
 
@@ -302,7 +301,7 @@ impl Leuven {
 
     /// Whether an element slips after an event.
     fn slips_on(&self, index: usize, division: &Division<f64>, deflection_rate: f64) -> bool {
-        let has_slipped = Phase::of(self.slip).direction().is_some() && self.element[index].slips != 0.0;
+        let has_slipped = Phase::of(self.slip).direction().is_some() && self.element[index].slipping != 0.0;
         has_slipped || self.onset(index, division, deflection_rate).is_due()
     }
 
@@ -317,14 +316,14 @@ impl Leuven {
     fn leave_events(&mut self) {
         if self.slip != Phase::Free.number() {
             self.slip = Phase::Free.number();
-            self.element.iter_mut().for_each(|element| element.slips = 0.0);
+            self.element.iter_mut().for_each(|element| element.slipping = 0.0);
         }
     }
 
     fn release(&mut self) {
         self.bristle_deflection = 0.0;
         for element in &mut self.element {
-            (element.force, element.slips) = (0.0, 0.0);
+            (element.force, element.slipping) = (0.0, 0.0);
         }
     }
 
@@ -583,7 +582,7 @@ impl Model for Leuven {
 
     fn event_indicators(&self, indicators: &mut [f64]) {
         let (deflection_rate, division) = (self.deflection_rate(self.level()), self.division());
-        let sticking = (0..self.count()).filter(|index| self.element[*index].slips == 0.0);
+        let sticking = (0..self.count()).filter(|index| self.element[*index].slipping == 0.0);
         let onsets = sticking.map(|index| self.onset(index, &division, deflection_rate));
         let onward = self.onward(deflection_rate).map(|onward| onward + TURNED);
         indicators.copy_from_slice(&element_slip::indicators(onsets, onward, self.normal_force));
@@ -597,7 +596,7 @@ impl Model for Leuven {
         let (division, mut slips) = (self.division(), false);
         for index in 0..self.count() {
             let slip = self.slips_on(index, &division, deflection_rate);
-            self.element[index].slips = f64::from(u8::from(slip));
+            self.element[index].slipping = f64::from(u8::from(slip));
             slips |= slip;
         }
         self.slip = match Phase::of(self.slip) {

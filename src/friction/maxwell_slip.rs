@@ -6,7 +6,7 @@ use crate::contact::time_stepping::{MOVED, PASSED, Phase, PhaseColumn};
 use crate::contact::unloading;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{self, Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, Width, boolean, real};
+use crate::model::{self, Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, Width, real};
 use crate::number::{Mask, Real, Scalar, choose};
 use crate::numerics::relaxation;
 
@@ -14,8 +14,7 @@ crate::part! {
     /// The state of an element.
     Block {
         force: state = ELEMENT_FORCE.reinit(),
-        /// Is the element slipping?
-        slipping: state = boolean(false),
+        slipping: state = ELEMENT_SLIPPING,
     }
 }
 

@@ -166,8 +166,8 @@ fn friction_falls_with_the_load() {
     }
 }
 
-/// What the curve of a law with a low-pass filter has above its static level is no excess: 10.2403 N beyond the peak
-/// velocity for levels of 10 N, by hand (the largest tanh(2 u) + (1 - tanh 2) u exp((1 - u^2) / 2), at u = 1.46016).
+/// Force of a law whose curve rises above its static level: for levels of 10 N up to 10.2403 N beyond the peak velocity,
+/// by hand (the largest tanh(2 u) + (1 - tanh 2) u exp((1 - u^2) / 2), at u = 1.46016).
 #[test]
 fn a_smooth_curve_keeps_its_summit() {
     let (number, _) = laws().find(|(_, name)| *name == "SpeckerDynamic").expect("the law");

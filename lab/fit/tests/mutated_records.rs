@@ -1,13 +1,16 @@
 //! Records of rigs and tyre tests with random mistakes: each is accepted or refused with a text, and what is accepted
 //! has finite numbers, also in its cycles, and, for a few of them, in a fit.
 
+mod common;
+
 use std::sync::atomic::AtomicBool;
 
+use common::rig;
 use stribeck::catalogue::by_name;
 use stribeck_fit::identify::tyre::{Axes, TyreTest};
 use stribeck_fit::identify::{Experiment, Settings, Watch, fit};
 use stribeck_fit::measured::{Delay, Record, Setup, average};
-use stribeck_fit::rig::{Faults, VirtualRig};
+use stribeck_fit::rig::Faults;
 use stribeck_sheet::Sheet;
 
 /// Pieces of text that stand for the usual mistakes.
@@ -71,17 +74,8 @@ fn mistakes_in_records_never_panic_and_never_give_numbers_that_are_not_finite() 
 
 /// Files of a rig: force and camera, and force with an encoder.
 fn files() -> [String; 3] {
-    let rig = VirtualRig {
-        law: by_name("Dahl").unwrap(),
-        values: Vec::new(),
-        mass: 1.0,
-        normal_force: 20.0,
-        duration: 0.3,
-        faults: Faults::ALL,
-        seed: 1,
-    };
-    let files = rig.record().unwrap();
-    let with_encoder = VirtualRig { faults: Faults::NOISE, ..rig }.record().unwrap().force;
+    let files = rig(Faults::ALL).record().unwrap();
+    let with_encoder = rig(Faults::NOISE).record().unwrap().force;
     // Fewer rows, so that most mistakes are near one that matters.
     let thin = |text: &str, every: usize| -> String {
         text.lines()

@@ -1,16 +1,18 @@
 //! Spoilt files of every format: each is read and gives finite numbers, or is refused in one line that says where.
 
+mod common;
+
 use std::io::Write;
 use std::path::Path;
 
-use stribeck::catalogue::by_name;
+use common::rig;
 use stribeck_fit::dyno::{Options, Test, find_damper};
 use stribeck_fit::identify::{
     self,
     tyre::{Axes, TyreTest},
 };
 use stribeck_fit::measured::{Record, Setup, average};
-use stribeck_fit::rig::{Faults, VirtualRig};
+use stribeck_fit::rig::Faults;
 use stribeck_fit::tir;
 use stribeck_sheet::{DISPLACEMENT, FORCE, Sheet, TIME, table};
 
@@ -18,16 +20,7 @@ type Outcome = Result<Vec<f64>, String>;
 
 /// A record of a rig, as text.
 fn record_text() -> String {
-    let rig = VirtualRig {
-        law: by_name("Dahl").unwrap(),
-        values: Vec::new(),
-        mass: 1.0,
-        normal_force: 20.0,
-        duration: 0.3,
-        faults: Faults::NOISE,
-        seed: 1,
-    };
-    let text = rig.record().unwrap().force;
+    let text = rig(Faults::NOISE).record().unwrap().force;
     text.lines().enumerate().filter(|(at, _)| at % 7 < 1).map(|(_, line)| line.to_owned() + "\n").collect()
 }
 

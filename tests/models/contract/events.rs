@@ -338,7 +338,7 @@ fn elements_of_leuven_slip_as_the_deflection_moves() {
     bench.set("element[1].force", limit * (1.0 + 1e-11));
     bench.set("velocity", v);
     bench.instance.at_event().expect("an event");
-    assert_eq!((bench.get("element[1].slips"), bench.get("slip")), (1.0, 3.0));
+    assert_eq!((bench.get("element[1].slipping"), bench.get("slip")), (1.0, 3.0));
     assert_eq!((due(&bench), force_rate(&bench)), (vec![false; 3], 0.0));
     bench.set("normal_force", load * (1.0 + 1e-9));
     assert_abs_diff_eq!(force_rate(&bench), (1e-9 - 1e-11) * limit / 1e-4, epsilon = 1e-11);
@@ -349,5 +349,5 @@ fn elements_of_leuven_slip_as_the_deflection_moves() {
     bench.set("velocity", -v);
     assert_eq!(due(&bench), [false, true, false]);
     bench.instance.at_event().expect("an event");
-    assert_eq!((bench.get("element[1].slips"), bench.get("slip")), (0.0, 2.0));
+    assert_eq!((bench.get("element[1].slipping"), bench.get("slip")), (0.0, 2.0));
 }

@@ -33,7 +33,8 @@ impl Method {
                         march::run::<$Step, $n>(&mut Padded::new(equations, $n), states, options, recorder)
                     })+
                     _ => {
-                        let reason = format!("{count} states; the limit is 72");
+                        let most = [$($n),+].into_iter().max().unwrap_or_default();
+                        let reason = format!("{count} states; the limit is {most}");
                         (End::Failed { time: options.begin, reason }, Statistics::default())
                     }
                 }

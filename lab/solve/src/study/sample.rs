@@ -101,7 +101,9 @@ fn read(path: &Path) -> Result<(Vec<String>, Vec<Vec<f64>>), Fault> {
     let sheet = table(path, None).map_err(|error| wrong(&error))?;
     let names: Vec<String> = sheet.names().map(str::to_owned).collect();
     let column = |name: &String| match sheet.unit(name) {
-        Some(unit) if !unit.is_empty() => Err(wrong(&format_args!("{name} [{unit}]: must be in SI units, not named"))),
+        Some(unit) if !unit.is_empty() => {
+            Err(wrong(&format_args!("{name} [{unit}]: must have no unit: the values are in SI units")))
+        }
         _ => sheet.values(name, "").map_err(|error| wrong(&error)),
     };
     let columns = names.iter().map(column).collect::<Result<Vec<_>, Fault>>()?;

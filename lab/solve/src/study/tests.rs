@@ -151,7 +151,10 @@ fn a_table_of_samples_may_have_decimal_commas_and_comments() {
     let table = table(&study, folder.path());
     assert!(table.contains("\n0,CoulombStiction,1.5,0.15,") && table.contains("\n1,CoulombStiction,2,0.2,"), "{table}");
     let refused = |text: &str| samples(text).unwrap_err().to_string();
-    assert!(refused("rig.mass [kg]\n1\n").ends_with("samples.csv: rig.mass [kg]: must be in SI units, not named"));
+    assert!(
+        refused("rig.mass [kg]\n1\n")
+            .ends_with("samples.csv: rig.mass [kg]: must have no unit: the values are in SI units")
+    );
     assert!(refused("rig.mass\n1\nnan\n").ends_with("samples.csv: line 3, rig.mass: 'nan' is not a finite number"));
 }
 

@@ -185,7 +185,7 @@ fn elements_slip_and_stick_where_closed_forms_say() {
     }
 }
 
-/// Elements that have no number are no states.
+/// States of the belt, and one of each element in use.
 #[test]
 fn only_elements_in_use_are_states() {
     let source = Source::open("belt").unwrap();
