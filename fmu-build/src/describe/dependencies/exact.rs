@@ -9,10 +9,10 @@ use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
 use stribeck::catalogue;
-use stribeck::model::{self, Evaluate, InLanes, Model, ModelType, Steps, Visitor};
+use stribeck::model::{self, InLanes, Model, ModelType, Steps, Visitor};
 
 use super::expression::{Expression, Id};
-use super::tracked::{Course, Found, Others, Question, Tracked, applied, on_course};
+use super::tracked::{Course, Found, Others, Question, Tracked, applied, of_other, on_course};
 
 /// Courses that are followed at most (chosen; the present models take up to 200).
 const MOST: usize = 20_000;
@@ -88,6 +88,21 @@ fn mark_step(model: &ModelType, row: &mut [Tracked]) {
     catalogue::visit(&mut Step { model, row });
 }
 
+/// Columns that each of the moving columns is computed from after any number of steps: itself, what its rate is
+/// computed from, and what moves those.
+fn moved(rates: &[BTreeSet<usize>], moving: &[usize]) -> Vec<BTreeSet<usize>> {
+    let mut found = vec![BTreeSet::new(); rates.len()];
+    for column in moving {
+        let mut left = vec![*column];
+        while let Some(next) = left.pop() {
+            if found[*column].insert(next) && moving.contains(&next) {
+                left.extend(&rates[next]);
+            }
+        }
+    }
+    found
+}
+
 struct Step<'a> {
     model: &'a ModelType,
     row: &'a mut [Tracked],
@@ -95,7 +110,7 @@ struct Step<'a> {
 
 impl Visitor for Step<'_> {
     /// A step written for plain numbers alone may use all numbers of the row for each state. The continuous states of a
-    /// model for Model Exchange move only by their rates; as many steps as there are states show all that these use.
+    /// model for Model Exchange move only by their rates.
     fn visit<M: Model>(&mut self) {
         let (model, row) = (self.model, &mut *self.row);
         if M::NAME != model.name {
@@ -108,11 +123,9 @@ impl Visitor for Step<'_> {
             row[column] = all[column];
         }
         let moving: Vec<usize> = (0..row.len()).filter(|column| is_moving(*column)).collect();
-        for _ in &moving {
-            let mut rate = vec![Tracked::from(0.0); row.len()];
-            Tracked::rate(model, row, &mut rate);
-            moving.iter().for_each(|column| row[*column] += rate[*column]);
-        }
+        let Some(found) = of_other(model).filter(|_| !moving.is_empty()) else { return };
+        let moved = applied(model, row, &moved(&found[row.len()..], &moving));
+        moving.into_iter().for_each(|column| row[column] = moved[column]);
     }
 
     fn visit_in_lanes<M: InLanes>(&mut self) {

@@ -485,7 +485,7 @@ impl Real for Tracked {
 }
 
 /// The dependencies of another model.
-fn of_other(model: &ModelType) -> Found {
+pub fn of_other(model: &ModelType) -> Found {
     // To find them is a computation of its own.
     let present = on_course(std::mem::take);
     let found = present.others.and_then(|others| (others.dependencies)(model));
