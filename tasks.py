@@ -42,6 +42,12 @@ PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
 # again with fewer.
 AS_TESTED = ["--workspace", "--bench", "stribeck"]
 
+# Crates that a few runs and one fit do not repay optimising further.
+FOR_A_FEW_RUNS = [
+    *("--config", "profile.dev.package.stribeck-solve.opt-level=1"),
+    *("--config", "profile.dev.package.stribeck-fit.opt-level=1"),
+]
+
 # Those of Table 6.5 of the thesis.
 LAWS_ON_BELT = [
     *("Karnopp", "BengisuAkay", "Andersson", "Awrejcewicz"),
@@ -412,7 +418,7 @@ def demo() -> None:
     pack()
     run(PYTHON, "-m", "examples.fmpy.demo")
     # It takes half a minute longer than optimised, and five minutes less to build; other crates' solvers take one more.
-    stribeck = ["cargo", "run", "--package", "stribeck-cli", "--no-default-features", "--"]
+    stribeck = ["cargo", "run", *FOR_A_FEW_RUNS, "--package", "stribeck-cli", "--no-default-features", "--"]
     run(*stribeck, "compare", "--law", *LAWS_ON_BELT, "--pictures", "out/belt")
     run(*stribeck, "rig", "--law", "LuGre", "--out", "out/rig")
     known = ["--law", "LuGre", "--mass", "2", "--normal-force", "20", "--reference", "out/rig/truth.toml"]
