@@ -28,7 +28,8 @@ pub struct Arguments {
 /// Writes the result to the file or to standard output, and messages to standard error.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let inquiry = arguments.description.complete(&arguments.inquiry)?;
-    let is_property_file = outputs::has_ending(inquiry.file()?, "tir");
+    let property_file = inquiry.property_file()?;
+    let is_property_file = property_file.is_some();
     let endings: &[&str] = if is_property_file { &["csv", "ssv"] } else { &["tir"] };
     let out = arguments.out.as_deref();
     out.map_or(Ok(()), |out| outputs::file(out, endings))?;
@@ -36,12 +37,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if is_property_file && arguments.pictures.is_some() {
         return Err(Fault::value("--pictures: is for a tyre test, not for a .tir file").into());
     }
-    if is_property_file { convert(&inquiry, out) } else { fit(arguments, &inquiry) }
+    match property_file {
+        Some(path) => {
+            inquiry.refuse_test()?;
+            convert(path, out)
+        }
+        None => fit(arguments, &inquiry),
+    }
 }
 
-fn convert(inquiry: &Inquiry, out: Option<&Path>) -> Result<(), Failure> {
-    inquiry.refuse_test()?;
-    let TyreFile { set, unused, ignored, notes } = tir::read(inquiry.file()?).map_err(refused)?;
+fn convert(path: &Path, out: Option<&Path>) -> Result<(), Failure> {
+    let TyreFile { set, unused, ignored, notes } = tir::read(path).map_err(refused)?;
     for note in notes {
         eprintln!("{note}");
     }

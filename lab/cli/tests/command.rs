@@ -493,3 +493,24 @@ fn a_tyre_property_file_is_converted_and_what_is_not_used_is_listed() {
         assert!(told.lines().any(|other| other == line), "{line}: {told}");
     }
 }
+
+#[test]
+fn a_tyre_test_may_have_several_files() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).expect("a file");
+        path.to_str().expect("text").to_owned()
+    };
+    let side: String = (-30..30).map(|k| format!("700,{k},{}\n", -40 * k)).collect();
+    let side = file("side.csv", &format!("FZ [N],SA [deg],FY [N]\n{side}"));
+    let along = file("along.csv", "FZ [N],SR,FX [N]\n700,0.1,800\n700,-0.1,-800\n");
+    let saved = file("saved.toml", "");
+    let tyre = ["tyre", &side, &along, "--axes", "iso", "--radius", "0.2", "--save-config", &saved];
+    let expected = format!("stribeck: {along}: 2 samples; at least 40 are needed");
+    assert_eq!(refusal(&tyre), expected);
+    assert!(text(Path::new(&saved)).ends_with(&format!("records = [{side:?}, {along:?}]\n")));
+    assert_eq!(refusal(&["tyre", "--config", &saved]), expected);
+    let refused = refusal(&["tyre", &side, "b.tir"]);
+    assert_eq!(refused, "stribeck: b.tir: a tyre property file stands alone, without other files");
+}

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 
 use common::rig;
 use stribeck::catalogue::by_name;
-use stribeck_fit::identify::tyre::{Axes, TyreTest};
+use stribeck_fit::identify::tyre::{Axes, Sample, TyreTest};
 use stribeck_fit::identify::{Experiment, Settings, Watch, fit};
 use stribeck_fit::measured::{Delay, Record, Setup, average};
 use stribeck_fit::rig::Faults;
@@ -134,9 +134,11 @@ fn mistakes_in_tyre_tests_never_panic() {
             }
             Ok(test) => {
                 accepted += 1;
-                let columns = [&test.load, &test.side_slip, &test.longitudinal_slip, &test.camber, &test.force_y];
-                assert!(columns.into_iter().all(|column| column.iter().all(|value| value.is_finite())));
-                assert!(test.load.iter().all(|load| *load >= 0.0));
+                for one in test.samples {
+                    let Sample { load, side_slip, longitudinal_slip, camber, force_y, .. } = one;
+                    let all = [load, side_slip, longitudinal_slip, camber, force_y.unwrap_or(0.0)];
+                    assert!(all.iter().all(|value| value.is_finite()) && load >= 0.0);
+                }
             }
         }
     }

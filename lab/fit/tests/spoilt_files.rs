@@ -9,7 +9,7 @@ use common::rig;
 use stribeck_fit::dyno::{Options, Test, find_damper};
 use stribeck_fit::identify::{
     self,
-    tyre::{Axes, TyreTest},
+    tyre::{Axes, Sample, TyreTest},
 };
 use stribeck_fit::measured::{Record, Setup, average};
 use stribeck_fit::rig::Faults;
@@ -49,7 +49,11 @@ fn damper(text: &[u8]) -> Outcome {
 fn tyre_test(text: &[u8]) -> Outcome {
     let sheet = Sheet::parse(&String::from_utf8_lossy(text)).map_err(|error| error.to_string())?;
     let test = TyreTest::of(&sheet, Axes::Iso).map_err(|error| error.to_string())?;
-    Ok([test.load, test.side_slip, test.longitudinal_slip, test.camber, test.force_y].concat())
+    let numbers = |one: &Sample| {
+        let measured = [one.force_x, one.force_y, one.moment_z].into_iter().flatten();
+        [one.load, one.side_slip, one.longitudinal_slip, one.camber].into_iter().chain(measured).collect::<Vec<f64>>()
+    };
+    Ok(test.samples.iter().flat_map(numbers).collect())
 }
 
 fn property_file(text: &[u8]) -> Outcome {
@@ -314,8 +318,8 @@ fn the_sheet_that_was_read_is_noted() {
         let record = Some(file("damper.xlsx", &damper_text()));
         let test =
             identify::damper::Inquiry { record, sheet: sheet.clone(), ..Default::default() }.answer().unwrap().test;
-        let (record, axes) = (Some(file("tyre.xlsx", &tyre_text())), Some(Axes::Iso));
-        let tyre = identify::tyre::Inquiry { record, axes, sheet, ..Default::default() }.test().unwrap();
+        let (records, axes) = (vec![file("tyre.xlsx", &tyre_text())], Some(Axes::Iso));
+        let tyre = identify::tyre::Inquiry { records, axes, sheet, ..Default::default() }.test().unwrap();
         [found.records[0].1.quality.findings.clone(), test.note.into_iter().collect(), tyre.notes]
     };
     let note =

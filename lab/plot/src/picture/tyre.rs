@@ -1,7 +1,7 @@
 //! Pictures of a tyre test and of the formula that was fitted to it.
 
 use stribeck::host::{Contact, MagicFormula, Wrench};
-use stribeck_fit::identify::tyre::{PURE, TyreTest};
+use stribeck_fit::identify::tyre::{PURE, Sample, TyreTest};
 
 use super::drawing::{Drawing, Line};
 use super::{Kind, Picture, Theme, axes};
@@ -26,43 +26,58 @@ const POINTS: usize = 201;
 /// Measured values over one slip, while the other is 0.
 struct View<'a> {
     kind: Kind,
-    slip: &'a [f64],
-    /// The slip that is 0.
-    other: &'a [f64],
-    measured: &'a [f64],
+    samples: &'a [Sample],
+    slip: fn(&Sample) -> f64,
+    /// Whether the other slip is 0.
+    is_pure: fn(&Sample) -> bool,
+    measured: fn(&Sample) -> Option<f64>,
     of: fn(&Wrench) -> f64,
 }
 
 /// Draws the test as dots and the formula as curves, at the loads of the test and the least camber in it: side force and
 /// aligning moment in pure side slip, longitudinal force in pure longitudinal slip.
 pub fn tyre(test: &TyreTest, formula: &MagicFormula, theme: Theme) -> Vec<Picture> {
-    let (side, along) = (&test.side_slip[..], &test.longitudinal_slip[..]);
-    let over_side = |kind, measured, of| View { kind, slip: side, other: along, measured, of };
-    let over_along = |kind, measured, of| View { kind, slip: along, other: side, measured, of };
-    let (moment_z, force_x) = (test.moment_z.as_deref(), test.force_x.as_deref());
+    let samples = &test.samples[..];
+    let over_side = |kind, measured, of| View {
+        kind,
+        samples,
+        slip: |one| one.side_slip,
+        is_pure: Sample::is_rolling,
+        measured,
+        of,
+    };
+    let over_along = |kind, measured, of| View {
+        kind,
+        samples,
+        slip: |one| one.longitudinal_slip,
+        is_pure: Sample::is_straight,
+        measured,
+        of,
+    };
     let views = [
-        Some(over_side(Kind::SideForce, &test.force_y, |wrench| wrench.force_y)),
-        moment_z.map(|measured| over_side(Kind::AligningMoment, measured, |wrench| wrench.moment_z)),
-        force_x.map(|measured| over_along(Kind::LongitudinalForce, measured, |wrench| wrench.force_x)),
+        over_side(Kind::SideForce, |one| one.force_y, |wrench| wrench.force_y),
+        over_side(Kind::AligningMoment, |one| one.moment_z, |wrench| wrench.moment_z),
+        over_along(Kind::LongitudinalForce, |one| one.force_x, |wrench| wrench.force_x),
     ];
-    views.into_iter().flatten().filter_map(|view| view.picture(test, formula, theme)).collect()
+    views.into_iter().filter_map(|view| view.picture(formula, theme)).collect()
 }
 
 impl View<'_> {
     /// None without samples in which the other slip is 0 and this one is swept.
-    fn picture(&self, test: &TyreTest, formula: &MagicFormula, theme: Theme) -> Option<Picture> {
-        let pure: Vec<usize> = (0..test.load.len()).filter(|at| self.other[*at].abs() <= PURE).collect();
-        let least = pure.iter().map(|at| test.camber[*at]).min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
-        let shown: Vec<usize> = pure.into_iter().filter(|at| (test.camber[*at] - least).abs() <= UPRIGHT).collect();
+    fn picture(&self, formula: &MagicFormula, theme: Theme) -> Option<Picture> {
+        let is_seen = |one: &&Sample| (self.is_pure)(one) && (self.measured)(one).is_some();
+        let pure: Vec<Sample> = self.samples.iter().filter(is_seen).copied().collect();
+        let least = pure.iter().map(|one| one.camber).min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+        let shown: Vec<Sample> = pure.into_iter().filter(|one| (one.camber - least).abs() <= UPRIGHT).collect();
         let [low, high] = self.ends(&shown);
         if high - low <= PURE {
             return None;
         }
-        let lines: Vec<Line> = loads(&shown, &test.load)
-            .into_iter()
-            .enumerate()
-            .flat_map(|(look, load)| self.lines(&near(&shown, &test.load, load), test, formula, look))
-            .collect();
+        let all: Vec<f64> = shown.iter().map(|one| one.load).collect();
+        let numbers: Vec<usize> = (0..shown.len()).collect();
+        let at_load = |load: f64| near(&numbers, &all, load).into_iter().map(|at| shown[at]).collect::<Vec<Sample>>();
+        let loads = loads(&numbers, &all).into_iter().enumerate();
+        let lines: Vec<Line> = loads.flat_map(|(look, load)| self.lines(&at_load(load), formula, look)).collect();
         let (kind, quantities) = (self.kind, self.kind.quantities());
         let title = format!("{}: measured (dots) and fitted", kind.title());
         let axes = axes(quantities, quantities.map(Quantity::unit), &lines, &None);
@@ -71,19 +86,19 @@ impl View<'_> {
     }
 
     /// The least and the largest slip.
-    fn ends(&self, samples: &[usize]) -> [f64; 2] {
-        let slips = || samples.iter().map(|at| self.slip[*at]);
+    fn ends(&self, samples: &[Sample]) -> [f64; 2] {
+        let slips = || samples.iter().map(self.slip);
         [slips().fold(f64::INFINITY, f64::min), slips().fold(f64::NEG_INFINITY, f64::max)]
     }
 
     /// The samples of a load as dots, without a name, and the formula at their mean load and camber.
-    fn lines(&self, samples: &[usize], test: &TyreTest, formula: &MagicFormula, look: usize) -> [Line; 2] {
+    fn lines(&self, samples: &[Sample], formula: &MagicFormula, look: usize) -> [Line; 2] {
         let every = samples.len().div_ceil(DOTS).max(1);
-        let apart = |at: &usize| [[self.slip[*at], self.measured[*at]], [f64::NAN; 2]];
+        let apart = |one: &Sample| [[(self.slip)(one), (self.measured)(one).unwrap_or(f64::NAN)], [f64::NAN; 2]];
         let dots = samples.iter().step_by(every).flat_map(apart).collect();
-        let mean = |values: &[f64]| samples.iter().map(|at| values[*at]).sum::<f64>() / samples.len() as f64;
+        let mean = |of: fn(&Sample) -> f64| samples.iter().map(of).sum::<f64>() / samples.len() as f64;
         let [low, high] = self.ends(samples);
-        let (load, camber) = (mean(&test.load), mean(&test.camber));
+        let (load, camber) = (mean(|one| one.load), mean(|one| one.camber));
         let curve = (0..POINTS).map(|number| {
             let slip = low + (high - low) * number as f64 / (POINTS - 1) as f64;
             let [longitudinal_slip, side_slip] =
@@ -125,34 +140,27 @@ pub(super) mod tests {
     /// A test of the start values of the formula: side slip swept at two loads and two cambers.
     fn swept() -> (TyreTest, MagicFormula) {
         let formula: MagicFormula = start();
-        let all = |values: [f64; 2]| values.into_iter().flat_map(move |value| (0..50).map(move |at| (value, at)));
-        let (mut load, mut side_slip, mut camber, mut force_y, mut moment_z) = (vec![], vec![], vec![], vec![], vec![]);
-        for tilt in [0.0, 0.05] {
-            for (one, at) in all([400.0, 900.0]) {
-                let slip = 0.006 * (f64::from(at) - 25.0);
-                let contact = Contact { load: one, longitudinal_slip: 0.0, side_slip: slip, camber: tilt, speed: 1.0 };
-                let wrench = formula.wrench(&contact);
-                load.push(one);
-                side_slip.push(slip);
-                camber.push(tilt);
-                force_y.push(wrench.force_y);
-                moment_z.push(wrench.moment_z);
+        let mut samples = Vec::new();
+        let (speed, longitudinal_slip) = (1.0, 0.0);
+        for (camber, load) in [(0.0, 400.0), (0.0, 900.0), (0.05, 400.0), (0.05, 900.0)] {
+            for at in 0..50 {
+                let side_slip = 0.006 * (f64::from(at) - 25.0);
+                let wrench = formula.wrench(&Contact { load, longitudinal_slip, side_slip, camber, speed });
+                samples.push(Sample {
+                    load,
+                    side_slip,
+                    longitudinal_slip,
+                    camber,
+                    force_x: Some(0.0),
+                    force_y: Some(wrench.force_y),
+                    moment_z: Some(wrench.moment_z),
+                    pressure: None,
+                    file: 0,
+                    line: samples.len() as u64,
+                });
             }
         }
-        let zero = vec![0.0; load.len()];
-        let (force_x, moment_z) = (Some(zero.clone()), Some(moment_z));
-        let test = TyreTest {
-            load,
-            side_slip,
-            longitudinal_slip: zero,
-            camber,
-            force_x,
-            force_y,
-            moment_z,
-            pressure: None,
-            notes: vec![],
-        };
-        (test, formula)
+        (TyreTest { samples, notes: vec![] }, formula)
     }
 
     /// The numbers of the paths of a picture: pairs of places.
@@ -193,7 +201,7 @@ pub(super) mod tests {
     #[test]
     fn a_test_without_side_slip_has_no_picture_of_it() {
         let (mut test, formula) = swept();
-        test.side_slip.fill(0.0);
+        test.samples.iter_mut().for_each(|one| one.side_slip = 0.0);
         assert!(tyre(&test, &formula, Theme::Light).is_empty());
     }
 }

@@ -1,7 +1,5 @@
 //! Columns of a tyre test, turned into the axes of the library.
 
-use std::collections::BTreeMap;
-
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
@@ -18,26 +16,38 @@ pub enum Axes {
     Sae,
 }
 
-/// A tyre test in the axes of the library, ISO 8855, with a side slip that is positive to the left.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TyreTest {
+/// A sample of a tyre test in the axes of the library, ISO 8855, with a side slip that is positive to the left. What its
+/// file does not have is None.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
     /// Load F_z, N.
-    pub load: Vec<f64>,
+    pub load: f64,
     /// Side slip, rad.
-    pub side_slip: Vec<f64>,
+    pub side_slip: f64,
     /// Longitudinal slip.
-    pub longitudinal_slip: Vec<f64>,
+    pub longitudinal_slip: f64,
     /// Camber, rad.
-    pub camber: Vec<f64>,
-    /// Force along x, N, if it was measured.
-    pub force_x: Option<Vec<f64>>,
+    pub camber: f64,
+    /// Force along x, N.
+    pub force_x: Option<f64>,
     /// Force along y, N.
-    pub force_y: Vec<f64>,
-    /// Moment about z, N.m, if it was measured.
-    pub moment_z: Option<Vec<f64>>,
-    /// Inflation pressure, Pa, if it was measured.
-    pub pressure: Option<Vec<f64>>,
-    /// Notes on data that were ignored, with the reason.
+    pub force_y: Option<f64>,
+    /// Moment about z, N.m.
+    pub moment_z: Option<f64>,
+    /// Inflation pressure, Pa.
+    pub pressure: Option<f64>,
+    /// Number of its file.
+    pub file: usize,
+    /// Line in its file.
+    pub line: u64,
+}
+
+/// A tyre test: the samples of its files, one file after the other.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TyreTest {
+    /// The samples.
+    pub samples: Vec<Sample>,
+    /// Notes on data that were ignored, with the reason, and on what each file has.
     pub notes: Vec<String>,
 }
 
@@ -47,6 +57,12 @@ pub enum TyreTestError {
     /// The table cannot be read.
     #[error(transparent)]
     Sheet(#[from] SheetError),
+    /// The table has no force that can be fitted.
+    #[error("{missing}; a test without side force needs a longitudinal force over a longitudinal slip that is swept")]
+    Force {
+        /// The columns.
+        missing: SheetError,
+    },
     /// A load has the wrong sign.
     #[error("line {line}, {name}: {value} N: must be {wanted} with these axes")]
     Load {
@@ -78,11 +94,11 @@ pub enum TyreTestError {
         count: usize,
     },
     /// No sample has the pressure that was asked for.
-    #[error("pressure = {wanted} Pa: must be one of those of the test, {levels} kPa")]
+    #[error("pressure = {wanted} Pa: must be one of those of the test, {levels}")]
     Pressure {
         /// The pressure.
         wanted: f64,
-        /// Those of the test, in kPa.
+        /// Those of the test.
         levels: String,
     },
     /// The side force has the wrong sign.
@@ -92,6 +108,9 @@ pub enum TyreTestError {
     )]
     SideForce,
 }
+
+/// Slips up to which the other slip counts as pure (chosen).
+pub const PURE: f64 = 0.01;
 
 /// Least number of samples (chosen: twice the coefficients of the side force).
 pub(super) const LEAST: usize = 40;
@@ -138,29 +157,6 @@ fn measured_slip(name: &str, slip: Vec<f64>) -> (Vec<f64>, Option<String>) {
     (vec![0.0; slip.len()], Some(note))
 }
 
-/// Relative width in which pressures are counted, and part of the samples from which they are a level (chosen).
-const WIDTH: f64 = 0.02;
-const LEVEL: f64 = 0.02;
-
-/// The levels of a pressure: between them it only passes. Each has its samples.
-fn levels(pressure: &[f64]) -> Vec<Vec<usize>> {
-    let mut counts: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
-    for (at, one) in pressure.iter().enumerate() {
-        counts.entry((one.ln() / WIDTH).round() as i64).or_default().push(at);
-    }
-    let least = LEVEL * pressure.len() as f64;
-    let (mut levels, mut last): (Vec<Vec<usize>>, Option<i64>) = (Vec::new(), None);
-    for (bin, samples) in counts.into_iter().filter(|(_, samples)| samples.len() as f64 >= least) {
-        match levels.last_mut().filter(|_| last == Some(bin - 1)) {
-            Some(level) => level.extend(samples),
-            None => levels.push(samples),
-        }
-        last = Some(bin);
-    }
-    levels.iter_mut().for_each(|level| level.sort_unstable());
-    levels
-}
-
 /// Refuses loads with the sign of other axes.
 fn check_load(sheet: &Sheet, name: &str, load: &[f64], axes: Axes) -> Result<(), TyreTestError> {
     let (sign, wanted) = if axes == Axes::Sae { (-1.0, "<= 0") } else { (1.0, ">= 0") };
@@ -178,86 +174,140 @@ const FORCE_X: &[&str] = &["F_x", "FX", "force_x"];
 const MOMENT_Z: &[&str] = &["M_z", "MZ", "moment_z"];
 const INFLATION: &[&str] = &["P", "pressure", "inflation_pressure"];
 
+/// Longitudinal slip, if there is one.
+fn longitudinal_slip(sheet: &Sheet, notes: &mut Vec<String>) -> Result<Option<Vec<f64>>, SheetError> {
+    let Some((name, slip)) = named(sheet, LONGITUDINAL_SLIP, &SLIP)? else { return Ok(None) };
+    let (slip, note) = measured_slip(name, slip);
+    notes.extend(note);
+    Ok(Some(slip))
+}
+
+/// Side slip; braking and driving straight on need none.
+fn side_slip(sheet: &Sheet, is_driven: bool, notes: &mut Vec<String>) -> Result<Option<Named>, SheetError> {
+    match named(sheet, SIDE_SLIP, &ANGLE)? {
+        None if is_driven => {
+            notes.push(format!("no column '{}': the side slip is 0", SIDE_SLIP.join("', '")));
+            Ok(None)
+        }
+        None => Err(sheet.missing(&SIDE_SLIP.join("', '"))),
+        found => Ok(found),
+    }
+}
+
+/// Inflation pressure, if it was measured.
+fn inflation(sheet: &Sheet, notes: &mut Vec<String>) -> Result<Option<Vec<f64>>, SheetError> {
+    let Some((name, pressure)) = named(sheet, INFLATION, &PRESSURE)? else { return Ok(None) };
+    let is_measured = pressure.iter().all(|one| *one > 0.0);
+    if !is_measured {
+        notes.push(format!("{name} is not > 0 throughout and is ignored as not measured"));
+    }
+    Ok(Some(pressure).filter(|_| is_measured))
+}
+
+/// The error for a table without a force that can be fitted.
+fn without_force(sheet: &Sheet) -> TyreTestError {
+    let missing = sheet.missing(&FORCE_Y.join("', '"));
+    TyreTestError::Force { missing }
+}
+
+/// A column under its name.
+type Named = (&'static str, Vec<f64>);
+
+/// The columns of a table, in its axes.
+struct Measured {
+    load: Named,
+    side_slip: Option<Named>,
+    longitudinal_slip: Option<Vec<f64>>,
+    camber: Option<Named>,
+    force_x: Option<Vec<f64>>,
+    force_y: Option<Vec<f64>>,
+    moment_z: Option<Vec<f64>>,
+    pressure: Option<Vec<f64>>,
+}
+
+impl Measured {
+    fn of(sheet: &Sheet, notes: &mut Vec<String>) -> Result<Measured, TyreTestError> {
+        let load = required(sheet, LOAD, &FORCE)?;
+        let values = |names, quantity| Ok::<_, SheetError>(named(sheet, names, quantity)?.map(|(_, values)| values));
+        let longitudinal_slip = longitudinal_slip(sheet, notes)?;
+        // Beside a slip that was not swept, the force along x is the drag of a wheel that rolls freely.
+        let is_swept = longitudinal_slip.iter().flatten().any(|slip| slip.abs() > PURE);
+        let force_x = values(FORCE_X, &FORCE)?.filter(|_| is_swept);
+        let force_y = values(FORCE_Y, &FORCE)?;
+        if force_x.is_none() && force_y.is_none() {
+            return Err(without_force(sheet));
+        }
+        let side_slip = side_slip(sheet, force_x.is_some(), notes)?;
+        let (camber, moment_z) = (named(sheet, CAMBER, &ANGLE)?, values(MOMENT_Z, &MOMENT)?);
+        let pressure = inflation(sheet, notes)?;
+        Ok(Measured { load, side_slip, longitudinal_slip, camber, force_x, force_y, moment_z, pressure })
+    }
+
+    fn sample(&self, row: usize, line: u64) -> Sample {
+        let at = |values: &Option<Vec<f64>>| values.as_ref().map(|values| values[row]);
+        let angle = |angles: &Option<Named>| angles.as_ref().map_or(0.0, |(_, angles)| angles[row]);
+        Sample {
+            load: self.load.1[row],
+            side_slip: angle(&self.side_slip),
+            longitudinal_slip: at(&self.longitudinal_slip).unwrap_or(0.0),
+            camber: angle(&self.camber),
+            force_x: at(&self.force_x),
+            force_y: at(&self.force_y),
+            moment_z: at(&self.moment_z),
+            pressure: at(&self.pressure),
+            file: 0,
+            line,
+        }
+    }
+}
+
 impl TyreTest {
     /// Names of the columns of a test, those of one quantity together.
     pub const COLUMNS: [&[&str]; 8] =
         [LOAD, SIDE_SLIP, FORCE_Y, LONGITUDINAL_SLIP, CAMBER, FORCE_X, MOMENT_Z, INFLATION];
 
-    /// Reads a table with the columns F_z, alpha and F_y, and perhaps kappa, gamma, F_x, M_z and P.
+    /// Reads a table with the columns F_z, alpha and F_y, and perhaps kappa, gamma, F_x, M_z and P; a table of braking
+    /// and driving needs kappa and F_x, but neither alpha nor F_y.
     pub fn of(sheet: &Sheet, axes: Axes) -> Result<TyreTest, TyreTestError> {
-        let (load_name, load) = required(sheet, LOAD, &FORCE)?;
-        let (slip_name, side_slip) = required(sheet, SIDE_SLIP, &ANGLE)?;
-        let (_, force_y) = required(sheet, FORCE_Y, &FORCE)?;
-        let slip = named(sheet, LONGITUDINAL_SLIP, &SLIP)?;
-        let camber = named(sheet, CAMBER, &ANGLE)?;
-        let force_x = named(sheet, FORCE_X, &FORCE)?.map(|(_, values)| values);
-        let moment_z = named(sheet, MOMENT_Z, &MOMENT)?.map(|(_, values)| values);
-        let pressure = named(sheet, INFLATION, &PRESSURE)?.map(|(_, values)| values);
-        let count = load.len();
+        let mut notes: Vec<String> = sheet.note().map(str::to_owned).into_iter().collect();
+        let measured = Measured::of(sheet, &mut notes)?;
+        let count = measured.load.1.len();
         if count < LEAST {
             return Err(TyreTestError::Short { count });
         }
-        check_angle(sheet, slip_name, &side_slip)?;
-        camber.as_ref().map_or(Ok(()), |(name, angles)| check_angle(sheet, name, angles))?;
-        check_load(sheet, load_name, &load, axes)?;
-        let camber = camber.map_or_else(|| vec![0.0; count], |(_, values)| values);
-        let slip = slip.map(|(name, values)| measured_slip(name, values));
-        let (longitudinal_slip, note) = slip.unwrap_or_else(|| (vec![0.0; count], None));
-        let notes = sheet.note().map(str::to_owned).into_iter().chain(note).collect();
-        let mut test =
-            TyreTest { load, side_slip, longitudinal_slip, camber, force_x, force_y, moment_z, pressure, notes };
-        if axes == Axes::Sae {
-            test.turn();
+        for (name, angles) in [&measured.side_slip, &measured.camber].into_iter().flatten() {
+            check_angle(sheet, name, angles)?;
         }
-        // Each sample by itself may be on the wrong side, by a shift or at large camber.
-        let work: f64 = test.side_slip.iter().zip(&test.force_y).map(|(slip, force)| slip * force).sum();
-        if work > 0.0 { Err(TyreTestError::SideForce) } else { Ok(test) }
+        check_load(sheet, measured.load.0, &measured.load.1, axes)?;
+        let samples = (0..count).map(|row| measured.sample(row, sheet.line(row)));
+        let samples = samples.map(|one| if axes == Axes::Sae { one.turned() } else { one }).collect();
+        let test = TyreTest { samples, notes };
+        if test.is_mirrored() { Err(TyreTestError::SideForce) } else { Ok(test) }
     }
 
-    /// Keeps the samples of one inflation pressure, in Pa; without one those of the pressure with the most samples.
-    pub fn at_pressure(&mut self, wanted: Option<f64>) -> Result<(), TyreTestError> {
-        let Some(pressure) = self.pressure.as_ref().filter(|all| all.iter().all(|one| *one > 0.0)) else {
-            let levels = "none".to_owned();
-            return wanted.map_or(Ok(()), |wanted| Err(TyreTestError::Pressure { wanted, levels }));
-        };
-        let levels = levels(pressure);
-        let mean = |level: &Vec<usize>| level.iter().map(|at| pressure[*at]).sum::<f64>() / level.len() as f64;
-        let shown = levels.iter().map(|level| format!("{:.1}", 1e-3 * mean(level))).collect::<Vec<_>>().join(", ");
-        let distance = |level: &&Vec<usize>| wanted.map_or(0.0, |wanted| (mean(level) / wanted).ln().abs());
-        let chosen = match wanted {
-            None => levels.iter().max_by_key(|level| level.len()),
-            Some(_) => levels.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))),
-        };
-        let Some(chosen) = chosen.filter(|level| distance(level) <= 2.0 * WIDTH) else {
-            return wanted.map_or(Ok(()), |wanted| Err(TyreTestError::Pressure { wanted, levels: shown }));
-        };
-        if levels.len() > 1 {
-            self.notes.push(format!(
-                "inflation pressures of {shown} kPa: fitted to the {} samples at {:.1} kPa, for version 5.2 of the \
-                 formula has none; another one: --pressure",
-                chosen.len(),
-                1e-3 * mean(chosen)
-            ));
-            self.keep(&chosen.clone());
-        }
-        Ok(())
+    /// Whether the side force rises with the side slip. Each sample by itself may be on the wrong side, by a shift or at
+    /// large camber, and so are many without side slip.
+    fn is_mirrored(&self) -> bool {
+        let slips = self.samples.iter().filter(|one| one.side_slip.abs() > PURE);
+        slips.map(|one| one.side_slip * one.force_y.unwrap_or(0.0)).sum::<f64>() > 0.0
+    }
+}
+
+impl Sample {
+    /// After a half turn about x: y and z change their signs, and with them what is measured along them. A camber is a
+    /// turn about x.
+    fn turned(self) -> Sample {
+        let [force_y, moment_z] = [self.force_y, self.moment_z].map(|value| value.map(|value| -value));
+        Sample { load: -self.load, side_slip: -self.side_slip, force_y, moment_z, ..self }
     }
 
-    /// Keeps samples.
-    fn keep(&mut self, samples: &[usize]) {
-        let TyreTest { load, side_slip, longitudinal_slip, camber, force_x, force_y, moment_z, pressure, .. } = self;
-        let given = [load, side_slip, longitudinal_slip, camber, force_y].into_iter();
-        let measured = [force_x, moment_z, pressure].into_iter().flatten();
-        for column in given.chain(measured) {
-            *column = samples.iter().map(|at| column[*at]).collect();
-        }
+    /// Whether the wheel rolls freely.
+    pub fn is_rolling(&self) -> bool {
+        self.longitudinal_slip.abs() <= PURE
     }
 
-    /// A half turn about x: y and z change their signs, and with them what is measured along them. A camber is a turn
-    /// about x.
-    fn turn(&mut self) {
-        let moment = self.moment_z.iter_mut().flatten();
-        let turned = self.load.iter_mut().chain(&mut self.side_slip).chain(&mut self.force_y).chain(moment);
-        turned.for_each(|value| *value = -*value);
+    /// Whether the wheel does not slip sideways.
+    pub fn is_straight(&self) -> bool {
+        self.side_slip.abs() <= PURE
     }
 }

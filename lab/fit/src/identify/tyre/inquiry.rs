@@ -9,17 +9,21 @@ use stribeck_solve::job::{self, Entry};
 use stribeck_solve::system::Fault;
 use thiserror::Error;
 
+use super::super::experiment::names;
+use super::files::joined;
 use super::{Axes, TyreTask, TyreTest, TyreTestError};
-use stribeck_sheet::{Sheet, of_file, table};
+use stribeck_sheet::{Sheet, SheetError, of_file, table};
 
 /// A tyre test, and what is known of it.
 #[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Inquiry {
-    /// The tyre property file (.tir), with coefficients of the Magic Formula 5.2, 6.1 or 6.2; or a table of a tyre
-    /// test, with the columns FZ, SA (alpha), FY, and perhaps SR (kappa), IA (gamma), FX, MZ and P
-    pub record: Option<PathBuf>,
-    /// Name of a column in the table of a test: SA=Schraeglaufwinkel
+    /// The tyre property file (.tir), with coefficients of the Magic Formula 5.2, 6.1 or 6.2; or the tables of a tyre
+    /// test, one or several, with the columns FZ, SA (alpha), FY, and perhaps SR (kappa), IA (gamma), FX, MZ and P; of
+    /// braking and driving FZ, SR and FX, and perhaps the others
+    #[serde(alias = "record", deserialize_with = "job::names")]
+    pub records: Vec<PathBuf>,
+    /// Name of a column in the tables of a test: SA=Schraeglaufwinkel
     #[arg(long, value_name = "NAME=COLUMN")]
     #[serde(with = "job::table")]
     pub column: Vec<Entry<String>>,
@@ -74,14 +78,23 @@ pub enum TyreInquiryError {
 }
 
 impl Inquiry {
-    /// The file.
-    pub fn file(&self) -> Result<&Path, Fault> {
-        self.record.as_deref().ok_or_else(|| Fault::value("no record was given"))
+    /// The tyre property file, if the record is one; it stands alone.
+    pub fn property_file(&self) -> Result<Option<&Path>, Fault> {
+        let is_one = |path: &&PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("tir"));
+        match (&self.records[..], self.records.iter().find(is_one)) {
+            ([], _) => Err(Fault::value("no record was given")),
+            ([_], found) => Ok(found.map(PathBuf::as_path)),
+            (_, Some(one)) => {
+                let text = format_args!("{}: a tyre property file stands alone, without other files", one.display());
+                Err(Fault::value(text))
+            }
+            _ => Ok(None),
+        }
     }
 
     /// Refuses what only a test has.
     pub fn refuse_test(&self) -> Result<(), Fault> {
-        if *self == (Inquiry { record: self.record.clone(), ..Inquiry::default() }) {
+        if *self == (Inquiry { records: self.records.clone(), ..Inquiry::default() }) {
             return Ok(());
         }
         Err(Fault::value(
@@ -91,13 +104,27 @@ impl Inquiry {
 
     /// Reads the test.
     pub fn test(&self) -> Result<TyreTest, TyreInquiryError> {
-        let path = self.file()?;
+        if self.records.is_empty() {
+            return Err(Fault::value("no record was given").into());
+        }
         let axes = self.axes.ok_or_else(|| Fault::value("axes: a tyre test needs iso or sae"))?;
-        let refused = |source: TyreTestError| TyreInquiryError::Test { path: path.into(), source };
-        let sheet = self.renamed(table(path, self.sheet.as_deref()).map_err(|error| refused(error.into()))?, path)?;
-        let mut test = TyreTest::of(&sheet, axes).map_err(refused)?;
+        let paths: Vec<&Path> = self.records.iter().map(PathBuf::as_path).collect();
+        let sheets = paths.iter().map(|path| self.read(path)).collect::<Result<Vec<Sheet>, TyreInquiryError>>()?;
+        self.check_columns(&sheets)?;
+        let tests = paths.iter().zip(sheets).map(|(path, sheet)| {
+            let refused = |source| TyreInquiryError::Test { path: (*path).into(), source };
+            TyreTest::of(&self.renamed(sheet), axes).map_err(refused)
+        });
+        let tests = tests.collect::<Result<Vec<TyreTest>, TyreInquiryError>>()?;
+        let mut test = joined(names(&paths).into_iter().zip(tests).collect());
+        let refused = |source| TyreInquiryError::Test { path: paths[0].into(), source };
         test.at_pressure(self.pressure).map_err(refused)?;
         Ok(test)
+    }
+
+    fn read(&self, path: &Path) -> Result<Sheet, TyreInquiryError> {
+        let refused = |error: SheetError| TyreInquiryError::Test { path: path.into(), source: error.into() };
+        table(path, self.sheet.as_deref()).map_err(refused)
     }
 
     /// Properties of the tyre that the test does not show.
@@ -108,21 +135,32 @@ impl Inquiry {
         Ok(TyreTask { radius, nominal_load: self.nominal_load, side, fixed })
     }
 
-    /// The table with the names of columns as they are here.
-    fn renamed(&self, mut sheet: Sheet, path: &Path) -> Result<Sheet, Fault> {
+    /// Refuses names of columns that no file has.
+    fn check_columns(&self, sheets: &[Sheet]) -> Result<(), Fault> {
         for Entry(name, column) in &self.column {
-            let is_named = |names: &&&[&str]| names.iter().any(|known| known.eq_ignore_ascii_case(name));
             let known = || TyreTest::COLUMNS.iter().flat_map(|names| names.iter().copied());
-            let names = TyreTest::COLUMNS.iter().find(is_named);
-            let names = names.ok_or_else(|| Fault::unknown("quantity of a tyre test", name, known()))?;
-            if !sheet.has(column) {
-                return Err(Fault::File(format!("{}: no column '{column}' for {name}", path.display())));
+            quantity(name).ok_or_else(|| Fault::unknown("quantity of a tyre test", name, known()))?;
+            if !sheets.iter().any(|sheet| sheet.has(column)) {
+                let files: Vec<String> = self.records.iter().map(|path| path.display().to_string()).collect();
+                return Err(Fault::File(format!("{}: no column '{column}' for {name}", files.join(", "))));
             }
-            // The first name is looked for first, so that no other column takes its place.
-            sheet.rename(column, names[0]);
         }
-        Ok(sheet)
+        Ok(())
     }
+
+    /// The table with the names of columns as they are here; each file may have its own.
+    fn renamed(&self, mut sheet: Sheet) -> Sheet {
+        for Entry(name, column) in &self.column {
+            // The first name is looked for first, so that no other column takes its place.
+            quantity(name).into_iter().for_each(|names| sheet.rename(column, names[0]));
+        }
+        sheet
+    }
+}
+
+/// The names of the quantity that has this one.
+fn quantity(name: &str) -> Option<&'static [&'static str]> {
+    TyreTest::COLUMNS.into_iter().find(|names| names.iter().any(|known| known.eq_ignore_ascii_case(name)))
 }
 
 #[cfg(test)]
@@ -138,6 +176,10 @@ mod tests {
         let refusal = described("axes = \"sae\"").task().unwrap_err().to_string();
         assert_eq!(refusal, "radius: a tyre test needs the radius without load");
         assert!(described("record = \"a.tir\"").refuse_test().is_ok());
+        let several = described("records = [\"a.csv\", \"b.TIR\"]").property_file().unwrap_err().to_string();
+        assert_eq!(several, "b.TIR: a tyre property file stands alone, without other files");
+        assert_eq!(described("records = \"b.TIR\"").property_file().unwrap(), Some(Path::new("b.TIR")));
+        assert_eq!(described("records = [\"a.csv\", \"b.csv\"]").property_file().unwrap(), None);
         for option in [
             "axes = \"iso\"",
             "radius = 0.3",

@@ -10,7 +10,9 @@
 mod coefficient;
 mod columns;
 mod file;
+mod files;
 mod inquiry;
+mod pressure;
 mod problem;
 #[cfg(test)]
 mod tests;
@@ -18,7 +20,7 @@ mod tests;
 use stribeck::host::{MagicFormula, Side};
 use stribeck::model::{Columns, row_of, row_of_mut, start};
 
-pub use columns::{Axes, TyreTest, TyreTestError};
+pub use columns::{Axes, PURE, Sample, TyreTest, TyreTestError};
 pub use file::{property_file, table};
 pub use inquiry::{Inquiry, SideChoice, TyreInquiryError};
 
@@ -89,9 +91,6 @@ const ESSENTIAL: [&[&str]; 6] = [
     &[],
 ];
 
-/// Slips up to which the other slip counts as pure (chosen).
-pub const PURE: f64 = 0.01;
-
 /// Distance from an end of a range, as a part of it, that counts as the end (chosen).
 const AT_END: f64 = 1e-4;
 
@@ -106,25 +105,26 @@ pub fn fit_tyre(test: &TyreTest, task: &TyreTask) -> Result<TyreFit, Fault> {
     let nominal = check(test, task)?;
     let formula = neutral(task, nominal);
     let mut fitter = Fitter { test, task, formula, dropped: Vec::new(), kept: Vec::new(), notes: test.notes.clone() };
-    let pure = |slip: &[f64]| -> Vec<usize> { (0..slip.len()).filter(|at| slip[*at].abs() <= PURE).collect() };
-    let [side, straight] = [pure(&test.longitudinal_slip), pure(&test.side_slip)];
-    let all: Vec<usize> = (0..test.load.len()).collect();
-    fitter.lateral(&side)?;
-    let is_combined = side.len() < all.len();
-    if test.force_x.is_some() && is_combined {
-        fitter.group(LONGITUDINAL, Channel::ForceX, &straight)?;
-        fitter.group(COMBINED_X, Channel::ForceX, &all)?;
+    let where_all = |is_one: &dyn Fn(&Sample) -> bool, channel: Channel| -> Vec<usize> {
+        channel.samples(test).into_iter().filter(|at| is_one(&test.samples[*at])).collect()
+    };
+    fitter.lateral(&where_all(&Sample::is_rolling, Channel::ForceY))?;
+    let is_combined = test.samples.iter().any(|one| !one.is_rolling());
+    let is_driven = is_combined && !Channel::ForceX.samples(test).is_empty();
+    if is_driven {
+        fitter.group(LONGITUDINAL, Channel::ForceX, &where_all(&Sample::is_straight, Channel::ForceX))?;
+        fitter.group(COMBINED_X, Channel::ForceX, &Channel::ForceX.samples(test))?;
     }
     if is_combined {
-        fitter.group(COMBINED_Y, Channel::ForceY, &all)?;
+        fitter.group(COMBINED_Y, Channel::ForceY, &Channel::ForceY.samples(test))?;
     }
-    if test.moment_z.is_some() {
-        fitter.group(ALIGNING, Channel::MomentZ, &side)?;
-        if test.force_x.is_some() && is_combined {
-            fitter.group(ARM, Channel::MomentZ, &all)?;
+    if !Channel::MomentZ.samples(test).is_empty() {
+        fitter.group(ALIGNING, Channel::MomentZ, &where_all(&Sample::is_rolling, Channel::MomentZ))?;
+        if is_driven {
+            fitter.group(ARM, Channel::MomentZ, &Channel::MomentZ.samples(test))?;
         }
     }
-    fitter.together(&all)
+    fitter.together()
 }
 
 /// Refuses what no tyre has; the nominal load.
@@ -132,12 +132,13 @@ fn check(test: &TyreTest, task: &TyreTask) -> Result<f64, Fault> {
     if !(task.radius > 0.0 && task.radius.is_finite()) {
         return Err(Fault::value(format_args!("radius = {}: must be > 0 and finite, in m", task.radius)));
     }
-    let mean = test.load.iter().sum::<f64>() / test.load.len() as f64;
+    let mean = test.samples.iter().map(|one| one.load).sum::<f64>() / test.samples.len() as f64;
     let nominal = task.nominal_load.unwrap_or(mean);
     if !(nominal > 0.0 && nominal.is_finite()) {
         return Err(Fault::value(format_args!("nominal load = {nominal}: must be > 0 and finite, in N")));
     }
-    let most = test.side_slip.iter().fold(0.0, |most: f64, slip| most.max(slip.abs()));
+    let slips = test.samples.iter().filter(|one| one.force_y.is_some()).map(|one| one.side_slip.abs());
+    let most = slips.fold(0.0, f64::max);
     for (key, value) in &task.fixed {
         let keys: Vec<String> =
             GROUPS.iter().flat_map(|group| group.iter()).map(|one| one.name.to_uppercase()).collect();
@@ -261,7 +262,7 @@ impl Fitter<'_> {
         let mut ends = STARTS.map(begin).to_vec();
         ends.sort_by(|a, b| a.0.total_cmp(&b.0));
         let variance = 2.0 * ends[0].0 / count as f64;
-        let level = self.test.force_y.iter().map(|force| force * force).sum::<f64>();
+        let level = self.test.samples.iter().filter_map(|one| one.force_y).map(|force| force * force).sum::<f64>();
         if 2.0 * (ends[1].0 - ends[0].0) > variance.max(1e-9 * level) {
             self.notes.push(
                 "fits of the side force from different starts end at different values: this is the best one; sweep the \
@@ -327,9 +328,10 @@ impl Fitter<'_> {
     }
 
     /// All coefficients that are left, on all channels.
-    fn together(mut self, all: &[usize]) -> Result<TyreFit, Fault> {
-        let channels = Channel::ALL.into_iter().filter(|channel| channel.measured(self.test).is_some());
-        let rows = Rows { samples: all.to_vec(), channels: channels.map(|channel| (channel, 1.0)).collect() };
+    fn together(mut self) -> Result<TyreFit, Fault> {
+        let channels = Channel::ALL.into_iter().filter(|channel| !channel.samples(self.test).is_empty());
+        let samples = (0..self.test.samples.len()).collect();
+        let rows = Rows { samples, channels: channels.map(|channel| (channel, 1.0)).collect() };
         loop {
             let mut problem = TyreProblem::new(self.test, self.formula, self.kept.clone(), rows.clone());
             problem.rows = weighed(&problem);

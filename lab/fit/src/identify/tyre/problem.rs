@@ -7,8 +7,8 @@ use stribeck::model::{Columns, row_of, row_of_mut};
 use stribeck::number::{Dual, Scalar};
 
 use super::super::least_squares::{Bounded, LeastSquares};
-use super::TyreTest;
 use super::coefficient::Coefficient;
+use super::{Sample, TyreTest};
 
 /// A measured quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,17 +33,22 @@ impl Channel {
         if self == Channel::MomentZ { "N.m" } else { "N" }
     }
 
-    pub fn measured(self, test: &TyreTest) -> Option<&[f64]> {
+    pub fn measured(self, sample: &Sample) -> Option<f64> {
         match self {
-            Channel::ForceX => test.force_x.as_deref(),
-            Channel::ForceY => Some(&test.force_y),
-            Channel::MomentZ => test.moment_z.as_deref(),
+            Channel::ForceX => sample.force_x,
+            Channel::ForceY => sample.force_y,
+            Channel::MomentZ => sample.moment_z,
         }
+    }
+
+    /// Numbers of the samples in which it was measured.
+    pub fn samples(self, test: &TyreTest) -> Vec<usize> {
+        (0..test.samples.len()).filter(|at| self.measured(&test.samples[*at]).is_some()).collect()
     }
 
     /// Largest magnitude in a test.
     pub fn largest(self, test: &TyreTest) -> f64 {
-        self.measured(test).unwrap_or_default().iter().fold(0.0, |most, value| most.max(value.abs()))
+        test.samples.iter().filter_map(|one| self.measured(one)).fold(0.0, |most, value| most.max(value.abs()))
     }
 
     fn of<T: Copy>(self, wrench: &Wrench<T>) -> T {
@@ -120,41 +125,48 @@ impl<'a> TyreProblem<'a> {
         formula
     }
 
-    /// Values of the channels at each sample, one sample after the other.
+    /// The channels that were measured at a sample, each with its number and value.
+    fn measured(&self, at: usize) -> impl Iterator<Item = (usize, f64)> {
+        let channels = self.rows.channels.iter().enumerate();
+        channels.filter_map(move |(number, (channel, _))| Some((number, channel.measured(&self.test.samples[at])?)))
+    }
+
+    /// Values of the measured channels at each sample, one sample after the other.
     fn predicted<T: Scalar>(&self, formula: &MagicFormula<T>) -> Vec<T> {
-        let test = self.test;
         let mut all = Vec::with_capacity(self.rows.samples.len() * self.rows.channels.len());
         for at in &self.rows.samples {
+            let sample = &self.test.samples[*at];
             let contact = Contact {
-                load: T::from(test.load[*at]),
-                longitudinal_slip: T::from(test.longitudinal_slip[*at]),
-                side_slip: T::from(test.side_slip[*at]),
-                camber: T::from(test.camber[*at]),
+                load: T::from(sample.load),
+                longitudinal_slip: T::from(sample.longitudinal_slip),
+                side_slip: T::from(sample.side_slip),
+                camber: T::from(sample.camber),
                 speed: T::from(1.0),
             };
             let wrench = formula.wrench(&contact);
-            all.extend(self.rows.channels.iter().map(|(channel, _)| channel.of(&wrench)));
+            all.extend(self.measured(*at).map(|(number, _)| self.rows.channels[number].0.of(&wrench)));
         }
         all
     }
 
+    /// The numbers of channels and the measured values, in the order of what is predicted.
+    fn all_measured(&self) -> impl Iterator<Item = (usize, f64)> {
+        self.rows.samples.iter().flat_map(|at| self.measured(*at))
+    }
+
     /// Explained minus measured values of each channel.
     pub fn left(&self, formula: &MagicFormula) -> Vec<Vec<f64>> {
-        let predicted = self.predicted(formula);
-        let count = self.rows.channels.len();
-        let of_channel = |(number, (channel, _)): (usize, &(Channel, f64))| {
-            let measured = channel.measured(self.test).unwrap_or_default();
-            let samples = self.rows.samples.iter().enumerate();
-            samples.map(|(row, at)| predicted[count * row + number] - measured[*at]).collect()
-        };
-        self.rows.channels.iter().enumerate().map(of_channel).collect()
+        let mut left = vec![Vec::with_capacity(self.rows.samples.len()); self.rows.channels.len()];
+        for (predicted, (number, measured)) in self.predicted(formula).into_iter().zip(self.all_measured()) {
+            left[number].push(predicted - measured);
+        }
+        left
     }
 
     /// The residuals with their weights, one sample after the other.
     fn residuals(&self, formula: &MagicFormula) -> Vec<f64> {
-        let left = self.left(formula);
-        let at = |row: usize| self.rows.channels.iter().zip(&left).map(move |((_, weight), left)| weight * left[row]);
-        (0..self.rows.samples.len()).flat_map(at).collect()
+        let all = self.predicted(formula).into_iter().zip(self.all_measured());
+        all.map(|(predicted, (number, measured))| self.rows.channels[number].1 * (predicted - measured)).collect()
     }
 
     /// Derivatives of the weighted residuals with respect to a parameter.
@@ -164,8 +176,8 @@ impl<'a> TyreProblem<'a> {
             let here = at.replace(at.get() + 1);
             Dual { slope: f64::from(u8::from(here == seeded)), ..Dual::from(value) }
         });
-        let weights = self.rows.channels.iter().map(|(_, weight)| weight).cycle();
-        self.predicted(&dual).into_iter().zip(weights).map(|(one, weight)| weight * one.slope).collect()
+        let all = self.predicted(&dual).into_iter().zip(self.all_measured());
+        all.map(|(one, (number, _))| self.rows.channels[number].1 * one.slope).collect()
     }
 
     /// Half the weighted sum of squares.
@@ -192,12 +204,9 @@ impl<'a> TyreProblem<'a> {
 
     /// Root mean square of what was measured, with its weights.
     fn size(&self) -> f64 {
-        let of_channel = |(channel, weight): &(Channel, f64)| {
-            let measured = channel.measured(self.test).unwrap_or_default();
-            self.rows.samples.iter().map(|at| (weight * measured[*at]).powi(2)).sum::<f64>()
-        };
-        let count = self.rows.samples.len() * self.rows.channels.len();
-        (self.rows.channels.iter().map(of_channel).sum::<f64>() / count.max(1) as f64).sqrt()
+        let weighted = self.all_measured().map(|(number, measured)| self.rows.channels[number].1 * measured);
+        let (square, count) = weighted.fold((0.0, 0), |(sum, count), one| (sum + one * one, count + 1));
+        (square / f64::from(count.max(1))).sqrt()
     }
 
     /// Residual of a move of a parameter by its whole range.

@@ -106,8 +106,9 @@ fn coefficients_come_back_from_a_test_in_either_axes() {
     let contacts = contacts(&[0.0, -0.05, 0.05], &LOADS, true);
     let iso = test_of(&written(&truth, &contacts, 0.005, Axes::Iso), Axes::Iso).unwrap();
     let sae = test_of(&written(&truth, &contacts, 0.005, Axes::Sae), Axes::Sae).unwrap();
-    for (a, b) in iso.force_y.iter().zip(&sae.force_y).chain(iso.side_slip.iter().zip(&sae.side_slip)) {
-        assert_relative_eq!(a, b, max_relative = 1e-12);
+    for (a, b) in iso.samples.iter().zip(&sae.samples) {
+        assert_relative_eq!(a.force_y.unwrap(), b.force_y.unwrap(), max_relative = 1e-12);
+        assert_relative_eq!(a.side_slip, b.side_slip, max_relative = 1e-12);
     }
     let fit = fit_tyre(&iso, &task(&[])).unwrap();
     let (mut held, mut determined) = (0, 0);
@@ -228,7 +229,7 @@ fn a_slip_that_was_not_measured_and_several_pressures_are_noted() {
         rows.lines().take(4).enumerate().map(|one| row(one, 72.0 + 2.0 * one.0 as f64, 0.95)).collect();
     let high: String = rows.lines().chain(rows.lines().take(20)).enumerate().map(|one| row(one, 83.0, 1.0)).collect();
     let test = test_of(&format!("{heading},P [kPa]\n{low}{passing}{high}"), Axes::Sae).unwrap();
-    assert!(test.longitudinal_slip.iter().all(|slip| *slip == 0.0));
+    assert!(test.samples.iter().all(|one| one.longitudinal_slip == 0.0));
     assert!(test.notes[0].starts_with("SR is -0.9997 throughout and is ignored as not measured"), "{:?}", test.notes);
     let chosen = |pressure: Option<f64>| {
         let mut test = test.clone();
@@ -236,7 +237,7 @@ fn a_slip_that_was_not_measured_and_several_pressures_are_noted() {
     };
     let count = contacts.len();
     let [usual, lower] = [None, Some(68e3)].map(|pressure| chosen(pressure).unwrap());
-    assert_eq!([usual.load.len(), lower.load.len()], [count + 20, count]);
+    assert_eq!([usual.samples.len(), lower.samples.len()], [count + 20, count]);
     assert!(usual.notes[1].contains("of 68.0, 83.0 kPa: fitted to the 188 samples at 83.0 kPa"), "{:?}", usual.notes);
     let peak = |test: &TyreTest| {
         let fit = fit_tyre(test, &task(&[])).unwrap();
@@ -247,4 +248,81 @@ fn a_slip_that_was_not_measured_and_several_pressures_are_noted() {
     assert_relative_eq!(peak(&lower) / peak(&usual), 0.9, max_relative = 0.01);
     let refused = chosen(Some(75e3)).unwrap_err().to_string();
     assert_eq!(refused, "pressure = 75000 Pa: must be one of those of the test, 68.0, 83.0 kPa");
+}
+
+/// Cornering and braking as a team has them: two tables with columns and units of their own.
+fn cornering_and_braking() -> [String; 2] {
+    let (truth, sides, speed) = (truth(), contacts(&[0.0, 0.05], &LOADS, false), 10.0);
+    let mut cornering = "FZ [kN],SA [deg],IA [deg],FX [N],FY [lbf],SR\n".to_owned();
+    for one in &sides {
+        let ([alpha, gamma], force) = ([one.side_slip, one.camber].map(f64::to_degrees), truth.wrench(one).force_y);
+        let _ = writeln!(cornering, "{},{alpha},{gamma},-60,{},-1", 1e-3 * one.load, force / 4.448_221_615_260_5);
+    }
+    let mut braking = "FX;FZ;SR\nkN;N;%\n".to_owned();
+    for (load, step) in LOADS.into_iter().flat_map(|load| (0..60).map(move |step| (load, f64::from(step)))) {
+        let longitudinal_slip = 0.25 * (TAU * step / 60.0).sin();
+        let contact = Contact { load, longitudinal_slip, side_slip: 0.0, camber: 0.0, speed };
+        let _ = writeln!(braking, "{};{load};{}", 1e-3 * truth.wrench(&contact).force_x, 100.0 * longitudinal_slip);
+    }
+    [cornering, braking]
+}
+
+/// Files with these names and texts, as a user asks about them.
+fn asked(folder: &std::path::Path, files: &[(&str, &str)]) -> Inquiry {
+    let path = |(name, text): &(&str, &str)| {
+        let path = folder.join(name);
+        std::fs::write(&path, text).unwrap();
+        path
+    };
+    let (axes, radius, nominal_load) = (Some(Axes::Iso), Some(0.2), Some(700.0));
+    Inquiry { records: files.iter().map(path).collect(), axes, radius, nominal_load, ..Inquiry::default() }
+}
+
+/// Without noise the coefficients are those of the truth, whatever the order of the files.
+#[test]
+fn cornering_and_braking_in_files_of_their_own_are_fitted_together() {
+    let ([cornering, braking], folder) = (cornering_and_braking(), tempfile::tempdir().unwrap());
+    let [side, along] = [("side.csv", &*cornering), ("along.csv", &*braking)];
+    let expected = [
+        "side: SR is -1.000 throughout and is ignored as not measured: free rolling is assumed",
+        "side: 168 samples, 168 with side slip alone, 0 with longitudinal slip alone, 0 with both (slips up to 0.01 \
+         count as 0); fitted: F_y",
+        "along: no column 'alpha', 'SA', 'side_slip': the side slip is 0",
+        "along: 180 samples, 6 with side slip alone, 174 with longitudinal slip alone, 0 with both (slips up to 0.01 \
+         count as 0); fitted: F_x",
+    ];
+    assert_eq!(asked(folder.path(), &[side, along]).test().unwrap().notes, expected);
+    for files in [[side, along], [along, side]] {
+        let inquiry = asked(folder.path(), &files);
+        let fit = fit_tyre(&inquiry.test().unwrap(), &inquiry.task().unwrap()).unwrap();
+        for key in ["PCY1", "PDY1", "PEY1", "PKY1", "PKY2", "PCX1", "PDX1", "PEX1", "PKX1"] {
+            let known = row_of(&truth())[column(&key.to_lowercase())];
+            assert_relative_eq!(estimate(&fit, key).value, known, max_relative = 1e-3);
+        }
+        assert!(
+            matches!(&estimate(&fit, "RBX1").verdict, Verdict::Not(reason) if reason.contains("cornering at once"))
+        );
+        assert_eq!(fit.left.iter().map(|left| left.0).collect::<Vec<_>>(), ["F_x", "F_y"]);
+    }
+}
+
+#[test]
+fn a_spoilt_file_of_several_is_named() {
+    let ([cornering, braking], folder) = (cornering_and_braking(), tempfile::tempdir().unwrap());
+    let side = ("side.csv", &*cornering);
+    let with = |text: &str| asked(folder.path(), &[side, ("along.csv", text)]);
+    let refusal = |inquiry: Inquiry| inquiry.test().map(|_| ()).unwrap_err().to_string();
+    // Of braking alone no file can be made.
+    let alone = asked(folder.path(), &[("along.csv", &braking)]);
+    let refused = fit_tyre(&alone.test().unwrap(), &alone.task().unwrap()).map(|_| ()).unwrap_err().to_string();
+    assert!(refused.starts_with("the side slip is 0 throughout"), "{refused}");
+    let both = with(&braking);
+    let named = |entry: &str| Inquiry { column: vec![entry.parse().unwrap()], ..both.clone() };
+    assert_eq!(named("FZ=FZ").test().unwrap(), both.test().unwrap());
+    let refused = refusal(named("FZ=Last"));
+    assert!(refused.contains("side.csv, ") && refused.ends_with("along.csv: no column 'Last' for FZ"), "{refused}");
+    let refused = refusal(with(&braking.replace(";%", ";deg")));
+    assert!(refused.contains("along.csv: SR: unit 'deg', must be one of 1, %"), "{refused}");
+    let refused = refusal(with(&braking.replace("FX;", "Zug;")));
+    assert!(refused.contains("along.csv: no column 'F_y', 'FY', 'force_y'"), "{refused}");
 }
