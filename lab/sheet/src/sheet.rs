@@ -231,6 +231,24 @@ impl Sheet {
         self.column_in(name, quantity.units, quantity.name == TIME.name)
     }
 
+    /// Numbers of a column as they stand in the file, in its unit.
+    pub fn numbers(&self, name: &str) -> Result<Option<Vec<f64>>, SheetError> {
+        let Some(at) = (0..self.headings.len()).find(|at| self.headings[*at].is(name)) else { return Ok(None) };
+        (0..self.rows.len()).map(|row| self.number(row, at)).collect::<Result<Vec<f64>, SheetError>>().map(Some)
+    }
+
+    /// Keeps some of the rows, which keep their lines.
+    pub fn keep(&mut self, is_kept: &[bool]) {
+        let lines: Vec<u64> = (0..self.rows.len()).map(|row| self.line(row)).collect();
+        for (row, line) in self.rows.iter_mut().zip(lines) {
+            let mut position = csv::Position::new();
+            position.set_line(line);
+            row.set_position(Some(position));
+        }
+        let mut kept = is_kept.iter();
+        self.rows.retain(|_| kept.next().is_none_or(|kept| *kept));
+    }
+
     /// Values of a column that must be there, in an SI unit.
     pub fn values(&self, name: &str, unit: &str) -> Result<Vec<f64>, SheetError> {
         let own = [(unit, 1.0, 0.0)];

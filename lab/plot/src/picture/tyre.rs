@@ -155,12 +155,14 @@ pub(super) mod tests {
                     force_y: Some(wrench.force_y),
                     moment_z: Some(wrench.moment_z),
                     pressure: None,
+                    time: None,
+                    temperature: None,
                     file: 0,
                     line: samples.len() as u64,
                 });
             }
         }
-        (TyreTest { samples, notes: vec![] }, formula)
+        (TyreTest { samples, ..TyreTest::default() }, formula)
     }
 
     /// The numbers of the paths of a picture: pairs of places.

@@ -4,7 +4,7 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 use super::super::uncertainty::digits;
-use stribeck_sheet::{ANGLE, FORCE, MOMENT, PRESSURE, Quantity, SLIP, Sheet, SheetError};
+use stribeck_sheet::{ANGLE, FORCE, MOMENT, PRESSURE, Quantity, SLIP, Sheet, SheetError, TEMPERATURE, TIME};
 
 /// Axes of a tyre test.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize, ValueEnum)]
@@ -36,6 +36,10 @@ pub struct Sample {
     pub moment_z: Option<f64>,
     /// Inflation pressure, Pa.
     pub pressure: Option<f64>,
+    /// Time, s.
+    pub time: Option<f64>,
+    /// Temperature of the tread, K: the mean of the places where it was measured.
+    pub temperature: Option<f64>,
     /// Number of its file.
     pub file: usize,
     /// Line in its file.
@@ -49,6 +53,8 @@ pub struct TyreTest {
     pub samples: Vec<Sample>,
     /// Notes on data that were ignored, with the reason, and on what each file has.
     pub notes: Vec<String>,
+    /// Names of the files.
+    pub files: Vec<String>,
 }
 
 /// Reason why a table is not a tyre test.
@@ -173,6 +179,9 @@ const CAMBER: &[&str] = &["gamma", "IA", "camber"];
 const FORCE_X: &[&str] = &["F_x", "FX", "force_x"];
 const MOMENT_Z: &[&str] = &["M_z", "MZ", "moment_z"];
 const INFLATION: &[&str] = &["P", "pressure", "inflation_pressure"];
+const TIMES: &[&str] = &["time", "ET", "t"];
+/// Temperatures of the tread: in the middle, inside, outside.
+const TEMPERATURES: [&[&str]; 3] = [&["TSTC", "temperature"], &["TSTI"], &["TSTO"]];
 
 /// Longitudinal slip, if there is one.
 fn longitudinal_slip(sheet: &Sheet, notes: &mut Vec<String>) -> Result<Option<Vec<f64>>, SheetError> {
@@ -210,6 +219,35 @@ fn without_force(sheet: &Sheet) -> TyreTestError {
     TyreTestError::Force { missing }
 }
 
+/// Times, in s.
+pub(super) fn times(sheet: &Sheet) -> Result<Vec<f64>, TyreTestError> {
+    Ok(required(sheet, TIMES, &TIME)?.1)
+}
+
+/// A column that says something about the samples and is not fitted: the test does without one that cannot be read.
+fn beside(sheet: &Sheet, names: &[&str], quantity: &Quantity, notes: &mut Vec<String>) -> Option<Vec<f64>> {
+    match named(sheet, names, quantity) {
+        Ok(found) => found.map(|(_, values)| values),
+        Err(error) => {
+            notes.push(format!("{error}; the column is ignored"));
+            None
+        }
+    }
+}
+
+/// Mean temperature of the tread, from the columns that have units, of which kelvin is hardly ever meant without one.
+fn temperature(sheet: &Sheet, notes: &mut Vec<String>) -> Option<Vec<f64>> {
+    let mut all = Vec::new();
+    for names in TEMPERATURES {
+        match names.iter().find(|name| sheet.assumes_unit(name)) {
+            Some(name) => notes.push(format!("{name} has no unit; the column is ignored")),
+            None => all.extend(beside(sheet, names, &TEMPERATURE, notes)),
+        }
+    }
+    let mean = |row: usize| all.iter().map(|column| column[row]).sum::<f64>() / all.len() as f64;
+    Some((0..all.first()?.len()).map(mean).collect())
+}
+
 /// A column under its name.
 type Named = (&'static str, Vec<f64>);
 
@@ -223,6 +261,8 @@ struct Measured {
     force_y: Option<Vec<f64>>,
     moment_z: Option<Vec<f64>>,
     pressure: Option<Vec<f64>>,
+    time: Option<Vec<f64>>,
+    temperature: Option<Vec<f64>>,
 }
 
 impl Measured {
@@ -240,7 +280,12 @@ impl Measured {
         let side_slip = side_slip(sheet, force_x.is_some(), notes)?;
         let (camber, moment_z) = (named(sheet, CAMBER, &ANGLE)?, values(MOMENT_Z, &MOMENT)?);
         let pressure = inflation(sheet, notes)?;
-        Ok(Measured { load, side_slip, longitudinal_slip, camber, force_x, force_y, moment_z, pressure })
+        let (time, temperature) = (beside(sheet, TIMES, &TIME, notes), temperature(sheet, notes));
+        #[rustfmt::skip]
+        let measured = Measured {
+            load, side_slip, longitudinal_slip, camber, force_x, force_y, moment_z, pressure, time, temperature,
+        };
+        Ok(measured)
     }
 
     fn sample(&self, row: usize, line: u64) -> Sample {
@@ -255,6 +300,8 @@ impl Measured {
             force_y: at(&self.force_y),
             moment_z: at(&self.moment_z),
             pressure: at(&self.pressure),
+            time: at(&self.time),
+            temperature: at(&self.temperature),
             file: 0,
             line,
         }
@@ -263,8 +310,20 @@ impl Measured {
 
 impl TyreTest {
     /// Names of the columns of a test, those of one quantity together.
-    pub const COLUMNS: [&[&str]; 8] =
-        [LOAD, SIDE_SLIP, FORCE_Y, LONGITUDINAL_SLIP, CAMBER, FORCE_X, MOMENT_Z, INFLATION];
+    pub const COLUMNS: [&[&str]; 12] = [
+        LOAD,
+        SIDE_SLIP,
+        FORCE_Y,
+        LONGITUDINAL_SLIP,
+        CAMBER,
+        FORCE_X,
+        MOMENT_Z,
+        INFLATION,
+        TIMES,
+        TEMPERATURES[0],
+        TEMPERATURES[1],
+        TEMPERATURES[2],
+    ];
 
     /// Reads a table with the columns F_z, alpha and F_y, and perhaps kappa, gamma, F_x, M_z and P; a table of braking
     /// and driving needs kappa and F_x, but neither alpha nor F_y.
@@ -281,7 +340,7 @@ impl TyreTest {
         check_load(sheet, measured.load.0, &measured.load.1, axes)?;
         let samples = (0..count).map(|row| measured.sample(row, sheet.line(row)));
         let samples = samples.map(|one| if axes == Axes::Sae { one.turned() } else { one }).collect();
-        let test = TyreTest { samples, notes };
+        let test = TyreTest { samples, notes, files: Vec::new() };
         if test.is_mirrored() { Err(TyreTestError::SideForce) } else { Ok(test) }
     }
 

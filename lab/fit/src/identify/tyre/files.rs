@@ -1,6 +1,7 @@
 //! A tyre test of several files, and what each of them has.
 
 use super::columns::{PURE, Sample, TyreTest};
+use super::left_out::{by_temperature, without_load_sweeps};
 use super::pressure::in_words;
 
 /// Joins the tests of files, each with its name.
@@ -8,9 +9,12 @@ pub(super) fn joined(tests: Vec<(String, TyreTest)>) -> TyreTest {
     let mut all = TyreTest::default();
     let is_alone = tests.len() == 1;
     for (file, (name, test)) in tests.into_iter().enumerate() {
+        let test = without_load_sweeps(test);
         let named = |note: String| if is_alone { note } else { format!("{name}: {note}") };
         all.notes.extend(test.notes.into_iter().map(named));
         all.notes.push(format!("{name}: {}", contents(&test.samples)));
+        all.notes.extend(by_temperature(&test.samples).into_iter().map(|note| format!("{name}, {note}")));
+        all.files.push(name);
         all.samples.extend(test.samples.into_iter().map(|one| Sample { file, ..one }));
     }
     all

@@ -1,5 +1,6 @@
 //! A tyre test as a user describes it, and what is found in it.
 
+use std::cmp::Ordering::{Equal, Less};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -11,6 +12,7 @@ use thiserror::Error;
 
 use super::super::experiment::names;
 use super::files::joined;
+use super::left_out::leave_out;
 use super::{Axes, TyreTask, TyreTest, TyreTestError};
 use stribeck_sheet::{Sheet, SheetError, of_file, table};
 
@@ -30,6 +32,13 @@ pub struct Inquiry {
     /// Sheet of a spreadsheet (default: the first one with a table)
     #[arg(long, value_name = "NAME")]
     pub sheet: Option<String>,
+    /// Seconds at the start of each table of a test that are skipped (default: 0)
+    #[arg(long)]
+    pub skip: Option<f64>,
+    /// Samples of a test that are fitted: those in which a column is in a range, in the unit of its file: TSTC=50:70
+    #[arg(long, value_name = "COLUMN=LOW:HIGH", allow_hyphen_values = true)]
+    #[serde(with = "job::table")]
+    pub only: Vec<Entry<[f64; 2]>>,
     /// Axes of the test
     #[arg(long, value_enum)]
     pub axes: Option<Axes>,
@@ -98,7 +107,8 @@ impl Inquiry {
             return Ok(());
         }
         Err(Fault::value(
-            "axes, radius, pressure, nominal_load, side, column, sheet and fix: are for a tyre test, not for a .tir file",
+            "axes, radius, pressure, nominal_load, side, column, sheet, skip, only and fix: are for a tyre test, not for a \
+             .tir file",
         ))
     }
 
@@ -111,9 +121,13 @@ impl Inquiry {
         let paths: Vec<&Path> = self.records.iter().map(PathBuf::as_path).collect();
         let sheets = paths.iter().map(|path| self.read(path)).collect::<Result<Vec<Sheet>, TyreInquiryError>>()?;
         self.check_columns(&sheets)?;
-        let tests = paths.iter().zip(sheets).map(|(path, sheet)| {
+        self.check_left_out()?;
+        let tests = paths.iter().zip(sheets).map(|(path, mut sheet)| {
             let refused = |source| TyreInquiryError::Test { path: (*path).into(), source };
-            TyreTest::of(&self.renamed(sheet), axes).map_err(refused)
+            let note = leave_out(&mut sheet, self.skip, &self.only).map_err(refused)?;
+            let mut test = TyreTest::of(&self.renamed(sheet), axes).map_err(refused)?;
+            test.notes.extend(note);
+            Ok(test)
         });
         let tests = tests.collect::<Result<Vec<TyreTest>, TyreInquiryError>>()?;
         let mut test = joined(names(&paths).into_iter().zip(tests).collect());
@@ -133,6 +147,19 @@ impl Inquiry {
         let side = if self.side == Some(SideChoice::Right) { Side::Right } else { Side::Left };
         let fixed = self.fix.iter().map(|Entry(key, value)| (key.clone(), *value)).collect();
         Ok(TyreTask { radius, nominal_load: self.nominal_load, side, fixed })
+    }
+
+    /// Refuses times and ranges that nothing can be in.
+    fn check_left_out(&self) -> Result<(), Fault> {
+        if let Some(skip) = self.skip.filter(|skip| !(*skip >= 0.0 && skip.is_finite())) {
+            return Err(Fault::value(format_args!("skip = {skip}: must be >= 0 and finite, in s")));
+        }
+        match self.only.iter().find(|Entry(_, [low, high])| !matches!(low.partial_cmp(high), Some(Less | Equal))) {
+            Some(Entry(name, [low, high])) => {
+                Err(Fault::value(format_args!("only: {name} = {low}:{high}: must be LOW:HIGH with LOW <= HIGH")))
+            }
+            None => Ok(()),
+        }
     }
 
     /// Refuses names of columns that no file has.
@@ -187,6 +214,8 @@ mod tests {
             "fix = { PKY2 = 1.7 }",
             "column = { SA = \"a\" }",
             "sheet = \"a\"",
+            "skip = 1.0",
+            "only = { ET = [0, 1] }",
         ] {
             assert!(described(option).refuse_test().is_err(), "{option}");
         }

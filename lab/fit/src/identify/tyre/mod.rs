@@ -12,6 +12,7 @@ mod columns;
 mod file;
 mod files;
 mod inquiry;
+mod left_out;
 mod pressure;
 mod problem;
 #[cfg(test)]
@@ -28,6 +29,7 @@ use super::loss::Loss;
 use super::uncertainty::{DETERMINED, Known, WIDTH, residuals};
 use crate::tir::missing_value;
 use coefficient::{ALIGNING, ARM, COMBINED_X, COMBINED_Y, Coefficient, LATERAL, LONGITUDINAL};
+use left_out::by_residual;
 use problem::{Channel, Rows, TyreProblem, column};
 use stribeck_solve::system::Fault;
 
@@ -360,11 +362,26 @@ impl Fitter<'_> {
         let mut estimates: Vec<TyreEstimate> = kept.chain(fixed).chain(dropped).collect();
         estimates.sort_by_key(|one| column(&one.key.to_lowercase()));
         let groups = problem.left(&self.formula);
-        let left = problem.rows.channels.iter().zip(groups).map(|((channel, _), left)| {
+        let left = problem.rows.channels.iter().zip(&groups).map(|((channel, _), left)| {
             let rms = (left.iter().map(|one| one * one).sum::<f64>() / left.len().max(1) as f64).sqrt();
             (channel.name(), channel.unit(), rms, channel.largest(self.test))
         });
-        TyreFit { estimates, notes: self.notes.clone(), left: left.collect(), formula: self.formula }
+        let (left, notes) = (left.collect(), self.notes.iter().cloned().chain(self.far(problem, &groups)).collect());
+        TyreFit { estimates, notes, left, formula: self.formula }
+    }
+
+    /// Notes on residuals of the side force, by channel, that are far from the rest in their file.
+    fn far(&self, problem: &TyreProblem, groups: &[Vec<f64>]) -> Vec<String> {
+        let channel = Channel::ForceY;
+        let Some(number) = problem.rows.channels.iter().position(|(one, _)| *one == channel) else { return Vec::new() };
+        let samples = channel.samples(self.test).into_iter().map(|at| self.test.samples[at]);
+        let all: Vec<(Sample, f64)> = samples.zip(groups[number].iter().copied()).collect();
+        let of_file = |part: &[(Sample, f64)]| {
+            let (samples, left): (Vec<Sample>, Vec<f64>) = part.iter().copied().unzip();
+            let name = self.test.files.get(samples[0].file).cloned().unwrap_or_default();
+            by_residual(&samples, &left, channel.name()).into_iter().map(move |note| format!("{name}, {note}"))
+        };
+        all.chunk_by(|a, b| a.0.file == b.0.file).flat_map(of_file).collect()
     }
 }
 

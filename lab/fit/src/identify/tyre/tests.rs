@@ -8,6 +8,7 @@ use stribeck::host::Contact;
 
 use super::*;
 use stribeck_sheet::Sheet;
+use stribeck_solve::job::Entry;
 
 /// The set of the library, which has no moments, with the moments of a passenger car tyre (Pacejka 2006, Table A3.1).
 const MOMENTS: [(&str, f64); 13] = [
@@ -325,4 +326,84 @@ fn a_spoilt_file_of_several_is_named() {
     assert!(refused.contains("along.csv: SR: unit 'deg', must be one of 1, %"), "{refused}");
     let refused = refusal(with(&braking.replace("FX;", "Zug;")));
     assert!(refused.contains("along.csv: no column 'F_y', 'FY', 'force_y'"), "{refused}");
+}
+
+/// A test of three sweeps while the tyre warms up, a sweep of the load, the sweeps of the test, and a cold repetition.
+fn warmed_up() -> String {
+    let truth = truth();
+    let mut text = "ET,FZ,SA,FY,TSTC,TSTO\nsec,N,deg,N,deg F,deg C\n".to_owned();
+    let mut time = 0.0;
+    let mut row = |load: f64, side_slip: f64, celsius: f64, scale: f64| {
+        let contact = Contact { load, longitudinal_slip: 0.0, side_slip, camber: 0.0, speed: 10.0 };
+        let force = scale * truth.wrench(&contact).force_y;
+        // The middle is as much colder as the outside is warmer.
+        let (middle, outside) = (1.8 * (celsius - 3.0) + 32.0, celsius + 3.0);
+        let _ = writeln!(text, "{time},{load},{},{force},{middle},{outside}", side_slip.to_degrees());
+        time += 0.02;
+    };
+    let sweep = |step: i32| 0.2 * (TAU * f64::from(step) / 100.0).sin();
+    (0..300).for_each(|step| row(700.0, sweep(step), 20.0 + f64::from(step / 100), 0.6));
+    (0..50).for_each(|step| row(200.0 + 20.0 * f64::from(step), 0.0, 55.0, 1.0));
+    for load in LOADS.into_iter().cycle().take(24) {
+        (0..100).for_each(|step| row(load, sweep(step), 54.0 + f64::from(step % 3), 1.0));
+    }
+    (0..100).for_each(|step| row(700.0, sweep(step), 30.0, 0.6));
+    text
+}
+
+#[test]
+fn warm_up_is_named_and_left_out_if_asked() {
+    let (text, folder) = (warmed_up(), tempfile::tempdir().unwrap());
+    let fix = vec![Entry("PKY2".to_owned(), truth().pky2)];
+    let all = Inquiry { fix, ..asked(folder.path(), &[("t.csv", &text)]) };
+    let fitted = |inquiry: &Inquiry| fit_tyre(&inquiry.test().unwrap(), &inquiry.task().unwrap()).unwrap();
+    let fit = fitted(&all);
+    let told = fit.notes.join("\n");
+    for (part, about) in [
+        ("lines 303 to 353 (6.000 to 7.000 s)", "a sweep of the load from 200.0 to 1180 N without slip, not fitted"),
+        ("lines 3 to 302 (0 to 5.980 s)", "the tyre has 20 to 22 degC, 55 degC in the rest: warm-up?"),
+        ("lines 2753 to 2852 (55.00 to 56.98 s)", "the tyre has 30 to 30 degC"),
+        ("lines 3 to ", "residuals of F_y are"),
+    ] {
+        assert!(fit.notes.iter().any(|note| note.contains(part) && note.contains(about)), "{part} {about}: {told}");
+    }
+    // Fitted with the rest, they are not the tyre; left out by time and temperature, the rest is.
+    let known = truth().pdy1;
+    assert!((estimate(&fit, "PDY1").value / known - 1.0).abs() > 0.01);
+    let only = vec![Entry("TSTC".to_owned(), [110.0, f64::INFINITY])];
+    let warm = Inquiry { skip: Some(5.99), only, ..all };
+    let fit = fitted(&warm);
+    let told = fit.notes.join("\n");
+    assert!(told.contains("400 of 2850 samples are left out, as was asked for") && !told.contains("warm-up"), "{told}");
+    assert_relative_eq!(estimate(&fit, "PDY1").value, known, max_relative = 1e-3);
+}
+
+#[test]
+fn what_cannot_be_left_out_is_refused() {
+    let (text, folder) = (warmed_up(), tempfile::tempdir().unwrap());
+    let all = asked(folder.path(), &[("t.csv", &text)]);
+    let refusal = |inquiry: Inquiry| inquiry.test().map(|_| ()).unwrap_err().to_string();
+    let only = |name: &str, range| Inquiry { only: vec![Entry(name.to_owned(), range)], ..all.clone() };
+    assert_eq!(refusal(only("ET", [9.0, 2.0])), "only: ET = 9:2: must be LOW:HIGH with LOW <= HIGH");
+    assert!(refusal(only("TSTX", [0.0, 1.0])).contains("t.csv: no column 'TSTX'; there are ET, FZ"));
+    assert!(refusal(only("ET", [900.0, 901.0])).ends_with("0 samples; at least 40 are needed"));
+    let skipped = |skip| refusal(Inquiry { skip: Some(skip), ..all.clone() });
+    assert_eq!(skipped(f64::NAN), "skip = NaN: must be >= 0 and finite, in s");
+    assert!(skipped(1e6).ends_with("0 samples; at least 40 are needed"));
+    let timeless = asked(folder.path(), &[("u.csv", &text.replace("ET,", "clock,"))]);
+    let refused = refusal(Inquiry { skip: Some(1.0), ..timeless });
+    assert!(refused.contains("u.csv: no column 'time', 'ET', 't'; there are clock"), "{refused}");
+    // What is only looked at keeps no test from being fitted.
+    for (from, to, expected) in [
+        ("deg F", "furlong", "TSTC: unit 'furlong', must be one of K, degC, C, degF; the column is ignored"),
+        ("deg F", "none", "TSTC has no unit; the column is ignored"),
+    ] {
+        let notes = asked(folder.path(), &[("v.csv", &text.replace(from, to))]).test().unwrap().notes;
+        assert!(notes.iter().any(|note| note == expected), "{notes:?}");
+    }
+    // A line is that of the file, whatever was left out before it.
+    let cell = |(at, line): (usize, &str)| line.replacen(",400,", if at == 402 { ",x400," } else { ",400," }, 1) + "\n";
+    let spoilt: String = text.lines().enumerate().map(cell).collect();
+    let refused = refusal(Inquiry { skip: Some(7.0), ..asked(folder.path(), &[("w.csv", &spoilt)]) });
+    assert!(refused.contains("line 403, FZ: 'x400'"), "{refused}");
 }
