@@ -1,6 +1,6 @@
 //! Pictures of a tyre test and of the formula that was fitted to it.
 
-use stribeck::host::{Contact, MagicFormula, Wrench};
+use stribeck::host::{Contact, FormulaVersion, MagicFormula, Wrench};
 use stribeck_fit::identify::tyre::{PURE, Sample, TyreTest};
 
 use super::drawing::{Drawing, Line};
@@ -34,7 +34,8 @@ struct View<'a> {
     of: fn(&Wrench) -> f64,
 }
 
-/// Draws the test as dots and the formula as curves, at the loads of the test and the least camber in it: side force and
+/// Draws the test as dots and the formula as curves, at the loads of the test, the least camber and, of several inflation
+/// pressures, the nominal one: side force and
 /// aligning moment in pure side slip, longitudinal force in pure longitudinal slip.
 pub fn tyre(test: &TyreTest, formula: &MagicFormula, theme: Theme) -> Vec<Picture> {
     let samples = &test.samples[..];
@@ -65,7 +66,11 @@ pub fn tyre(test: &TyreTest, formula: &MagicFormula, theme: Theme) -> Vec<Pictur
 impl View<'_> {
     /// None without samples in which the other slip is 0 and this one is swept.
     fn picture(&self, formula: &MagicFormula, theme: Theme) -> Option<Picture> {
-        let is_seen = |one: &&Sample| (self.is_pure)(one) && (self.measured)(one).is_some();
+        let is_six = FormulaVersion::of(formula.version) == FormulaVersion::Six;
+        let is_nominal = |pressure: f64| !is_six || (pressure / formula.nompres - 1.0).abs() <= NEAR;
+        let is_seen = |one: &&Sample| {
+            (self.is_pure)(one) && (self.measured)(one).is_some() && one.pressure.is_none_or(is_nominal)
+        };
         let pure: Vec<Sample> = self.samples.iter().filter(is_seen).copied().collect();
         let least = pure.iter().map(|one| one.camber).min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
         let shown: Vec<Sample> = pure.into_iter().filter(|one| (one.camber - least).abs() <= UPRIGHT).collect();

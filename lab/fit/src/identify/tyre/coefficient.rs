@@ -1,4 +1,7 @@
-//! Coefficients of the Magic Formula 5.2 as parameters: where they are searched, and what a test needs to show them.
+//! Coefficients of the Magic Formula 5.2 and 6.1 as parameters: where they are searched, and what a test needs to show
+//! them.
+
+use stribeck::host::FormulaVersion;
 
 /// Excitation that a test must have so that a coefficient can be seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,6 +14,8 @@ pub(super) enum Needs {
     Camber,
     /// Longitudinal slip and side slip at once.
     Both,
+    /// Several inflation pressures.
+    Pressure,
 }
 
 impl Needs {
@@ -21,6 +26,7 @@ impl Needs {
             Needs::Load => "test at more loads",
             Needs::Camber => "test at more cambers, to both sides",
             Needs::Both => "test braking and cornering at once",
+            Needs::Pressure => "test at more inflation pressures",
         }
     }
 }
@@ -44,10 +50,38 @@ const fn coefficient(name: &'static str, start: f64, range: [f64; 2], large: f64
     Coefficient { name, start, range, large, needs }
 }
 
-use Needs::{Both, Camber, Load, Slip};
+use Needs::{Both, Camber, Load, Pressure, Slip};
+
+/// Coefficients that are found together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Group {
+    Lateral,
+    Longitudinal,
+    CombinedX,
+    CombinedY,
+    Aligning,
+    Arm,
+}
+
+/// Number of the groups.
+pub(super) const GROUPS: usize = 6;
+
+/// The groups of a version of the formula, in the order of [`Group`].
+pub(super) fn groups(version: FormulaVersion) -> [Vec<&'static Coefficient>; GROUPS] {
+    const FIVE: [&[Coefficient]; GROUPS] = [LATERAL, LONGITUDINAL, COMBINED_X, COMBINED_Y, ALIGNING, ARM];
+    const SIX: [&[Coefficient]; GROUPS] = [LATERAL_6, LONGITUDINAL_6, COMBINED_X_6, COMBINED_Y_6, ALIGNING_6, &[]];
+    let is_six = version == FormulaVersion::Six;
+    std::array::from_fn(|group| {
+        let more = if is_six { SIX[group] } else { &[] };
+        FIVE[group].iter().filter(|one| !(is_six && one.name == ONLY_FIVE)).chain(more).collect()
+    })
+}
+
+/// The coefficient that only version 5.2 has.
+const ONLY_FIVE: &str = "phy3";
 
 /// Force along y in pure side slip.
-pub(super) const LATERAL: &[Coefficient] = &[
+const LATERAL: &[Coefficient] = &[
     coefficient("pcy1", 1.4, [0.8, 2.4], 0.4, Slip),
     coefficient("pdy1", 1.2, [0.1, 4.0], 0.3, Slip),
     coefficient("pdy2", -0.1, [-2.0, 2.0], 0.2, Load),
@@ -69,7 +103,7 @@ pub(super) const LATERAL: &[Coefficient] = &[
 ];
 
 /// Force along x in pure longitudinal slip.
-pub(super) const LONGITUDINAL: &[Coefficient] = &[
+const LONGITUDINAL: &[Coefficient] = &[
     coefficient("pcx1", 1.6, [0.8, 2.4], 0.4, Slip),
     coefficient("pdx1", 1.2, [0.1, 4.0], 0.3, Slip),
     coefficient("pdx2", -0.1, [-2.0, 2.0], 0.2, Load),
@@ -89,7 +123,7 @@ pub(super) const LONGITUDINAL: &[Coefficient] = &[
 ];
 
 /// Reduction of the force along x by side slip. The formula is even in `rbx2`.
-pub(super) const COMBINED_X: &[Coefficient] = &[
+const COMBINED_X: &[Coefficient] = &[
     coefficient("rbx1", 12.0, [1.0, 60.0], 5.0, Both),
     coefficient("rbx2", 10.0, [0.0, 60.0], 5.0, Both),
     coefficient("rcx1", 1.0, [0.3, 2.0], 0.3, Both),
@@ -100,7 +134,7 @@ pub(super) const COMBINED_X: &[Coefficient] = &[
 
 /// Reduction of the force along y by longitudinal slip. The formula is even in `rby2` and `rvy4`, and does not change
 /// if `rvy5` and `rvy6` both change sign.
-pub(super) const COMBINED_Y: &[Coefficient] = &[
+const COMBINED_Y: &[Coefficient] = &[
     coefficient("rby1", 10.0, [1.0, 60.0], 5.0, Both),
     coefficient("rby2", 10.0, [0.0, 60.0], 5.0, Both),
     coefficient("rby3", 0.0, [-0.1, 0.1], 0.02, Both),
@@ -118,7 +152,7 @@ pub(super) const COMBINED_Y: &[Coefficient] = &[
 ];
 
 /// Moment about z in pure side slip.
-pub(super) const ALIGNING: &[Coefficient] = &[
+const ALIGNING: &[Coefficient] = &[
     coefficient("qbz1", 10.0, [0.1, 60.0], 5.0, Slip),
     coefficient("qbz2", 0.0, [-30.0, 30.0], 3.0, Load),
     coefficient("qbz3", 0.0, [-30.0, 30.0], 3.0, Load),
@@ -146,9 +180,42 @@ pub(super) const ALIGNING: &[Coefficient] = &[
 ];
 
 /// Moment arm of the force along x.
-pub(super) const ARM: &[Coefficient] = &[
+const ARM: &[Coefficient] = &[
     coefficient("ssz1", 0.0, [-1.0, 1.0], 0.03, Both),
     coefficient("ssz2", 0.0, [-1.0, 1.0], 0.03, Both),
     coefficient("ssz3", 0.0, [-10.0, 10.0], 0.3, Camber),
     coefficient("ssz4", 0.0, [-10.0, 10.0], 0.3, Camber),
+];
+
+/// What version 6.1 adds to the force along y in pure side slip.
+const LATERAL_6: &[Coefficient] = &[
+    coefficient("pey5", 0.0, [-200.0, 200.0], 20.0, Camber),
+    coefficient("pky5", 0.0, [-100.0, 100.0], 5.0, Camber),
+    coefficient("pky6", 0.0, [-10.0, 10.0], 0.5, Camber),
+    coefficient("pky7", 0.0, [-10.0, 10.0], 0.5, Camber),
+    coefficient("ppy1", 0.0, [-10.0, 10.0], 0.3, Pressure),
+    coefficient("ppy2", 0.0, [-10.0, 10.0], 0.5, Pressure),
+    coefficient("ppy3", 0.0, [-5.0, 5.0], 0.1, Pressure),
+    coefficient("ppy4", 0.0, [-10.0, 10.0], 0.3, Pressure),
+    coefficient("ppy5", 0.0, [-10.0, 10.0], 0.5, Pressure),
+];
+
+/// What version 6.1 adds to the force along x in pure longitudinal slip.
+const LONGITUDINAL_6: &[Coefficient] = &[
+    coefficient("ppx1", 0.0, [-10.0, 10.0], 0.3, Pressure),
+    coefficient("ppx2", 0.0, [-20.0, 20.0], 1.0, Pressure),
+    coefficient("ppx3", 0.0, [-5.0, 5.0], 0.1, Pressure),
+    coefficient("ppx4", 0.0, [-10.0, 10.0], 0.3, Pressure),
+];
+
+/// What version 6.1 adds to combined slip.
+const COMBINED_X_6: &[Coefficient] = &[coefficient("rbx3", 0.0, [-500.0, 500.0], 50.0, Camber)];
+const COMBINED_Y_6: &[Coefficient] = &[coefficient("rby4", 0.0, [-500.0, 500.0], 50.0, Camber)];
+
+/// What version 6.1 adds to the moment about z in pure side slip.
+const ALIGNING_6: &[Coefficient] = &[
+    coefficient("qdz10", 0.0, [-30.0, 30.0], 1.0, Camber),
+    coefficient("qdz11", 0.0, [-30.0, 30.0], 1.0, Camber),
+    coefficient("ppz1", 0.0, [-10.0, 10.0], 0.3, Pressure),
+    coefficient("ppz2", 0.0, [-10.0, 10.0], 0.5, Pressure),
 ];

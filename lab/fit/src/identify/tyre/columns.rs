@@ -2,6 +2,7 @@
 
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
+use stribeck::host::FormulaVersion;
 
 use super::super::uncertainty::digits;
 use stribeck_sheet::{ANGLE, FORCE, MOMENT, PRESSURE, Quantity, SLIP, Sheet, SheetError, TEMPERATURE, TIME};
@@ -55,6 +56,8 @@ pub struct TyreTest {
     pub notes: Vec<String>,
     /// Names of the files.
     pub files: Vec<String>,
+    /// Nominal pressure of version 6.1 of the formula, Pa; None for version 5.2, which has no pressure.
+    pub nominal_pressure: Option<f64>,
 }
 
 /// Reason why a table is not a tyre test.
@@ -106,6 +109,12 @@ pub enum TyreTestError {
         wanted: f64,
         /// Those of the test.
         levels: String,
+    },
+    /// Samples have no pressure, which version 6.1 needs.
+    #[error("formula 6.1 needs the inflation pressure of all samples; {count} have none")]
+    NoPressure {
+        /// Their number.
+        count: usize,
     },
     /// The side force has the wrong sign.
     #[error(
@@ -340,8 +349,13 @@ impl TyreTest {
         check_load(sheet, measured.load.0, &measured.load.1, axes)?;
         let samples = (0..count).map(|row| measured.sample(row, sheet.line(row)));
         let samples = samples.map(|one| if axes == Axes::Sae { one.turned() } else { one }).collect();
-        let test = TyreTest { samples, notes, files: Vec::new() };
+        let test = TyreTest { samples, notes, ..TyreTest::default() };
         if test.is_mirrored() { Err(TyreTestError::SideForce) } else { Ok(test) }
+    }
+
+    /// Version of the formula that is fitted.
+    pub fn version(&self) -> FormulaVersion {
+        if self.nominal_pressure.is_some() { FormulaVersion::Six } else { FormulaVersion::Five }
     }
 
     /// Whether the side force rises with the side slip. Each sample by itself may be on the wrong side, by a shift or at

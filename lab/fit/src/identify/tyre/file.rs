@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use stribeck::host::{MagicFormula, Side};
+use stribeck::host::{FormulaVersion, MagicFormula, Side};
 use stribeck::model::Columns;
 
 use super::super::uncertainty::digits;
@@ -10,24 +10,27 @@ use super::{TyreEstimate, TyreFit, Verdict};
 
 /// Sections of the format, by the first letters of their keys.
 const SECTIONS: [(&str, &[&str]); 3] = [
-    ("LONGITUDINAL_COEFFICIENTS", &["PCX", "PDX", "PEX", "PKX", "PHX", "PVX", "RBX", "RCX", "REX", "RHX"]),
-    ("LATERAL_COEFFICIENTS", &["PCY", "PDY", "PEY", "PKY", "PHY", "PVY", "RBY", "RCY", "REY", "RHY", "RVY"]),
-    ("ALIGNING_COEFFICIENTS", &["Q", "SSZ"]),
+    ("LONGITUDINAL_COEFFICIENTS", &["PCX", "PDX", "PEX", "PKX", "PHX", "PVX", "PPX", "RBX", "RCX", "REX", "RHX"]),
+    ("LATERAL_COEFFICIENTS", &["PCY", "PDY", "PEY", "PKY", "PHY", "PVY", "PPY", "RBY", "RCY", "REY", "RHY", "RVY"]),
+    ("ALIGNING_COEFFICIENTS", &["Q", "SSZ", "PPZ"]),
 ];
 
 /// The file (`.tir`), which [`crate::tir::parse`] reads. What is not determined is a comment without a number.
 pub fn property_file(fit: &TyreFit) -> String {
     let formula = &fit.formula;
+    let is_six = FormulaVersion::of(formula.version) == FormulaVersion::Six;
+    let (name, format) = if is_six { ("6.1", "'USER'\nFITTYP = 61") } else { ("5.2", "'PAC2002'") };
     let mut text =
-        "$ Coefficients of the Magic Formula 5.2, fitted to a test by stribeck. Axes: ISO 8855.\n".to_owned();
+        format!("$ Coefficients of the Magic Formula {name}, fitted to a test by stribeck. Axes: ISO 8855.\n");
     text += &notes(fit, "$ ");
     text += &residuals(fit, "$ ");
     let side = if Side::of(formula.side) == Side::Left { "LEFT" } else { "RIGHT" };
+    let (unit, pressures) = if is_six { six(formula) } else { Default::default() };
     let _ = write!(
         text,
-        "[UNITS]\nLENGTH = 'meter'\nFORCE = 'newton'\nANGLE = 'radians'\nMASS = 'kg'\nTIME = 'second'\n[MODEL]\n\
-         PROPERTY_FILE_FORMAT = 'PAC2002'\nTYRESIDE = '{side}'\nLONGVL = {}\n[DIMENSION]\nUNLOADED_RADIUS = {}\n\
-         [VERTICAL]\nFNOMIN = {}\n",
+        "[UNITS]\nLENGTH = 'meter'\nFORCE = 'newton'\nANGLE = 'radians'\nMASS = 'kg'\nTIME = 'second'\n{unit}[MODEL]\n\
+         PROPERTY_FILE_FORMAT = {format}\nTYRESIDE = '{side}'\nLONGVL = {}\n[DIMENSION]\nUNLOADED_RADIUS = {}\n\
+         {pressures}[VERTICAL]\nFNOMIN = {}\n",
         formula.longvl, formula.unloaded_radius, formula.fnomin
     );
     for (section, beginnings) in SECTIONS {
@@ -38,6 +41,13 @@ pub fn property_file(fit: &TyreFit) -> String {
         }
     }
     text
+}
+
+/// The unit of the inflation pressure, and the pressures of version 6.1.
+fn six(formula: &MagicFormula) -> (String, String) {
+    let MagicFormula { inflpres, nompres, .. } = formula;
+    let pressures = format!("[OPERATING_CONDITIONS]\nINFLPRES = {inflpres}\nNOMPRES = {nompres}\n");
+    ("PRESSURE = 'pascal'\n".to_owned(), pressures)
 }
 
 /// A line of the file.

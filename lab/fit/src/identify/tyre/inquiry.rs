@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use serde::{Deserialize, Serialize};
-use stribeck::host::Side;
+use stribeck::host::{FormulaVersion, Side};
 use stribeck_solve::job::{self, Entry};
 use stribeck_solve::system::Fault;
 use thiserror::Error;
@@ -45,9 +45,16 @@ pub struct Inquiry {
     /// Radius of the tested tyre without load, in m
     #[arg(long)]
     pub radius: Option<f64>,
-    /// Inflation pressure of the samples that are fitted, in Pa (default: that with the most samples)
+    /// Version of the Magic Formula that is fitted (default: 6.1 if the test has at least three inflation pressures and
+    /// none is chosen, else 5.2)
+    #[arg(long, value_enum)]
+    pub formula: Option<FormulaChoice>,
+    /// Inflation pressure of the samples that are fitted by 5.2, in Pa (default: that with the most samples)
     #[arg(long)]
     pub pressure: Option<f64>,
+    /// Nominal inflation pressure of the coefficients of 6.1, in Pa (default: that of the test nearest to the mean)
+    #[arg(long)]
+    pub nominal_pressure: Option<f64>,
     /// Nominal load of the coefficients, in N (default: the mean load of the test)
     #[arg(long)]
     pub nominal_load: Option<f64>,
@@ -58,6 +65,28 @@ pub struct Inquiry {
     #[arg(long, value_name = "KEY=VALUE")]
     #[serde(with = "job::table")]
     pub fix: Vec<Entry<f64>>,
+}
+
+/// Version of the Magic Formula.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize, ValueEnum)]
+pub enum FormulaChoice {
+    /// Without inflation pressure
+    #[serde(rename = "5.2")]
+    #[value(name = "5.2")]
+    Five,
+    /// With inflation pressure
+    #[serde(rename = "6.1")]
+    #[value(name = "6.1")]
+    Six,
+}
+
+impl FormulaChoice {
+    fn version(self) -> FormulaVersion {
+        match self {
+            FormulaChoice::Five => FormulaVersion::Five,
+            FormulaChoice::Six => FormulaVersion::Six,
+        }
+    }
 }
 
 /// Side of the car.
@@ -107,8 +136,8 @@ impl Inquiry {
             return Ok(());
         }
         Err(Fault::value(
-            "axes, radius, pressure, nominal_load, side, column, sheet, skip, only and fix: are for a tyre test, not for a \
-             .tir file",
+            "axes, radius, formula, pressure, nominal_pressure, nominal_load, side, column, sheet, skip, only and fix: are \
+             for a tyre test, not for a .tir file",
         ))
     }
 
@@ -122,6 +151,7 @@ impl Inquiry {
         let sheets = paths.iter().map(|path| self.read(path)).collect::<Result<Vec<Sheet>, TyreInquiryError>>()?;
         self.check_columns(&sheets)?;
         self.check_left_out()?;
+        self.check_pressures()?;
         let tests = paths.iter().zip(sheets).map(|(path, mut sheet)| {
             let refused = |source| TyreInquiryError::Test { path: (*path).into(), source };
             let note = leave_out(&mut sheet, self.skip, &self.only).map_err(refused)?;
@@ -132,7 +162,8 @@ impl Inquiry {
         let tests = tests.collect::<Result<Vec<TyreTest>, TyreInquiryError>>()?;
         let mut test = joined(names(&paths).into_iter().zip(tests).collect());
         let refused = |source| TyreInquiryError::Test { path: paths[0].into(), source };
-        test.at_pressure(self.pressure).map_err(refused)?;
+        let version = self.formula.map(FormulaChoice::version);
+        test.for_version(version, self.pressure, self.nominal_pressure).map_err(refused)?;
         Ok(test)
     }
 
@@ -160,6 +191,21 @@ impl Inquiry {
             }
             None => Ok(()),
         }
+    }
+
+    /// Refuses pressures that the version does not know.
+    fn check_pressures(&self) -> Result<(), Fault> {
+        if let Some(one) = self.nominal_pressure.filter(|one| !(*one > 0.0 && one.is_finite())) {
+            return Err(Fault::value(format_args!("nominal_pressure = {one}: must be > 0 and finite, in Pa")));
+        }
+        let is_six = self.formula == Some(FormulaChoice::Six) || self.nominal_pressure.is_some();
+        if is_six && self.pressure.is_some() {
+            return Err(Fault::value("pressure: is for formula 5.2; 6.1 is fitted to all inflation pressures"));
+        }
+        if self.formula == Some(FormulaChoice::Five) && self.nominal_pressure.is_some() {
+            return Err(Fault::value("nominal_pressure: is for formula 6.1; 5.2 has no inflation pressure"));
+        }
+        Ok(())
     }
 
     /// Refuses names of columns that no file has.
@@ -215,6 +261,8 @@ mod tests {
             "column = { SA = \"a\" }",
             "sheet = \"a\"",
             "skip = 1.0",
+            "formula = \"6.1\"",
+            "nominal_pressure = 8e4",
             "only = { ET = [0, 1] }",
         ] {
             assert!(described(option).refuse_test().is_err(), "{option}");

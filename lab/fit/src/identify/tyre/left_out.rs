@@ -40,7 +40,7 @@ const CHANGE: f64 = 0.2;
 
 /// Takes sweeps of the load without slip out of the samples of a file; a note on each.
 pub(super) fn without_load_sweeps(test: TyreTest) -> TyreTest {
-    let TyreTest { samples, mut notes, files } = test;
+    let TyreTest { samples, mut notes, .. } = test;
     let is_still = |one: &Sample| one.side_slip.abs() <= NO_SLIP && one.longitudinal_slip.abs() <= NO_SLIP;
     let mut kept = Vec::with_capacity(samples.len());
     for run in samples.chunk_by(|a, b| is_still(a) == is_still(b)) {
@@ -52,7 +52,7 @@ pub(super) fn without_load_sweeps(test: TyreTest) -> TyreTest {
         let [low, high] = [low, high].map(digits);
         notes.push(format!("{}: a sweep of the load from {low} to {high} N without slip, not fitted", place(run)));
     }
-    TyreTest { samples: kept, notes, files }
+    TyreTest { samples: kept, notes, ..TyreTest::default() }
 }
 
 /// Least and largest value.

@@ -1,4 +1,4 @@
-//! Coefficients of the Magic Formula 5.2 from a tyre test, as a tyre property file.
+//! Coefficients of the Magic Formula 5.2, or 6.1 with the inflation pressure, from a tyre test, as a tyre property file.
 //!
 //! The coefficients are found group by group, by bounded least squares with exact sensitivities: side force in pure side
 //! slip (from several starts, which must agree), longitudinal force in pure longitudinal slip, aligning moment in pure
@@ -23,12 +23,12 @@ use stribeck::model::{Columns, row_of, row_of_mut, start};
 
 pub use columns::{Axes, PURE, Sample, TyreTest, TyreTestError};
 pub use file::{property_file, table};
-pub use inquiry::{Inquiry, SideChoice, TyreInquiryError};
+pub use inquiry::{FormulaChoice, Inquiry, SideChoice, TyreInquiryError};
 
 use super::loss::Loss;
 use super::uncertainty::{DETERMINED, Known, WIDTH, residuals};
 use crate::tir::missing_value;
-use coefficient::{ALIGNING, ARM, COMBINED_X, COMBINED_Y, Coefficient, LATERAL, LONGITUDINAL};
+use coefficient::{Coefficient, GROUPS, Group, groups};
 use left_out::by_residual;
 use problem::{Channel, Rows, TyreProblem, column};
 use stribeck_solve::system::Fault;
@@ -84,7 +84,7 @@ pub struct TyreFit {
 }
 
 /// Coefficients without which nothing is left of their group.
-const ESSENTIAL: [&[&str]; 6] = [
+const ESSENTIAL: [&[&str]; GROUPS] = [
     &["pcy1", "pdy1", "pky1", "pky2"],
     &["pcx1", "pdx1", "pkx1"],
     &["rbx1", "rcx1"],
@@ -99,14 +99,12 @@ const AT_END: f64 = 1e-4;
 /// Shapes and curvatures of the side force from which it is fitted.
 const STARTS: [[f64; 2]; 4] = [[1.2, -1.0], [1.4, 0.3], [1.7, -0.5], [1.6, -4.0]];
 
-/// All coefficients.
-const GROUPS: [&[Coefficient]; 6] = [LATERAL, LONGITUDINAL, COMBINED_X, COMBINED_Y, ALIGNING, ARM];
-
 /// Fits a tyre to a test.
 pub fn fit_tyre(test: &TyreTest, task: &TyreTask) -> Result<TyreFit, Fault> {
     let nominal = check(test, task)?;
-    let formula = neutral(task, nominal);
-    let mut fitter = Fitter { test, task, formula, dropped: Vec::new(), kept: Vec::new(), notes: test.notes.clone() };
+    let formula = neutral(test, task, nominal);
+    let (groups, notes) = (groups(test.version()), test.notes.clone());
+    let mut fitter = Fitter { test, task, formula, groups, dropped: Vec::new(), kept: Vec::new(), notes };
     let where_all = |is_one: &dyn Fn(&Sample) -> bool, channel: Channel| -> Vec<usize> {
         channel.samples(test).into_iter().filter(|at| is_one(&test.samples[*at])).collect()
     };
@@ -114,16 +112,16 @@ pub fn fit_tyre(test: &TyreTest, task: &TyreTask) -> Result<TyreFit, Fault> {
     let is_combined = test.samples.iter().any(|one| !one.is_rolling());
     let is_driven = is_combined && !Channel::ForceX.samples(test).is_empty();
     if is_driven {
-        fitter.group(LONGITUDINAL, Channel::ForceX, &where_all(&Sample::is_straight, Channel::ForceX))?;
-        fitter.group(COMBINED_X, Channel::ForceX, &Channel::ForceX.samples(test))?;
+        fitter.group(Group::Longitudinal, Channel::ForceX, &where_all(&Sample::is_straight, Channel::ForceX))?;
+        fitter.group(Group::CombinedX, Channel::ForceX, &Channel::ForceX.samples(test))?;
     }
     if is_combined {
-        fitter.group(COMBINED_Y, Channel::ForceY, &Channel::ForceY.samples(test))?;
+        fitter.group(Group::CombinedY, Channel::ForceY, &Channel::ForceY.samples(test))?;
     }
     if !Channel::MomentZ.samples(test).is_empty() {
-        fitter.group(ALIGNING, Channel::MomentZ, &where_all(&Sample::is_rolling, Channel::MomentZ))?;
+        fitter.group(Group::Aligning, Channel::MomentZ, &where_all(&Sample::is_rolling, Channel::MomentZ))?;
         if is_driven {
-            fitter.group(ARM, Channel::MomentZ, &Channel::MomentZ.samples(test))?;
+            fitter.group(Group::Arm, Channel::MomentZ, &Channel::MomentZ.samples(test))?;
         }
     }
     fitter.together()
@@ -142,8 +140,7 @@ fn check(test: &TyreTest, task: &TyreTask) -> Result<f64, Fault> {
     let slips = test.samples.iter().filter(|one| one.force_y.is_some()).map(|one| one.side_slip.abs());
     let most = slips.fold(0.0, f64::max);
     for (key, value) in &task.fixed {
-        let keys: Vec<String> =
-            GROUPS.iter().flat_map(|group| group.iter()).map(|one| one.name.to_uppercase()).collect();
+        let keys: Vec<String> = groups(test.version()).iter().flatten().map(|one| one.name.to_uppercase()).collect();
         if !keys.iter().any(|known| known.eq_ignore_ascii_case(key)) {
             return Err(Fault::unknown("coefficient", key, keys.iter().map(String::as_str)));
         }
@@ -160,7 +157,7 @@ fn check(test: &TyreTest, task: &TyreTask) -> Result<f64, Fault> {
 }
 
 /// The formula as the format prescribes it for missing keys: coefficients 0, scale factors 1.
-fn neutral(task: &TyreTask, nominal: f64) -> MagicFormula {
+fn neutral(test: &TyreTest, task: &TyreTask, nominal: f64) -> MagicFormula {
     let mut formula: MagicFormula = start();
     let row = row_of_mut(&mut formula);
     for (column, variable) in MagicFormula::TABLE.iter().enumerate() {
@@ -170,6 +167,10 @@ fn neutral(task: &TyreTask, nominal: f64) -> MagicFormula {
         }
     }
     formula.fnomin = nominal;
+    formula.version = test.version().number();
+    if let Some(pressure) = test.nominal_pressure {
+        (formula.nompres, formula.inflpres) = (pressure, pressure);
+    }
     formula.unloaded_radius = task.radius;
     formula.side = task.side.number();
     hold(&mut formula, task);
@@ -203,6 +204,7 @@ struct Fitter<'a> {
     test: &'a TyreTest,
     task: &'a TyreTask,
     formula: MagicFormula,
+    groups: [Vec<&'static Coefficient>; GROUPS],
     kept: Vec<&'static Coefficient>,
     dropped: Vec<(&'static Coefficient, String)>,
     notes: Vec<String>,
@@ -219,19 +221,20 @@ fn worst(known: &Known, parameters: &[&'static Coefficient]) -> Option<usize> {
 
 impl Fitter<'_> {
     /// The formula with a group where its search begins.
-    fn begin_with(&self, group: &[Coefficient]) -> MagicFormula {
+    fn begin_with(&self, group: Group) -> MagicFormula {
         let mut formula = self.formula;
         let row = row_of_mut(&mut formula);
-        group.iter().for_each(|one| row[column(one.name)] = one.start);
+        self.groups[group as usize].iter().for_each(|one| row[column(one.name)] = one.start);
         hold(&mut formula, self.task);
         formula
     }
 
     /// The coefficients of a group that are not held and that change anything; the others are dropped, since least
     /// squares cannot do with them.
-    fn visible(&mut self, group: &'static [Coefficient], rows: &Rows) -> Vec<&'static Coefficient> {
-        let is_held = |one: &&Coefficient| self.task.fixed.iter().any(|(key, _)| key.eq_ignore_ascii_case(one.name));
-        let free: Vec<&'static Coefficient> = group.iter().filter(|one| !is_held(one)).collect();
+    fn visible(&mut self, group: Group, rows: &Rows) -> Vec<&'static Coefficient> {
+        let is_held = |one: &Coefficient| self.task.fixed.iter().any(|(key, _)| key.eq_ignore_ascii_case(one.name));
+        let all = self.groups[group as usize].iter().copied();
+        let free: Vec<&'static Coefficient> = all.filter(|one| !is_held(one)).collect();
         let problem = TyreProblem::new(self.test, self.begin_with(group), free.clone(), rows.clone());
         let size = |number: usize| {
             let column = problem.sensitivity(&problem.formula, number);
@@ -252,9 +255,9 @@ impl Fitter<'_> {
             return Err(Fault::value(text));
         }
         let rows = Rows { samples: samples.to_vec(), channels: vec![(Channel::ForceY, 1.0)] };
-        let parameters = self.visible(LATERAL, &rows);
+        let parameters = self.visible(Group::Lateral, &rows);
         let begin = |[shape, curvature]: [f64; 2]| {
-            let mut formula = self.begin_with(LATERAL);
+            let mut formula = self.begin_with(Group::Lateral);
             validation(&mut formula, &self.dropped);
             formula.pcy1 = shape;
             formula.pey1 = curvature;
@@ -277,7 +280,7 @@ impl Fitter<'_> {
     }
 
     /// A group of coefficients on a channel.
-    fn group(&mut self, group: &'static [Coefficient], channel: Channel, samples: &[usize]) -> Result<(), Fault> {
+    fn group(&mut self, group: Group, channel: Channel, samples: &[usize]) -> Result<(), Fault> {
         let rows = Rows { samples: samples.to_vec(), channels: vec![(channel, 1.0)] };
         let parameters = self.visible(group, &rows);
         self.formula = self.begin_with(group);
@@ -315,13 +318,13 @@ impl Fitter<'_> {
             return Err(Fault::value(text));
         }
         let reason = format!("nothing is left without {key}: {}", why(one, alone));
-        for other in GROUPS[group] {
+        for other in self.groups[group].clone() {
             row_of_mut(&mut self.formula)[column(other.name)] = 0.0;
             if self.dropped.iter().all(|(known, _)| known.name != other.name) {
                 self.dropped.push((other, reason.clone()));
             }
         }
-        Ok(GROUPS[group].iter().map(|other| other.name).collect())
+        Ok(self.groups[group].iter().map(|other| other.name).collect())
     }
 
     fn drop(&mut self, one: &'static Coefficient, alone: f64) {

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use stribeck::host::FormulaVersion;
+
 use super::columns::{Sample, TyreTest, TyreTestError};
 
 /// Relative width in which pressures are counted, and part of the samples from which they are a level (chosen).
@@ -50,7 +52,42 @@ pub(super) fn in_words(samples: &[Sample]) -> Option<String> {
     Some(levels(samples)).filter(|levels| !levels.is_empty()).map(|levels| format!("{} kPa", shown(&levels)))
 }
 
+/// Levels from which on a test is for version 6.1, whose coefficients of pressure are up to the second order.
+const FOR_SIX: usize = 3;
+
 impl TyreTest {
+    /// Prepares the test for a version of the formula: 5.2 gets one pressure, 6.1 all of them relative to a nominal one,
+    /// by default the level that is nearest to their mean. Unless one is asked for, three pressures make it 6.1.
+    pub fn for_version(
+        &mut self,
+        version: Option<FormulaVersion>,
+        wanted: Option<f64>,
+        nominal: Option<f64>,
+    ) -> Result<(), TyreTestError> {
+        let levels = levels(&self.samples);
+        let count = self.samples.iter().filter(|one| one.pressure.is_none()).count();
+        let is_told = wanted.is_none() && count == 0 && levels.len() >= FOR_SIX;
+        let is_six = version.map_or(is_told || nominal.is_some(), |version| version == FormulaVersion::Six);
+        if !is_six {
+            return self.at_pressure(wanted);
+        }
+        if count > 0 {
+            return Err(TyreTestError::NoPressure { count });
+        }
+        let mean = self.samples.iter().filter_map(|one| one.pressure).sum::<f64>() / self.samples.len() as f64;
+        let distance = |level: &&Level| (level.mean - mean).abs();
+        let level = levels.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).map_or(mean, |level| level.mean);
+        let nominal = nominal.unwrap_or(level);
+        self.nominal_pressure = Some(nominal);
+        self.notes.push(format!(
+            "inflation pressures of {} kPa: fitted together by version 6.1 of the formula, with the nominal pressure {:.1} \
+             kPa; --formula 5.2 fits one of them",
+            shown(&levels),
+            1e-3 * nominal
+        ));
+        Ok(())
+    }
+
     /// Keeps the samples of one inflation pressure, in Pa; without one those of the pressure with the most samples.
     /// Samples whose pressure was not measured are kept.
     pub fn at_pressure(&mut self, wanted: Option<f64>) -> Result<(), TyreTestError> {
@@ -67,7 +104,7 @@ impl TyreTest {
         if levels.len() > 1 {
             self.notes.push(format!(
                 "inflation pressures of {shown}: fitted to the {} samples at {:.1} kPa, for version 5.2 of the formula \
-                 has none; another one: --pressure",
+                 has none; another one: --pressure, all of them: --formula 6.1",
                 chosen.samples.len(),
                 1e-3 * chosen.mean
             ));

@@ -134,8 +134,11 @@ impl<'a> TyreProblem<'a> {
     /// Values of the measured channels at each sample, one sample after the other.
     fn predicted<T: Scalar>(&self, formula: &MagicFormula<T>) -> Vec<T> {
         let mut all = Vec::with_capacity(self.rows.samples.len() * self.rows.channels.len());
+        let mut formula = *formula;
         for at in &self.rows.samples {
             let sample = &self.test.samples[*at];
+            // Version 5.2 has no pressure.
+            sample.pressure.into_iter().for_each(|pressure| formula.inflpres = T::from(pressure));
             let contact = Contact {
                 load: T::from(sample.load),
                 longitudinal_slip: T::from(sample.longitudinal_slip),

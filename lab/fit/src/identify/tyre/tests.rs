@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use approx::assert_relative_eq;
-use stribeck::host::Contact;
+use stribeck::host::{Contact, FormulaVersion};
 
 use super::*;
 use stribeck_sheet::Sheet;
@@ -406,4 +406,77 @@ fn what_cannot_be_left_out_is_refused() {
     let spoilt: String = text.lines().enumerate().map(cell).collect();
     let refused = refusal(Inquiry { skip: Some(7.0), ..asked(folder.path(), &[("w.csv", &spoilt)]) });
     assert!(refused.contains("line 403, FZ: 'x400'"), "{refused}");
+}
+
+/// A tyre of version 6.1 that changes with its pressure.
+fn truth_6() -> MagicFormula {
+    let pressures = MagicFormula { ppy1: -0.4, ppy2: 0.5, ppy3: -0.1, ppy4: 0.3, nompres: 83e3, ..truth() };
+    // Camber acts by its own stiffness; without it nothing depends on the last one of pressure.
+    let six = FormulaVersion::Six.number();
+    MagicFormula { version: six, pky6: -0.8, pky7: -0.2, pvy3: 0.0, pvy4: 0.0, ppz1: -0.3, ..pressures }
+}
+
+/// A cornering test of that tyre at some pressures, in kPa.
+fn at_pressures(pressures: &[f64]) -> String {
+    let contacts = contacts(&[0.0, -0.05, 0.05], &LOADS, false);
+    let rows = |pressure: &f64| {
+        let truth = MagicFormula { inflpres: 1e3 * pressure, ..truth_6() };
+        let text = written(&truth, &contacts, 0.003, Axes::Iso);
+        text.lines().skip(1).map(|line| format!("{line},{pressure}\n")).collect::<String>()
+    };
+    let all: String = pressures.iter().map(rows).collect();
+    format!("FZ [N],SA [deg],SR,IA [deg],FX [N],FY [N],MZ [Nm],P [kPa]\n{all}")
+}
+
+/// Three pressures are fitted together: the coefficients of pressure are those of the truth, and the file is of 6.1.
+#[test]
+fn three_pressures_give_the_coefficients_of_pressure() {
+    let folder = tempfile::tempdir().unwrap();
+    let inquiry = asked(folder.path(), &[("p.csv", &at_pressures(&[70.0, 83.0, 97.0]))]);
+    let test = inquiry.test().unwrap();
+    assert_eq!((test.version(), test.nominal_pressure.unwrap().round()), (FormulaVersion::Six, 83e3));
+    let fit = fit_tyre(&test, &inquiry.task().unwrap()).unwrap();
+    for (key, known) in [("PPY1", -0.4), ("PPY2", 0.5), ("PPY3", -0.1), ("PPY4", 0.3), ("PPZ1", -0.3), ("PKY6", -0.8)] {
+        let one = estimate(&fit, key);
+        assert!(
+            matches!(one.verdict, Verdict::Within(half) if (one.value - known).abs() <= 1.5 * half),
+            "{key}: {one:?}"
+        );
+    }
+    assert!(fit.estimates.iter().all(|one| one.key != "PHY3"));
+    let text = property_file(&fit);
+    let file = crate::tir::parse("fitted.tir", &text).unwrap();
+    assert_eq!(file.notes[0], "FITTYP = 61: read as Magic Formula 6.1");
+    for (name, expected) in
+        [("nompres", fit.formula.nompres), ("inflpres", fit.formula.nompres), ("ppy1", fit.formula.ppy1)]
+    {
+        assert_eq!(file.set.get(&format!("tyre.{name}")), Some(expected), "{name}: {text}");
+    }
+    let one = Inquiry { pressure: Some(97e3), ..inquiry.clone() }.test().unwrap();
+    assert_eq!((one.version(), one.samples.len()), (FormulaVersion::Five, test.samples.len() / 3));
+    let five = Inquiry { formula: Some(FormulaChoice::Five), ..inquiry }.test().unwrap();
+    assert_eq!((five.version(), five.samples.len()), (FormulaVersion::Five, test.samples.len() / 3));
+}
+
+/// Of two pressures only the changes of first order can be known.
+#[test]
+fn two_pressures_leave_the_second_order_undetermined() {
+    let folder = tempfile::tempdir().unwrap();
+    let plain = asked(folder.path(), &[("p.csv", &at_pressures(&[70.0, 83.0]))]);
+    assert_eq!(plain.test().unwrap().version(), FormulaVersion::Five);
+    let inquiry = Inquiry { nominal_pressure: Some(83e3), ..plain.clone() };
+    let fit = fit_tyre(&inquiry.test().unwrap(), &inquiry.task().unwrap()).unwrap();
+    let Verdict::Not(reason) = &estimate(&fit, "PPY4").verdict else { panic!("{:?}", estimate(&fit, "PPY4")) };
+    assert_eq!(reason, "only in combination with others; test at more inflation pressures");
+    assert!(matches!(estimate(&fit, "PPY3").verdict, Verdict::Within(_)));
+    let refusal = |inquiry: Inquiry| inquiry.test().map(|_| ()).unwrap_err().to_string();
+    let both = Inquiry { pressure: Some(83e3), ..inquiry.clone() };
+    assert_eq!(refusal(both), "pressure: is for formula 5.2; 6.1 is fitted to all inflation pressures");
+    let five = Inquiry { formula: Some(FormulaChoice::Five), ..inquiry.clone() };
+    assert_eq!(refusal(five), "nominal_pressure: is for formula 6.1; 5.2 has no inflation pressure");
+    let negative = Inquiry { nominal_pressure: Some(-1.0), ..inquiry };
+    assert_eq!(refusal(negative), "nominal_pressure = -1: must be > 0 and finite, in Pa");
+    let unknown = asked(folder.path(), &[("q.csv", &at_pressures(&[70.0]).replace("P [kPa]", "Q"))]);
+    let unknown = Inquiry { formula: Some(FormulaChoice::Six), ..unknown };
+    assert!(refusal(unknown).ends_with("formula 6.1 needs the inflation pressure of all samples; 252 have none"));
 }
