@@ -4808,7 +4808,7 @@ typedef enum stribeck_rolling_resistance_variable {
 } stribeck_rolling_resistance_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{1aee6ab1-491b-713a-9ed7-9804405c6ebc}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{8f62554a-9b39-b4fd-1f09-d62c9338f893}"
 
 /** Preset of ShockAbsorber: Formula Student, front axle: the start values. */
 #define STRIBECK_SHOCK_ABSORBER_PRESET_FRONT "front"
@@ -5432,6 +5432,8 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FORCE_DAMPER = 1982494132,
   /** out [N]: Part of the friction. */
   STRIBECK_SHOCK_ABSORBER_FORCE_FRICTION = 2078264455,
+  /** out [N]: Axial force without friction: what the friction carries at rest, less the force with which the host keeps the length at rest. */
+  STRIBECK_SHOCK_ABSORBER_FORCE_WITHOUT_FRICTION = 1698389154,
   /** out [N]: Force on the travel of the host, by virtual work: see adapter. */
   STRIBECK_SHOCK_ABSORBER_FORCE_TRAVEL = 2046608485,
   /** out [N]: Axial friction at the rod guide; has the sign of the velocity when sliding. */
@@ -6102,7 +6104,7 @@ typedef enum stribeck_belt_rig_variable {
 } stribeck_belt_rig_variable;
 
 /** Guid of QuarterCar for fmi2Instantiate. */
-#define STRIBECK_QUARTER_CAR_GUID "{23e3aa46-e0a4-32f5-d7aa-582b2d5849d3}"
+#define STRIBECK_QUARTER_CAR_GUID "{fd6d506b-a780-5095-85f8-0db8729778c4}"
 
 /** QuarterCar: Quarter car: body, wheel and tyre, driven by the force of a strut. Variables of "QuarterCar". */
 typedef enum stribeck_quarter_car_variable {
@@ -6110,6 +6112,8 @@ typedef enum stribeck_quarter_car_variable {
   STRIBECK_QUARTER_CAR_ROAD_HEIGHT = 464235471,
   /** in [m/s]: Rate of the road's height. (default 0) */
   STRIBECK_QUARTER_CAR_ROAD_VELOCITY = 716199623,
+  /** in [N]: Force of the strut without its friction; only the external force depends on it. (default 1325.2555) */
+  STRIBECK_QUARTER_CAR_FORCE_WITHOUT_FRICTION = 1698389154,
   /** fixed [kg]: Mass of the body, without the wheels. (> 0, default 52.91) */
   STRIBECK_QUARTER_CAR_BODY_MASS = 978845638,
   /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.011) */
@@ -6141,6 +6145,8 @@ typedef enum stribeck_quarter_car_variable {
   STRIBECK_QUARTER_CAR_VELOCITY = 846470194,
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
   STRIBECK_QUARTER_CAR_TYRE_LOAD = 1258449592,
+  /** out [N]: Force that the strut's friction must carry so that its length keeps its velocity; positive in extension. */
+  STRIBECK_QUARTER_CAR_EXTERNAL_FORCE = 1336490458,
 } stribeck_quarter_car_variable;
 
 /** Guid of FourPostCar for fmi2Instantiate. */

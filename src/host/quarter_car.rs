@@ -16,11 +16,13 @@ crate::model! {
     /// f_t0  = (m_s + m_u) g
     /// l     = l_0 + r (z_s - z_u)
     /// dl/dt = r (dz_s/dt - dz_u/dt)
+    /// f_e   = f_w - f_0 - (f_t - f_t0) m_s / ((m_s + m_u) r)
     /// ```
     ///
     /// | symbol  | variable         | unit  | meaning                                           |
     /// |---------|------------------|-------|---------------------------------------------------|
     /// | f       | `strut_force`    | N     | force of the strut                                |
+    /// | f_w     | `force_without_friction` | N | that force without the friction in the strut      |
     /// | z_r     | `road_height`    | m     | height of the road under the wheel                |
     /// | v_r     | `road_velocity`  | m/s   | rate of the road's height                         |
     /// | m_s     | `body_mass`      | kg    | mass of the body                                  |
@@ -37,6 +39,7 @@ crate::model! {
     /// | l       | `length`         | m     | length of the strut                               |
     /// | dl/dt   | `velocity`       | m/s   | rate of the strut's length                        |
     /// | f_t     | `tyre_load`      | N     | force of the tyre on the road                     |
+    /// | f_e     | `external_force` | N     | force that the friction of a stuck strut carries  |
     /// | g       |                  | m/s2  | 9.81, the acceleration of gravity                 |
     ///
     /// # Sign
@@ -47,7 +50,8 @@ crate::model! {
     /// The inputs are held over a step, or move linearly. The step is divided by error control (Dormand and Prince,
     /// order 5) to a relative error of 1e-10 per piece, also where the tyre lifts off or lands; with the defaults a
     /// piece is about 1 ms long. `length` and `velocity` follow from states alone: the strut closes no algebraic loop.
-    /// `tyre_load` follows the road at once, and never the strut force.
+    /// `tyre_load` follows the road at once, and never the strut force; `external_force` follows the road and
+    /// `force_without_friction` at once.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; a step that would take more than 500,000 pieces (2,000,000 divided by
@@ -86,6 +90,8 @@ crate::model! {
         road_height: input = real("m", 0.0).shown_in("mm"),
         /// Rate of the road's height.
         road_velocity: input = real("m/s", 0.0),
+        /// Force of the strut without its friction; only the external force depends on it.
+        force_without_friction: input = real("N", 1325.2555),
         /// Mass of the body, without the wheels.
         body_mass: fixed = real("kg", 52.91).positive(),
         /// The wheel's suspension.
@@ -96,6 +102,8 @@ crate::model! {
         body_velocity: state_output = real("m/s", 0.0).nominal(0.1),
         /// The wheel and the strut.
         wheel: (Wheel),
+        /// Force that the strut's friction must carry so that its length keeps its velocity; positive in extension.
+        external_force: output = real("N", 0.0),
     }
 }
 
@@ -107,6 +115,13 @@ impl<T: Scalar> QuarterCar<T> {
     fn static_load(&self) -> T {
         T::from(GRAVITY) * (self.body_mass + self.suspension.wheel_mass)
     }
+
+    /// Force of the strut with which body and wheel have the same acceleration, while the tyre carries more than at
+    /// rest.
+    fn holding_force(&self, excess: T) -> T {
+        let Suspension { motion_ratio, static_force, wheel_mass, .. } = self.suspension;
+        static_force + excess * self.body_mass / ((self.body_mass + wheel_mass) * motion_ratio)
+    }
 }
 
 impl<T: Scalar> Law for QuarterCar<T> {
@@ -116,6 +131,7 @@ impl<T: Scalar> Law for QuarterCar<T> {
         let body = Motion { height: self.body_height, velocity: self.body_velocity };
         let (road, static_load) = (self.road(), self.static_load());
         self.wheel.output(&self.suspension, body, road, static_load);
+        self.external_force = self.force_without_friction - self.holding_force(self.wheel.tyre_load - static_load);
     }
 }
 

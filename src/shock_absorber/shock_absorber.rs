@@ -124,10 +124,11 @@ crate::model! {
     /// spring and gas continue beyond the stroke. The memory of a law belongs to the axial motion only. Most laws
     /// without memory do not hold a load at rest unless `friction.mass` and `external_force` are given; LuGre and the
     /// other bristle laws do. In Model Exchange `Coulomb`, `CoulombStiction`, `CoulombViscous`, `Stribeck` and
-    /// `Karnopp` need `external_force`, and bristles that carry too much when the load falls slip with a time constant
-    /// of 1 ms: at a reversal the force lags. A warning is logged if the host steps the strut at every evaluation of
-    /// its integrator, several times per step: the distance travelled by `velocity` is then more than twice that by
-    /// `length`.
+    /// `Karnopp` need `external_force`: `force_without_friction` less the force of a strut whose length keeps its
+    /// velocity, as `QuarterCar` computes it. Bristles that carry too much when the load falls slip with a time
+    /// constant of 1 ms: at a reversal the force lags. A warning is logged if the host steps the strut at every
+    /// evaluation of its integrator, several times per step: the distance travelled by `velocity` is then more than
+    /// twice that by `length`.
     ///
     /// # Source
     /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
@@ -181,6 +182,9 @@ crate::model! {
         force_damper: output = real("N", 0.0),
         /// Part of the friction.
         force_friction: output = real("N", 0.0),
+        /// Axial force without friction: what the friction carries at rest, less the force with which the host keeps the
+        /// length at rest.
+        force_without_friction: output = real("N", 0.0),
         /// Force on the travel of the host, by virtual work: see adapter.
         force_travel: output = real("N", 0.0),
         /// Axial friction at the rod guide; has the sign of the velocity when sliding.
@@ -254,7 +258,8 @@ impl<T: Evaluate> ShockAbsorber<T> {
         self.force_rebound = forces.rebound;
         self.force_damper = -resistance;
         self.force_friction = -(friction[0] + friction[1]);
-        self.force = forces.sum() + self.force_damper + self.force_friction;
+        self.force_without_friction = forces.sum() + self.force_damper;
+        self.force = self.force_without_friction + self.force_friction;
         self.force_tension = -self.force;
         self.force_travel = self.setting.adapter.force_gain * self.setting.adapter.length_gain * self.force;
         self.dissipated_power = resistance * piston;

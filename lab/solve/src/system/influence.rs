@@ -31,9 +31,11 @@ impl Influence {
             return Influence { on };
         }
         let mut draw = Draw::of(model, row);
+        let at_rest = AtRest::of(model, row);
         let [mut row, mut before, mut after] = [row.to_vec(), row.to_vec(), row.to_vec()];
-        for _ in 0..TRIALS {
+        for trial in 0..TRIALS {
             draw.fill(&mut row);
+            at_rest.put(&mut row, trial);
             before.copy_from_slice(&row);
             model.output(&mut before);
             for column in &moved {
@@ -63,18 +65,12 @@ const BEYOND: f64 = 1e3;
 /// modes and the states, but for numbers that only a step sets: they may stand in for the input.
 pub(super) fn is_used(model: &ModelType, row: &[f64], input: usize) -> bool {
     let mut draw = Draw::of(model, row);
-    let held = |(_, variable): &(usize, Variable)| {
-        variable.role.is_state() && !variable.is_continuous_state() && matches!(variable.kind, Kind::Real(_))
-    };
-    let held: Vec<usize> = model.variables().filter(held).map(|(column, _)| column).collect();
-    let velocity = model.table.of(Meaning::Velocity);
+    let at_rest = AtRest::of(model, row);
     let [mut before, mut after] = [row.to_vec(), row.to_vec()];
     (0..TRIALS).any(|trial| {
         draw.fill(&mut before);
-        held.iter().for_each(|column| before[*column] = row[*column]);
-        if let Some(velocity) = velocity.filter(|_| trial % 2 == 0) {
-            before[velocity] = 0.0;
-        }
+        at_rest.free(&mut before);
+        at_rest.put(&mut before, trial);
         if trial % 4 == 1 {
             before[input] *= BEYOND;
         }
@@ -83,6 +79,55 @@ pub(super) fn is_used(model: &ModelType, row: &[f64], input: usize) -> bool {
         [&mut before, &mut after].into_iter().for_each(|row| _ = model.output(row));
         columns(model, Role::is_computed).iter().any(|output| before[*output].to_bits() != after[*output].to_bits())
     })
+}
+
+/// Rows of a contact at rest, whose force may follow an input that that of a sliding one does not follow.
+struct AtRest<'a> {
+    start: &'a [f64],
+    velocity: Option<usize>,
+    /// Inputs other than those that decide how a contact at rest goes on.
+    others: Vec<usize>,
+    /// Numbers that only a step sets, such as the force that one has planned.
+    planned: Vec<usize>,
+}
+
+impl AtRest<'_> {
+    fn of<'a>(model: &ModelType, start: &'a [f64]) -> AtRest<'a> {
+        let columns = |wanted: fn(&Variable) -> bool| {
+            model.variables().filter(|(_, variable)| wanted(variable)).map(|(column, _)| column).collect()
+        };
+        AtRest {
+            start,
+            velocity: model.table.of(Meaning::Velocity),
+            others: columns(|variable| {
+                let goes_on = matches!(variable.meaning, Meaning::ExternalForce | Meaning::Acceleration);
+                variable.role == Role::Input && !goes_on
+            }),
+            planned: columns(|variable| {
+                let is_discrete = variable.role.is_state() && !variable.is_continuous_state();
+                is_discrete && matches!(variable.kind, Kind::Real(_))
+            }),
+        }
+    }
+
+    /// Lets no step have gone before.
+    fn free(&self, row: &mut [f64]) {
+        self.planned.iter().for_each(|column| row[*column] = self.start[*column]);
+    }
+
+    /// Half of the rows are at rest, half of these with nothing else across or about the axis.
+    fn put(&self, row: &mut [f64], trial: usize) {
+        if !trial.is_multiple_of(2) {
+            return;
+        }
+        self.free(row);
+        if trial.is_multiple_of(4) {
+            self.others.iter().for_each(|column| row[*column] = self.start[*column]);
+        }
+        if let Some(velocity) = self.velocity {
+            row[velocity] = 0.0;
+        }
+    }
 }
 
 /// Whether something else than the parameters gives such a column its value.

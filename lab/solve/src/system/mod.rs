@@ -24,4 +24,6 @@ pub use values::{Setting, closest, spelled};
 #[cfg(test)]
 mod event_tests;
 #[cfg(test)]
+mod strut_tests;
+#[cfg(test)]
 mod tests;

@@ -137,9 +137,10 @@ impl Motion {
         let mover = |(number, moving): (usize, &Vec<usize>)| Mover::new(system, number, &states, moving);
         let movers: Vec<Mover> = moving.iter().enumerate().map(mover).collect();
         let moving_signals = system.signals.iter().any(|(_, signal)| !matches!(signal, Signal::Constant(_)));
+        let used = used(&tasks, system);
         Ok(Motion {
-            acts: acts(&tasks, &movers),
-            tasks_of_indicators: needed(&tasks, |part| movers[part].indicators > 0),
+            acts: acts(&used, &movers),
+            tasks_of_indicators: needed(&used, |part| movers[part].indicators > 0),
             movers,
             runs: runs(&states),
             states,
@@ -222,6 +223,16 @@ fn perform(tasks: &[Task], movers: &mut [Mover]) {
             Task::Pass { from, to } => movers[to.part].row[to.column] = movers[from.part].row[from.column],
         }
     }
+}
+
+/// The tasks without those that only give an external force to a law that needs none: they would cost each evaluation the
+/// outputs of the parts on both sides once more.
+fn used(tasks: &[Task], system: &System) -> Vec<Task> {
+    let is_idle =
+        |to: &Place| system.variable(*to).meaning == Meaning::ExternalForce && !system.parts[to.part].uses(to.column);
+    let is_used = |task: &&Task| !matches!(task, Task::Pass { to, .. } if is_idle(to));
+    let used: Vec<Task> = tasks.iter().filter(is_used).copied().collect();
+    needed(&used, |_| true)
 }
 
 /// The tasks without which an input of one of these parts would not have its value.
