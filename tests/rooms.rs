@@ -43,7 +43,7 @@ const HOUSES: &[House] = &[
     House { folder: "lab/draw/src", rooms: &["text", "axis", "curve", "frame"] },
     House {
         folder: "lab/sheet/src",
-        rooms: &["units", "time_stamp", "error", "guard", "sheet", "spreadsheet", "mat", "binary"],
+        rooms: &["units", "time_stamp", "error", "guard", "heading", "sheet", "spreadsheet", "mat", "binary"],
     },
     House { folder: "lab/solve/src", rooms: &["work", "solve", "system", "job", "couple", "run", "study"] },
     House { folder: "lab/fit/src", rooms: &["thesis", "measured", "dyno", "tir", "identify", "rig"] },

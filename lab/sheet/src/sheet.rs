@@ -5,6 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::error::{LARGEST, SheetError};
+use crate::heading::{NO_UNIT, SEPARATORS, between_blanks, is_of_units, plain, separator_of, without_lines_above};
 use crate::time_stamp::Stamp;
 use crate::units::{QUANTITIES, Quantity, TIME};
 
@@ -70,12 +71,16 @@ impl Sheet {
 
     /// Reads a text.
     pub fn parse(text: &str) -> Result<Sheet, SheetError> {
-        let text = &with_one_comment(text.strip_prefix('\u{feff}').unwrap_or(text));
+        let text = with_one_comment(text.strip_prefix('\u{feff}').unwrap_or(text));
+        let (text, note) = match without_lines_above(&text) {
+            Some((text, note)) => (Cow::Owned(text), Some(note)),
+            None => (text, None),
+        };
         let heading = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or_default();
-        let tabbed = with_tabs(text, heading);
+        let tabbed = with_tabs(&text, heading);
         let (text, separator) = match &tabbed {
             Some(tabbed) => (tabbed.as_str(), '\t'),
-            None => (&**text, separator_of(heading).unwrap_or(',')),
+            None => (&*text, separator_of(heading).unwrap_or(',')),
         };
         let mut reader = csv::ReaderBuilder::new()
             .delimiter(separator as u8)
@@ -84,7 +89,8 @@ impl Sheet {
             .from_reader(text.as_bytes());
         let headings = reader.headers()?.clone();
         let records = reader.records().collect::<Result<Vec<csv::StringRecord>, csv::Error>>();
-        Ok(Sheet::under(headings.iter(), records.map_err(|error| of_rows(error, separator))?, separator))
+        let rows = records.map_err(|error| of_rows(error, separator))?;
+        Ok(Sheet { note, ..Sheet::under(headings.iter(), rows, separator) })
     }
 
     /// Rows under a heading; the first of them may be a row of units.
@@ -377,15 +383,6 @@ fn unit_in_name(heading: &str, wanted: &str) -> Option<String> {
         .then(|| format!("; units stand in brackets: '{wanted} [{unit}]' instead of '{heading}'"))
 }
 
-/// Marks between columns besides blanks.
-const SEPARATORS: [char; 3] = ['\t', ';', ','];
-
-/// The separator of a heading, outside of quotation marks.
-fn separator_of(heading: &str) -> Option<char> {
-    let bare: String = heading.split('"').step_by(2).collect();
-    SEPARATORS.into_iter().find(|mark| bare.contains(*mark))
-}
-
 /// A text whose comments all begin with `#`. A `%` before a separator is the unit of the first column.
 fn with_one_comment(text: &str) -> Cow<'_, str> {
     let is_comment = |line: &str| line.strip_prefix('%').is_some_and(|rest| !rest.trim_start().starts_with(SEPARATORS));
@@ -394,18 +391,6 @@ fn with_one_comment(text: &str) -> Cow<'_, str> {
     }
     let line = |line: &str| if is_comment(line) { format!("#{line}") } else { line.to_owned() };
     Cow::Owned(text.split('\n').map(line).collect::<Vec<String>>().join("\n"))
-}
-
-/// Columns of a heading that are separated by blanks; a unit in brackets belongs to the name before it.
-fn between_blanks(heading: &str) -> Vec<String> {
-    let mut columns: Vec<String> = Vec::new();
-    for word in heading.split_whitespace() {
-        match columns.last_mut() {
-            Some(column) if word.starts_with(['[', '(']) => *column += word,
-            _ => columns.push(word.to_owned()),
-        }
-    }
-    columns
 }
 
 /// A table whose columns are separated by blanks, with tabs instead; None for other tables.
@@ -421,34 +406,6 @@ fn with_tabs(text: &str, heading: &str) -> Option<String> {
         cells + "\n"
     };
     Some(text.lines().map(row).collect())
-}
-
-/// A unit in ASCII: the micro sign and the Greek letter become u, a raised dot becomes a dot, a degree sign alone is deg
-/// and before a letter is left out; anything else stays and is an error. A first sign that was not UTF-8 is a micro or
-/// degree sign.
-fn plain(unit: &str) -> String {
-    let packed: String = unit.chars().filter(|letter| !letter.is_whitespace()).collect();
-    let letters = packed.replace(['\u{b5}', '\u{3bc}'], "u").replace(['\u{b7}', '\u{22c5}'], ".");
-    let is_lost = letters.starts_with(char::REPLACEMENT_CHARACTER);
-    match letters.strip_prefix(['\u{b0}', '\u{ba}', char::REPLACEMENT_CHARACTER]) {
-        Some(rest) if rest.is_empty() || rest.starts_with('/') => format!("deg{rest}"),
-        Some("m" | "s") if !is_lost => letters,
-        Some(unit @ ("m" | "s")) => format!("u{unit}"),
-        Some(unit) => unit.to_owned(),
-        None => letters,
-    }
-}
-
-/// Words that stand for no unit.
-const NO_UNIT: [&str; 3] = ["", "-", "none"];
-
-/// Whether a row has units: at least one that is known, and no number but the unit 1.
-pub(crate) fn is_of_units(row: &csv::StringRecord) -> bool {
-    let cells: Vec<String> = row.iter().map(|text| plain(text.trim_matches(['[', ']', '(', ')']))).collect();
-    let is_known = |text: &String| {
-        text != "1" && QUANTITIES.iter().any(|quantity| quantity.units.iter().any(|unit| unit.0 == text))
-    };
-    cells.iter().any(is_known) && cells.iter().all(|text| text == "1" || text.parse::<f64>().is_err())
 }
 
 #[cfg(test)]
@@ -588,5 +545,47 @@ mod tests {
         assert_eq!(sheet.column(&ANGLE).unwrap(), Some(vec![std::f64::consts::PI]));
         assert_eq!(sheet.column(&MOMENT).unwrap(), Some(vec![7e-3]));
         assert_eq!(["\u{b0}/s", "\u{fffd}/s"].map(plain), ["deg/s"; 2]);
+    }
+
+    fn read(text: &str) -> (Vec<f64>, Vec<f64>, Option<String>) {
+        let sheet = Sheet::parse(text).unwrap();
+        let column = |quantity| sheet.column(quantity).unwrap().unwrap();
+        (column(&TIME), column(&FORCE), sheet.note().map(str::to_owned))
+    }
+
+    /// As a testing machine, a servo drive and a tribometer write them: marks, notes with numbers, units below or in
+    /// the heading, an empty last column.
+    #[test]
+    fn lines_above_a_heading_are_not_read() {
+        for (text, line) in [
+            ("RIG7|MPT|1|2|.|/|:\n\nAcquisition\t\tTime:\t1.5\tSec\nforce\tnote\ttime\nkN\tx\tms\n2\t3\t4\n", 4),
+            ("Axis1\nNumber of data,1\nInterval(ms),0.5\ntime,force,x,\nms,kN,not selected,\n\n4,2,0,\n", 4),
+            ("Run date 12 May 2022 12:21:50\nSet force = -200\ntime (ms);force [kN]\n4,0;2,0\n", 3),
+            ("Tested on a rig of ours\nStep 3 of 4\ntime [ms] force [kN]\n4 2\n", 3),
+        ] {
+            let note = format!("the table begins with the heading in line {line}; what is above it is not read");
+            assert_eq!(read(text), (vec![0.004], vec![2000.0], Some(note)), "{text}");
+        }
+        let twice = "RIG\n\nRun 1\nforce\ttime\nkN\tSec\n2\t1\n\nRun 2\nforce\ttime\nkN\tSec\n3\t2\n4\t3\n";
+        let (time, force, note) = read(twice);
+        assert_eq!((time, force), (vec![1.0, 2.0, 3.0], vec![2000.0, 3000.0, 4000.0]));
+        assert!(note.unwrap().ends_with("; it goes on below another heading like it (1)"));
+        let spoilt = Sheet::parse(&twice.replace("4\t3", "4\tx")).unwrap().column(&TIME).unwrap_err();
+        assert_eq!(spoilt.to_string(), "line 12, time: 'x' is not a finite number");
+        let spoilt = Sheet::parse("A rig\n\ntime,force\n1,2\n2,x\n").unwrap().column(&FORCE).unwrap_err();
+        assert_eq!(spoilt.to_string(), "line 5, force: 'x' is not a finite number");
+    }
+
+    #[test]
+    fn a_table_that_begins_with_its_heading_is_as_it_was() {
+        for text in ["time,force,note\n4,2,a\n", "\"time, of all\",force,x\n1,2,3\n1,2,3\n", "time,force\nms,kN\n1,2\n"]
+        {
+            assert_eq!(Sheet::parse(text).unwrap().note(), None, "{text}");
+        }
+        let twice = Sheet::parse("time,force\nTime,Force\n1,2\n").unwrap();
+        assert_eq!(twice.column(&TIME).unwrap_err().to_string(), "line 2, time: 'Time' is not a finite number");
+        let no_heading = Sheet::parse("rig\n1,2\n").unwrap_err().to_string();
+        assert!(no_heading.starts_with("no table: line 2, columns: 2, must be 1 as in the heading"), "{no_heading}");
+        assert!(!Sheet::parse("a rig\nof ours\n").unwrap().has(DISPLACEMENT.name));
     }
 }

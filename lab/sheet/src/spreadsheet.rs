@@ -8,7 +8,8 @@ use calamine::{Data, ExcelDateTime, ExcelDateTimeType, Ods, Range, Reader, Sheet
 
 use crate::error::SheetError;
 use crate::guard::{refused, silently};
-use crate::sheet::{Sheet, is_of_units, not_too_large};
+use crate::heading::is_of_units;
+use crate::sheet::{Sheet, not_too_large};
 use crate::time_stamp::Stamp;
 
 /// A row of a sheet: its number, from 1, and its cells as text.
