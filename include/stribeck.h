@@ -5432,7 +5432,7 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FORCE_DAMPER = 1982494132,
   /** out [N]: Part of the friction. */
   STRIBECK_SHOCK_ABSORBER_FORCE_FRICTION = 2078264455,
-  /** out [N]: Axial force without friction: what the friction carries at rest, less the force with which the host keeps the length at rest. */
+  /** out [N]: Axial force without friction. At rest the friction carries it, less the force with which the host holds the length. */
   STRIBECK_SHOCK_ABSORBER_FORCE_WITHOUT_FRICTION = 1698389154,
   /** out [N]: Force on the travel of the host, by virtual work: see adapter. */
   STRIBECK_SHOCK_ABSORBER_FORCE_TRAVEL = 2046608485,

@@ -182,8 +182,8 @@ crate::model! {
         force_damper: output = real("N", 0.0),
         /// Part of the friction.
         force_friction: output = real("N", 0.0),
-        /// Axial force without friction: what the friction carries at rest, less the force with which the host keeps the
-        /// length at rest.
+        /// Axial force without friction. At rest the friction carries it, less the force with which the host holds the
+        /// length.
         force_without_friction: output = real("N", 0.0),
         /// Force on the travel of the host, by virtual work: see adapter.
         force_travel: output = real("N", 0.0),

@@ -74,7 +74,7 @@ fn fit(arguments: &Arguments, inquiry: &Inquiry) -> Result<(), Failure> {
         TyreInquiryError::Fault(fault) => fault,
         error => Fault::File(error.to_string()),
     })?;
-    // They may say why there is no fit.
+    // The notes may say why there is no fit.
     let told = |_: &Fault| test.notes.iter().for_each(|note| eprintln!("{note}"));
     let answer = fit_tyre(&test, &task).inspect_err(told)?;
     if let Some(path) = &arguments.pictures {

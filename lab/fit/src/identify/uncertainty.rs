@@ -30,6 +30,7 @@ use super::map::{by_velocity, neighbours, student};
 use super::parameter::{Parameter, Target, is_level};
 use super::problem::{Found, Problem, dot, minus, moved};
 use super::velocity_error;
+use crate::measured::OF_MEDIAN;
 
 /// Correlation time of the residuals from which the law does not explain them, in samples (chosen).
 pub(super) const SYSTEMATIC: f64 = 3.0;
@@ -448,9 +449,6 @@ impl Uncertainty {
 
 /// Part of a value by which two ends may differ without noise.
 const ROUNDING: f64 = 1e-6;
-
-/// Standard deviation of normal noise by the median of its magnitude.
-const OF_MEDIAN: f64 = 1.4826;
 
 /// Standard deviations from which a sample is an outlier, and shift by all of them, in standard deviations, from which a
 /// value is theirs (chosen).

@@ -12,6 +12,9 @@ pub(crate) fn reversals(velocity: &[f64], speed: f64) -> usize {
     signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
 
+/// Standard deviation of normal noise by the median of its magnitude.
+pub(crate) const OF_MEDIAN: f64 = 1.4826;
+
 /// Median, the upper one of an even number of values; sorts them.
 pub(crate) fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);

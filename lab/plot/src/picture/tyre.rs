@@ -35,8 +35,8 @@ struct View<'a> {
 }
 
 /// Draws the test as dots and the formula as curves, at the loads of the test, the least camber and, of several inflation
-/// pressures, the nominal one: side force and
-/// aligning moment in pure side slip, longitudinal force in pure longitudinal slip.
+/// pressures, the nominal one: side force and aligning moment in pure side slip, longitudinal force in pure longitudinal
+/// slip.
 pub fn tyre(test: &TyreTest, formula: &MagicFormula, theme: Theme) -> Vec<Picture> {
     let samples = &test.samples[..];
     let over_side = |kind, measured, of| View {

@@ -81,7 +81,7 @@ pub(super) fn is_used(model: &ModelType, row: &[f64], input: usize) -> bool {
     })
 }
 
-/// Rows of a contact at rest, whose force may follow an input that that of a sliding one does not follow.
+/// Rows of a contact at rest: its force may follow an input that the force of a sliding contact does not follow.
 struct AtRest<'a> {
     start: &'a [f64],
     velocity: Option<usize>,

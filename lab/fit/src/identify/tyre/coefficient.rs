@@ -187,7 +187,7 @@ const ARM: &[Coefficient] = &[
     coefficient("ssz4", 0.0, [-10.0, 10.0], 0.3, Camber),
 ];
 
-/// What version 6.1 adds to the force along y in pure side slip.
+/// Additions of version 6.1 to the force along y in pure side slip.
 const LATERAL_6: &[Coefficient] = &[
     coefficient("pey5", 0.0, [-200.0, 200.0], 20.0, Camber),
     coefficient("pky5", 0.0, [-100.0, 100.0], 5.0, Camber),
@@ -200,7 +200,7 @@ const LATERAL_6: &[Coefficient] = &[
     coefficient("ppy5", 0.0, [-10.0, 10.0], 0.5, Pressure),
 ];
 
-/// What version 6.1 adds to the force along x in pure longitudinal slip.
+/// Additions of version 6.1 to the force along x in pure longitudinal slip.
 const LONGITUDINAL_6: &[Coefficient] = &[
     coefficient("ppx1", 0.0, [-10.0, 10.0], 0.3, Pressure),
     coefficient("ppx2", 0.0, [-20.0, 20.0], 1.0, Pressure),
@@ -208,11 +208,13 @@ const LONGITUDINAL_6: &[Coefficient] = &[
     coefficient("ppx4", 0.0, [-10.0, 10.0], 0.3, Pressure),
 ];
 
-/// What version 6.1 adds to combined slip.
+/// Addition of version 6.1 to the reduction of the force along x by side slip.
 const COMBINED_X_6: &[Coefficient] = &[coefficient("rbx3", 0.0, [-500.0, 500.0], 50.0, Camber)];
+
+/// Addition of version 6.1 to the reduction of the force along y by longitudinal slip.
 const COMBINED_Y_6: &[Coefficient] = &[coefficient("rby4", 0.0, [-500.0, 500.0], 50.0, Camber)];
 
-/// What version 6.1 adds to the moment about z in pure side slip.
+/// Additions of version 6.1 to the moment about z in pure side slip.
 const ALIGNING_6: &[Coefficient] = &[
     coefficient("qdz10", 0.0, [-30.0, 30.0], 1.0, Camber),
     coefficient("qdz11", 0.0, [-30.0, 30.0], 1.0, Camber),

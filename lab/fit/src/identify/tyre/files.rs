@@ -20,7 +20,7 @@ pub(super) fn joined(tests: Vec<(String, TyreTest)>) -> TyreTest {
     all
 }
 
-/// What samples are of, in words.
+/// Numbers of samples of each kind of slip, what is fitted to them, and their pressures, in words.
 fn contents(samples: &[Sample]) -> String {
     let count = |is_one: &dyn Fn(&Sample) -> bool| samples.iter().filter(|one| is_one(one)).count();
     let kinds = [

@@ -8,6 +8,7 @@ use stribeck_solve::job::Entry;
 
 use super::super::uncertainty::digits;
 use super::columns::{Sample, TyreTest, TyreTestError, times};
+use crate::measured::{OF_MEDIAN, extremes, median};
 
 /// Leaves out the rows within a time after the first one, in s, and those in which a column is outside of its range, in
 /// the unit of the file; a note on their number.
@@ -44,7 +45,7 @@ pub(super) fn without_load_sweeps(test: TyreTest) -> TyreTest {
     let is_still = |one: &Sample| one.side_slip.abs() <= NO_SLIP && one.longitudinal_slip.abs() <= NO_SLIP;
     let mut kept = Vec::with_capacity(samples.len());
     for run in samples.chunk_by(|a, b| is_still(a) == is_still(b)) {
-        let [low, high] = ends_of(run.iter().map(|one| one.load));
+        let [low, high] = extremes(run.iter().map(|one| one.load));
         if !is_still(&run[0]) || run.len() < SWEEP || high - low < CHANGE * high {
             kept.extend(run);
             continue;
@@ -53,11 +54,6 @@ pub(super) fn without_load_sweeps(test: TyreTest) -> TyreTest {
         notes.push(format!("{}: a sweep of the load from {low} to {high} N without slip, not fitted", place(run)));
     }
     TyreTest { samples: kept, notes, ..TyreTest::default() }
-}
-
-/// Least and largest value.
-fn ends_of(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], one| [low.min(one), high.max(one)])
 }
 
 /// Lines and times of samples that follow each other.
@@ -73,16 +69,8 @@ const PARTS: usize = 40;
 const SHORTEST: usize = 10;
 const FAR: f64 = 4.0;
 
-/// Standard deviation of normal numbers per median of their distances from the median.
-const OF_MEDIAN: f64 = 1.4826;
-
 fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len().max(1) as f64
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
 }
 
 /// Number of samples at the start and at the end whose values are far from the rest, and further than a least distance
@@ -93,8 +81,8 @@ fn far_ends(values: &[f64], least: impl Fn(f64) -> f64) -> [usize; 2] {
     }
     let length = values.len().div_ceil(PARTS).max(SHORTEST);
     let means: Vec<f64> = values.chunks(length).map(mean).collect();
-    let middle = median(means.clone());
-    let spread = OF_MEDIAN * median(means.iter().map(|one| (one - middle).abs()).collect());
+    let middle = median(&mut means.clone());
+    let spread = OF_MEDIAN * median(&mut means.iter().map(|one| (one - middle).abs()).collect::<Vec<f64>>());
     let is_far = |one: &f64| (one - middle).abs() > (FAR * spread).max(least(middle));
     let first = length * means.iter().take_while(|one| is_far(one)).count();
     let begin = length * (means.len() - means.iter().rev().take_while(|one| is_far(one)).count());
@@ -109,7 +97,7 @@ fn split(count: usize, at_end: bool, all: usize) -> [std::ops::Range<usize>; 2] 
     if at_end { [all - count..all, 0..all - count] } else { [0..count, count..all] }
 }
 
-/// What to do about samples that look like warm-up.
+/// Advice on samples that look like warm-up.
 const REMEDY: &str = "warm-up? They are fitted; --skip and --only leave samples out";
 
 /// Difference of temperatures, in K, that is large (chosen).
@@ -123,8 +111,8 @@ pub(super) fn by_temperature(samples: &[Sample]) -> Vec<String> {
     let Some(all) = samples.iter().map(|one| one.temperature).collect::<Option<Vec<f64>>>() else { return Vec::new() };
     let note = |(count, at_end): (usize, bool)| {
         let [here, rest] = split(count, at_end, all.len());
-        let [low, high] = ends_of(all[here.clone()].iter().map(|one| one - FREEZING));
-        let usual = median(all[rest].to_vec()) - FREEZING;
+        let [low, high] = extremes(all[here.clone()].iter().map(|one| one - FREEZING));
+        let usual = median(&mut all[rest].to_vec()) - FREEZING;
         let place = place(&samples[here]);
         format!("{place}: the tyre has {low:.0} to {high:.0} degC, {usual:.0} degC in the rest: {REMEDY}")
     };

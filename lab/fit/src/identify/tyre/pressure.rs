@@ -103,7 +103,7 @@ impl TyreTest {
         };
         if levels.len() > 1 {
             self.notes.push(format!(
-                "inflation pressures of {shown}: fitted to the {} samples at {:.1} kPa, for version 5.2 of the formula \
+                "inflation pressures of {shown}: fitted to the {} samples at {:.1} kPa, since version 5.2 of the formula \
                  has none; another one: --pressure, all of them: --formula 6.1",
                 chosen.samples.len(),
                 1e-3 * chosen.mean
