@@ -199,3 +199,17 @@ fn choose(course: &mut Course, question: Question, results: &mut [Option<Id>], o
         };
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Column 0 is moved by 1, 1 by 2 and by the input 3; 4 by itself. Column 2 has a rate, but does not move.
+    #[test]
+    fn a_step_reaches_what_moves_the_numbers_of_a_rate() {
+        let rates = [vec![1], vec![2, 3], vec![4], vec![], vec![4]].map(|from| from.into_iter().collect());
+        let columns = |found: &BTreeSet<usize>| found.iter().copied().collect::<Vec<usize>>();
+        let found: Vec<Vec<usize>> = moved(&rates, &[0, 1, 4]).iter().map(columns).collect();
+        assert_eq!(found, [vec![0, 1, 2, 3], vec![1, 2, 3], vec![], vec![], vec![4]]);
+    }
+}

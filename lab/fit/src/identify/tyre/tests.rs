@@ -367,6 +367,8 @@ fn warm_up_is_named_and_left_out_if_asked() {
     ] {
         assert!(fit.notes.iter().any(|note| note.contains(part) && note.contains(about)), "{part} {about}: {told}");
     }
+    let late = Inquiry { skip: Some(5.99), ..all.clone() }.test().unwrap();
+    assert!(late.notes.iter().any(|note| note.contains("300 of 2850 samples are left out")), "{:?}", late.notes);
     // Fitted with the rest, they are not the tyre; left out by time and temperature, the rest is.
     let known = truth().pdy1;
     assert!((estimate(&fit, "PDY1").value / known - 1.0).abs() > 0.01);
