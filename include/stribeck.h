@@ -838,6 +838,20 @@ typedef enum stribeck_interpolation {
   STRIBECK_INTERPOLATION_CUBIC = 2,
 } stribeck_interpolation;
 
+/** Choices of a variable of the type LiangMotion. */
+typedef enum stribeck_liang_motion {
+  /** Determined by deflection and velocity: no event has set it, as in co-simulation. */
+  STRIBECK_LIANG_MOTION_FREE = 1,
+  /** Moves with the surface, within the static limit. */
+  STRIBECK_LIANG_MOTION_BONDED = 2,
+  /** Slides at the static limit. */
+  STRIBECK_LIANG_MOTION_SLIDING = 3,
+  /** Moves with the surface, within the kinetic limit. */
+  STRIBECK_LIANG_MOTION_BONDED_FAST = 4,
+  /** Slides at the kinetic limit. */
+  STRIBECK_LIANG_MOTION_SLIDING_FAST = 5,
+} stribeck_liang_motion;
+
 /** Choices of a variable of the type LiangVariant. */
 typedef enum stribeck_liang_variant {
   /** The deflection keeps its direction and is shortened: the force is continuous. */
@@ -4601,7 +4615,7 @@ typedef enum stribeck_gonthier_variable {
 } stribeck_gonthier_variable;
 
 /** Guid of Liang for fmi2Instantiate. */
-#define STRIBECK_LIANG_GUID "{a8a88c6c-69e0-5d83-f43c-264b3bc7ce95}"
+#define STRIBECK_LIANG_GUID "{6ab2b2a7-a367-5938-0fcc-889a566fb5b6}"
 
 /** Preset of Liang: Novais (2024), Tables 6.1 and 7.1 (the start values). */
 #define STRIBECK_LIANG_PRESET_THESIS "thesis"
@@ -4643,6 +4657,9 @@ typedef enum stribeck_liang_variable {
   STRIBECK_LIANG_BRISTLE_DEFLECTION_Y = 1142291702,
   /** state [m]: Elastic deflection of the bristles, component z. (default 0) */
   STRIBECK_LIANG_BRISTLE_DEFLECTION_Z = 1125514083,
+  /** state [stribeck_liang_motion]: Motion of the bristle as found by the last event of Model Exchange.
+   *  (default Free) */
+  STRIBECK_LIANG_MOTION = 1030989351,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_LIANG_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force, component x; has the direction of the velocity when sliding. Body 1 feels its negative. */

@@ -9,6 +9,7 @@ pub(crate) mod element_slip;
 pub(crate) mod elements;
 pub mod end_velocity;
 pub mod motion;
+pub(crate) mod planar;
 pub mod quantities;
 pub mod stopping;
 pub(crate) mod time_stepping;

@@ -1,12 +1,12 @@
-use crate::number::elementary::atan2;
 use nalgebra::Vector3;
 
+use crate::contact::planar::{self, AT_LIMIT, Bristle, Ramp};
 use crate::contact::quantities::*;
-use crate::contact::turning;
+use crate::contact::time_stepping::{MOVED, NO_EVENT, PASSED, REACHED};
+use crate::contact::unloading;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, real};
 use crate::number::{Decision, Mask, Scalar};
-use crate::numerics::root;
 use crate::numerics::vector::{Component, direction, in_plane, length, remainder, turned_into};
 
 crate::choices! {
@@ -16,6 +16,33 @@ crate::choices! {
         RadialReturn,
         /// The deflection takes the direction of the velocity, as printed: the force can jump.
         Printed,
+    }
+}
+
+crate::choices! {
+    /// Motion of the bristle between two events of Model Exchange.
+    pub enum LiangMotion {
+        /// Determined by deflection and velocity: no event has set it, as in co-simulation.
+        Free,
+        /// Moves with the surface, within the static limit.
+        Bonded,
+        /// Slides at the static limit.
+        Sliding,
+        /// Moves with the surface, within the kinetic limit.
+        BondedFast,
+        /// Slides at the kinetic limit.
+        SlidingFast,
+    }
+}
+
+impl LiangMotion {
+    fn found(is_fast: bool, slides: bool) -> LiangMotion {
+        match (is_fast, slides) {
+            (false, false) => LiangMotion::Bonded,
+            (false, true) => LiangMotion::Sliding,
+            (true, false) => LiangMotion::BondedFast,
+            (true, true) => LiangMotion::SlidingFast,
+        }
     }
 }
 
@@ -56,6 +83,7 @@ crate::model! {
     /// | z       | `bristle_deflection_x`   | m     | deflection of the bristle                          |
     /// |         | `bristle_deflection_y`   |       |                                                    |
     /// |         | `bristle_deflection_z`   |       |                                                    |
+    /// |         | `motion`                 |       | motion of $z$ as found by the last event           |
     /// | f_f     | `friction_force_x`       | N     | friction force                                     |
     /// |         | `friction_force_y`       |       |                                                    |
     /// |         | `friction_force_z`       |       |                                                    |
@@ -80,6 +108,14 @@ crate::model! {
     /// normal. A bristle that slides stays on the circle while the load, and with it the circle, grows or shrinks, and
     /// leaves it where the circle grows faster than the bristle moves outwards. The dissipated energy includes the
     /// damping of the motion with the growing circle; the output force, which is that of held inputs, does not.
+    ///
+    /// In Model Exchange the bristle reaches its circle, leaves it, and changes from one circle to the other at events.
+    /// Between two of them one line above holds, also where a solver tries values beyond. The slope of the load is not
+    /// known there. The force of a bristle that slides follows the circle at once, and its state with a time constant of
+    /// 0.1 ms; if the circle outgrows the state by more than the bristle moves in that time, the bristle is bonded
+    /// again. The state follows a turning plane with the same time constant; a bonded one loses 0.01 % per second by
+    /// that at 1 rad/s, and more with the square of that speed. A bristle beyond a circle that shrinks is put on it, and
+    /// turned over by the printed rule.
     ///
     /// A master that integrates a mass $m$ with the force it reads couples it explicitly to the stiffness $k$ and the
     /// damping $c$ of the contact at rest. If the friction steps first, a held body stays still for communication steps
@@ -137,10 +173,12 @@ crate::model! {
         sigma_1: tunable = SIGMA_1,
         /// Variant of the law.
         variant: fixed = LiangVariant::RadialReturn.start().means(Meaning::Variant),
-        bristle_deflection_x: state = BRISTLE_DEFLECTION_X,
-        bristle_deflection_y: state = BRISTLE_DEFLECTION_Y,
+        bristle_deflection_x: state = BRISTLE_DEFLECTION_X.reinit(),
+        bristle_deflection_y: state = BRISTLE_DEFLECTION_Y.reinit(),
         /// Elastic deflection of the bristles, component z.
-        bristle_deflection_z: state = real("m", 0.0).nominal(1e-5).shown_in("um").odd(),
+        bristle_deflection_z: state = real("m", 0.0).nominal(1e-5).shown_in("um").odd().reinit(),
+        /// Motion of the bristle as found by the last event of Model Exchange.
+        motion: state = LiangMotion::Free.start(),
         dissipated_energy: state_output = DISSIPATED_ENERGY,
         friction_force_x: output = FRICTION_FORCE_X,
         friction_force_y: output = FRICTION_FORCE_Y,
@@ -151,8 +189,17 @@ crate::model! {
     }
 }
 
-/// A deflection counts as at its limit from this part of the limit on (chosen), the resolution of a sum of squares.
-const AT_LIMIT: f64 = 1.0 - 1e-12;
+/// Pieces of a step with inputs that move (chosen).
+const PIECES: u32 = 8;
+
+/// Time constant with which the stored deflection follows its circle and its plane in Model Exchange, in s (chosen).
+const FOLLOWED: f64 = 1e-4;
+
+/// Part of the limit by which a circle must have outgrown a bristle that slides (chosen), so that rounding does not.
+const OUTGROWN: f64 = 1e-9;
+
+/// Width of the hysteresis at the transition velocity, in parts of it (chosen).
+const EDGE: f64 = 1e-10;
 
 impl<T: Component + Scalar> Liang<T> {
     fn normal(&self) -> Vector3<T> {
@@ -168,17 +215,39 @@ impl<T: Component + Scalar> Liang<T> {
         in_plane(&self.velocity(), &self.normal())
     }
 
+    /// Whether no event has found the motion of the bristle.
+    fn is_free(&self) -> T::Mask {
+        LiangMotion::Free.is(self.motion)
+    }
+
+    /// Whether an event has found it sliding.
+    fn is_found_sliding(&self) -> T::Mask {
+        LiangMotion::Sliding.is(self.motion) | LiangMotion::SlidingFast.is(self.motion)
+    }
+
+    /// Whether an event has found it slower than v_0.
+    fn is_found_slow(&self) -> T::Mask {
+        LiangMotion::Bonded.is(self.motion) | LiangMotion::Sliding.is(self.motion)
+    }
+
     /// z_max.
     fn limit(&self) -> T {
-        let sticks = length(&self.tangential_velocity()).at_most(self.transition_velocity);
-        let mu = sticks.choose(|| self.mu_s, || self.mu_k);
+        let is_slow = length(&self.tangential_velocity()).at_most(self.transition_velocity);
+        let mu = (self.is_found_slow() | self.is_free() & is_slow).choose(|| self.mu_s, || self.mu_k);
         mu * self.normal_force / self.sigma_0
+    }
+
+    /// z as it is stored.
+    fn stored(&self) -> Vector3<T> {
+        Vector3::new(self.bristle_deflection_x, self.bristle_deflection_y, self.bristle_deflection_z)
     }
 
     /// z in the present plane and within its present limit.
     fn deflection(&self) -> Vector3<T> {
-        let z = Vector3::new(self.bristle_deflection_x, self.bristle_deflection_y, self.bristle_deflection_z);
-        let z = turned_into(&z, &self.normal());
+        if !self.is_free().holds() {
+            return self.deflection_between_events();
+        }
+        let z = turned_into(&self.stored(), &self.normal());
         let (limit, velocity) = (self.limit(), self.tangential_velocity());
         // A deflection that was left at its limit must not count as beyond it because of rounding.
         if (length(&z) * T::from(AT_LIMIT)).above(limit).holds() {
@@ -198,8 +267,38 @@ impl<T: Component + Scalar> Liang<T> {
         LiangVariant::of(self.variant.value()) == LiangVariant::Printed
     }
 
+    /// The stored z in the present plane: its projection, which is linear.
+    fn in_present_plane(&self) -> Vector3<T> {
+        in_plane(&self.stored(), &self.normal())
+    }
+
+    /// z as the last event has found it moving: bonded, or at its limit.
+    fn deflection_between_events(&self) -> Vector3<T> {
+        let (z, limit) = (self.in_present_plane(), self.limit());
+        let forward = direction(&z);
+        let outward = self.tangential_velocity().dot(&forward);
+        if self.is_found_sliding().holds() {
+            let followed = length(&z) + outward.larger(T::from(0.0)) * T::from(FOLLOWED);
+            return self.heading(forward, outward) * limit.at_most(followed).choose(|| limit, || followed);
+        }
+        // An event is due if it is moved outwards beyond its limit.
+        if (length(&z).above(limit) & !outward.is_positive()).holds() { forward * limit } else { z }
+    }
+
+    /// Direction of a bristle that slides, from that of the stored one.
+    fn heading(&self, forward: Vector3<T>, outward: T) -> Vector3<T> {
+        if self.is_printed() && !outward.vanishes().holds() {
+            direction(&self.tangential_velocity()) * outward.sign()
+        } else {
+            forward
+        }
+    }
+
     /// Whether z is at its limit and moved outwards. Without a limit there is only sliding.
     fn slides(&self, z: &Vector3<T>) -> T::Mask {
+        if !self.is_free().holds() {
+            return self.is_found_sliding();
+        }
         let is_outward = z.dot(&self.tangential_velocity()).is_positive();
         self.limit().vanishes() | is_outward & self.is_at_limit(z)
     }
@@ -214,10 +313,12 @@ impl<T: Component + Scalar> Liang<T> {
         if (!self.slides(z)).holds() {
             return velocity;
         }
-        if self.is_printed() || self.limit().vanishes().holds() {
+        let forward = direction(z);
+        if self.is_printed() || forward.iter().all(|component| component.vanishes().holds()) {
             return Vector3::repeat(T::from(0.0));
         }
-        remainder(in_plane(&velocity, &direction(z)), &velocity)
+        let across = in_plane(&velocity, &forward);
+        if self.is_free().holds() { remainder(across, &velocity) } else { across }
     }
 
     /// f_f, and whether the bristle is at its limit.
@@ -228,7 +329,7 @@ impl<T: Component + Scalar> Liang<T> {
 }
 
 impl<T: Component + Scalar> Law for Liang<T> {
-    type Interface = CoSimulation;
+    type Interface = ModelExchange;
 
     fn output(&mut self) {
         let is_loaded = self.normal_force.is_positive().holds();
@@ -236,6 +337,21 @@ impl<T: Component + Scalar> Law for Liang<T> {
         [self.friction_force_x, self.friction_force_y, self.friction_force_z] = force.into();
         self.dissipated_power = force.dot(&self.velocity());
         self.sticking = T::truth(!slides);
+    }
+}
+
+impl<T: Component + Scalar> Derivatives for Liang<T> {
+    fn derivatives(&self, rate: &mut Self) {
+        if !self.normal_force.is_positive().holds() {
+            return;
+        }
+        let z = self.deflection();
+        let mut change = self.deflection_rate(&z);
+        if !self.is_free().holds() {
+            change += (z - self.stored()) * T::from(1.0 / FOLLOWED);
+        }
+        [rate.bristle_deflection_x, rate.bristle_deflection_y, rate.bristle_deflection_z] = change.into();
+        rate.dissipated_energy = self.force().0.dot(&self.velocity());
     }
 }
 
@@ -260,12 +376,13 @@ impl Model for Liang {
     }
 
     fn step(&mut self, dt: f64) {
+        self.motion = LiangMotion::Free.number();
         let (velocity, limit) = (self.tangential_velocity(), self.limit());
         let mut z = self.deflection();
         if limit > 0.0 {
             let mut left = dt;
             if !self.slides(&z) {
-                let free = left.min(time_to_limit(&z, &velocity, limit));
+                let free = left.min(planar::time_to_limit(&z, &velocity, limit));
                 self.dissipated_energy += free
                     * (self.sigma_0 * (z + velocity * (0.5 * free)).dot(&velocity)
                         + self.sigma_1 * velocity.dot(&velocity));
@@ -277,7 +394,8 @@ impl Model for Liang {
                     z = direction(&velocity) * limit;
                 }
                 let forward = direction(&velocity);
-                let (along, across) = slide(&mut z, &[forward; 2], &self.normal(), length(&velocity) * left, limit);
+                let (along, across) =
+                    planar::slide(&mut z, &[forward; 2], &self.normal(), length(&velocity) * left, limit);
                 self.dissipated_energy +=
                     limit * (self.sigma_0 * limit * along + self.sigma_1 * length(&velocity) * across);
             }
@@ -288,6 +406,7 @@ impl Model for Liang {
     /// In pieces over which velocity, normal and load count as linear. In the plane of its normal the instants of each
     /// piece are located: where the speed passes v_0, and where the bristle reaches its circle or leaves it.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        self.motion = LiangMotion::Free.number();
         let begin = ramp::Inputs::of(self);
         let mut z = self.deflection();
         for piece in 0..PIECES {
@@ -297,233 +416,114 @@ impl Model for Liang {
             ramp::set_inputs(self, &begin, slope, to);
             let normal_end = self.normal();
             let ramp = Ramp {
-                velocity: [carried(&velocity, &normal, &normal_end), self.tangential_velocity()],
+                velocity: [planar::carried(&velocity, &normal, &normal_end), self.tangential_velocity()],
                 load: [load, self.normal_force],
                 duration: to - from,
             };
-            z = carried(&z, &normal, &normal_end);
+            z = planar::carried(&z, &normal, &normal_end);
             self.follow(&mut z, &ramp);
         }
         ramp::set_inputs(self, &begin, slope, dt);
         self.put(&z);
     }
 
-    fn rate(&self, rate: &mut Self) {
-        if self.normal_force > 0.0 {
-            let [x, y, z] = self.deflection_rate(&self.deflection()).into();
-            (rate.bristle_deflection_x, rate.bristle_deflection_y, rate.bristle_deflection_z) = (x, y, z);
-            rate.dissipated_energy = self.force().0.dot(&self.velocity());
-        }
+    const EVENT_INDICATORS: usize = 3;
+
+    /// A bristle that slides on a line keeps its direction.
+    fn is_linear(&self) -> bool {
+        let across = in_plane(&self.tangential_velocity(), &direction(&self.in_present_plane()));
+        !self.is_free() && (!self.is_found_sliding() || across == Vector3::zeros())
+    }
+
+    fn event_indicators(&self, indicators: &mut [f64]) {
+        let speed = length(&self.tangential_velocity()) / self.transition_velocity;
+        let passes = if self.is_found_slow() { 1.0 + EDGE - speed } else { speed - (1.0 - EDGE) };
+        indicators.copy_from_slice(&[self.change(), passes, unloading::load(self.normal_force)]);
+    }
+
+    fn at_event(&mut self) {
+        let before = *self;
+        let z = if self.is_free() { self.deflection() } else { turned_into(&self.stored(), &self.normal()) };
+        let is_fast = length(&self.tangential_velocity()) > self.transition_velocity;
+        self.motion = LiangMotion::found(is_fast, false).number();
+        let limit = if unloading::is_unloaded(self.normal_force) { 0.0 } else { self.limit() };
+        let slides = limit == 0.0 || if before.is_free() { before.slides(&z) } else { self.slides_on(&z, &before) };
+        self.motion = LiangMotion::found(is_fast, slides).number();
+        let heading = if slides && self.is_printed() { self.tangential_velocity() } else { z };
+        self.put(&if slides || length(&z) > limit { direction(&heading) * limit } else { z });
     }
 }
 
 impl Liang {
+    /// |z| in parts of its limit.
+    fn stretch(&self, z: &Vector3<f64>) -> f64 {
+        let limit = self.limit();
+        if limit > 0.0 { length(z) / limit } else { 0.0 }
+    }
+
+    /// Speed in the direction of z, in parts of the least one that counts.
+    fn outward_speed(&self, z: &Vector3<f64>) -> f64 {
+        self.tangential_velocity().dot(&direction(z)) / MOVED
+    }
+
+    /// The same of a bonded bristle that begins to slide; the printed rule needs no direction.
+    fn breaking_speed(&self, z: &Vector3<f64>) -> f64 {
+        if self.is_printed() { length(&self.tangential_velocity()) / MOVED } else { self.outward_speed(z) }
+    }
+
+    /// Event indicator: positive until a bristle begins to slide, or ceases to.
+    fn change(&self) -> f64 {
+        let z = self.in_present_plane();
+        if !self.is_found_sliding() {
+            return (1.0 + REACHED - self.stretch(&z)).max(PASSED - self.breaking_speed(&z));
+        }
+        if self.limit() == 0.0 || unloading::is_unloaded(self.normal_force) {
+            return NO_EVENT;
+        }
+        let followed = self.stretch(&self.deflection_between_events());
+        (self.outward_speed(&z) + PASSED).min((followed - 1.0) / OUTGROWN + 1.0)
+    }
+
+    /// Whether a bristle slides after an event. The limits lie between those of the indicator.
+    fn slides_on(&self, z: &Vector3<f64>, before: &Liang) -> bool {
+        let (stretch, outward) = (self.stretch(z), self.outward_speed(z));
+        if !before.is_found_sliding() {
+            let is_beyond = stretch >= 1.0 + 0.5 * REACHED && self.breaking_speed(z) > 0.5 * PASSED;
+            return is_beyond || stretch >= AT_LIMIT && outward > 0.5 * PASSED;
+        }
+        let is_on_circle = if before.limit() == self.limit() {
+            self.stretch(&before.deflection_between_events()) >= 1.0 - 0.5 * OUTGROWN
+        } else {
+            stretch >= AT_LIMIT
+        };
+        outward > 0.0 && is_on_circle
+    }
+
     fn put(&mut self, z: &Vector3<f64>) {
         [self.bristle_deflection_x, self.bristle_deflection_y, self.bristle_deflection_z] = (*z).into();
     }
 
     /// Follows a ramp in the plane of the present normal, whatever the speed.
     fn follow(&mut self, z: &mut Vector3<f64>, ramp: &Ramp) {
+        let mut bristle = Bristle {
+            deflection: *z,
+            energy: self.dissipated_energy,
+            normal: self.normal(),
+            stiffness: self.sigma_0,
+            damping: self.sigma_1,
+            is_led: self.is_printed(),
+        };
         let mut from = 0.0;
         for cut in ramp.cuts(self.transition_velocity).into_iter().chain([1.0]) {
             let to = cut.min(1.0);
             if to > from {
                 let part = ramp.part(from, to).rounded();
                 let mu = if length(&part.velocity_at(0.5)) <= self.transition_velocity { self.mu_s } else { self.mu_k };
-                self.follow_part(z, &part, part.load.map(|load| mu * load / self.sigma_0));
+                bristle.follow(&part, part.load.map(|load| mu * load / self.sigma_0));
                 from = to;
             }
         }
-    }
-
-    /// Follows a ramp over which z_max moves linearly.
-    fn follow_part(&mut self, z: &mut Vector3<f64>, ramp: &Ramp, limit: [f64; 2]) {
-        let growth = (limit[1] - limit[0]) / ramp.duration;
-        let (mut from, mut has_left) = (0.0, false);
-        // It seldom takes more than two: a bristle that swings back and forth within a part is accepted as it is.
-        for _ in 0..8 {
-            if from >= 1.0 {
-                break;
-            }
-            let rest = ramp.part(from, 1.0);
-            let circle = [limit[0] + (limit[1] - limit[0]) * from, limit[1]];
-            if !has_left && length(z) >= AT_LIMIT * circle[0] {
-                self.clamp(z, &rest.velocity[0], circle[0]);
-                let outward = if circle[0] > 0.0 { direction(z) } else { rest.forward()[0] };
-                let ahead = rest.velocity[0].dot(&outward) - growth;
-                if ahead > 0.0 || ahead == 0.0 && (rest.velocity[1] - rest.velocity[0]).dot(&outward) > 0.0 {
-                    let done = self.slide_part(z, &rest, circle, ahead);
-                    from = if done < 1.0 { from + (1.0 - from) * done } else { 1.0 };
-                    has_left = true;
-                    continue;
-                }
-            }
-            let done = self.move_freely(z, &rest, circle);
-            from = if done < 1.0 { from + (1.0 - from) * done } else { 1.0 };
-            has_left = false;
-        }
-        self.clamp(z, &ramp.velocity[1], limit[1]);
-    }
-
-    /// Shortens a deflection to its limit.
-    fn clamp(&self, z: &mut Vector3<f64>, velocity: &Vector3<f64>, limit: f64) {
-        if length(z) * AT_LIMIT > limit {
-            *z = direction(if self.is_printed() && length(velocity) > 0.0 { velocity } else { z }) * limit;
-        }
-    }
-
-    /// Slides until the bristle leaves the circle; returns the share of the ramp that this takes. `ahead` is the speed
-    /// outwards, less that of the circle.
-    fn slide_part(&mut self, z: &mut Vector3<f64>, ramp: &Ramp, limit: [f64; 2], ahead: f64) -> f64 {
-        let growth = (limit[1] - limit[0]) / ramp.duration;
-        let mut end = *z;
-        self.slide_over(&mut end, ramp, limit);
-        let ahead_end = ramp.velocity[1].dot(&direction(&end)) - growth;
-        let share = if ahead_end < 0.0 { ahead / (ahead - ahead_end) } else { 1.0 };
-        let (part, limit) = (ramp.part(0.0, share), [limit[0], limit[0] + (limit[1] - limit[0]) * share]);
-        self.dissipated_energy += self.slide_over(z, &part, limit);
-        share
-    }
-
-    /// Slides over the whole ramp; returns the work.
-    fn slide_over(&self, z: &mut Vector3<f64>, ramp: &Ramp, limit: [f64; 2]) -> f64 {
-        let (forward, middle) = (ramp.forward(), 0.5 * (limit[0] + limit[1]));
-        let speed = length(&ramp.velocity_at(0.5));
-        let distance = speed * ramp.duration;
-        if distance == 0.0 || middle == 0.0 {
-            *z = direction(z) * limit[1];
-            return 0.0;
-        }
-        if *z == Vector3::zeros() || self.is_printed() {
-            *z = forward[0] * middle;
-        }
-        let (mut along, mut across) = slide(z, &forward, &self.normal(), distance, middle);
-        if self.is_printed() {
-            (*z, along, across) = (forward[1], distance / middle, 0.0);
-        }
-        *z = direction(z) * limit[1];
-        let outward = middle * along / ramp.duration;
-        // Damping of the outward motion that the circle allows, and of a free bristle that a shrinking circle
-        // overtakes.
-        let radial = if outward > 0.0 { ((limit[1] - limit[0]) / ramp.duration).max(0.0) } else { outward };
-        self.sigma_0 * middle * middle * along
-            + self.sigma_1 * (speed * middle * across + radial * outward * ramp.duration)
-    }
-
-    /// Moves within the circle until the bristle reaches it; returns the share of the ramp that this takes.
-    fn move_freely(&mut self, z: &mut Vector3<f64>, ramp: &Ramp, limit: [f64; 2]) -> f64 {
-        let start = *z;
-        let at = |share: f64| start + (ramp.velocity[0] + ramp.velocity_at(share)) * (0.5 * share * ramp.duration);
-        let beyond = |share: f64| length(&at(share)) - (limit[0] + (limit[1] - limit[0]) * share);
-        let share = if beyond(1.0) > 0.0 { root::bisect(beyond, 0.0, 1.0) } else { 1.0 };
-        *z = at(share);
-        let [a, b] = [ramp.velocity[0], ramp.velocity_at(share)];
-        let squares = (a.dot(&a) + a.dot(&b) + b.dot(&b)) / 3.0;
-        self.dissipated_energy +=
-            self.sigma_0 * 0.5 * (*z - start).dot(&(*z + start)) + self.sigma_1 * squares * (share * ramp.duration);
-        share
-    }
-}
-
-/// The time until |z + v t| = limit for a z within it; infinite at rest.
-fn time_to_limit(z: &Vector3<f64>, velocity: &Vector3<f64>, limit: f64) -> f64 {
-    let speed = length(velocity);
-    if speed == 0.0 {
-        return f64::INFINITY;
-    }
-    // In lengths of the limit: distance d with d^2 + 2 b d - c = 0.
-    let z = z / limit;
-    let b = z.dot(&direction(velocity));
-    let c = (1.0 - length(&z)) * (1.0 + length(&z));
-    let root = (b * b + c).max(0.0).sqrt();
-    let distance = if b > 0.0 { c / (b + root) } else { root - b };
-    distance.max(0.0) * (limit / speed)
-}
-
-/// Lets a bristle slide along the circle of the radius `limit` over a distance, while the direction of the motion turns
-/// from one to the other. Returns the integrals of cos(phi) and sin(phi)^2 over the distance, in lengths of the limit.
-fn slide(
-    z: &mut Vector3<f64>,
-    forward: &[Vector3<f64>; 2],
-    normal: &Vector3<f64>,
-    distance: f64,
-    limit: f64,
-) -> (f64, f64) {
-    let start = direction(z);
-    let side = in_plane(&start, &forward[0]);
-    // Without a normal the bristle turns in the plane of its own and of the motion.
-    let has_plane = forward[0] != forward[1] && length(normal) > 0.0;
-    let left = forward.map(|forward| if has_plane { normal.cross(&forward) } else { -direction(&side) });
-    let sin = if has_plane { -start.dot(&left[0]) } else { length(&side) };
-    let w = atan2(forward[1].dot(&left[0]), forward[1].dot(&forward[0]));
-    let turn = turning::follow(sin, start.dot(&forward[0]), distance / limit, if has_plane { w } else { 0.0 });
-    *z = (forward[1] * turn.cos - left[1] * turn.sin) * limit;
-    (turn.along, turn.across)
-}
-
-/// A vector in the plane of one normal, carried along as the plane turns into that of another.
-fn carried(vector: &Vector3<f64>, from: &Vector3<f64>, to: &Vector3<f64>) -> Vector3<f64> {
-    // The plane does not depend on which way its normal points.
-    let cos = from.dot(to);
-    let to = if cos < 0.0 { -to } else { *to };
-    vector - (from + to) * (vector.dot(&to) / (1.0 + cos.abs()))
-}
-
-/// Pieces of a step with inputs that move (chosen).
-const PIECES: u32 = 8;
-
-/// Velocity and load that move linearly in a plane.
-#[derive(Clone, Copy)]
-struct Ramp {
-    velocity: [Vector3<f64>; 2],
-    load: [f64; 2],
-    duration: f64,
-}
-
-impl Ramp {
-    fn velocity_at(&self, share: f64) -> Vector3<f64> {
-        self.velocity[0] + (self.velocity[1] - self.velocity[0]) * share
-    }
-
-    fn load_at(&self, share: f64) -> f64 {
-        self.load[0] + (self.load[1] - self.load[0]) * share
-    }
-
-    /// The part between two shares of the duration.
-    fn part(&self, from: f64, to: f64) -> Ramp {
-        Ramp {
-            velocity: [self.velocity_at(from), self.velocity_at(to)],
-            load: [self.load_at(from), self.load_at(to)],
-            duration: (to - from) * self.duration,
-        }
-    }
-
-    /// Shares of the duration at which the speed passes `speed`, and at which it is lowest, in rising order.
-    fn cuts(&self, speed: f64) -> [f64; 3] {
-        let (start, change) = (self.velocity[0], self.velocity[1] - self.velocity[0]);
-        let square = change.dot(&change);
-        let lowest = -start.dot(&change) / square;
-        let least = start + change * lowest;
-        let half = ((speed * speed - least.dot(&least)) / square).max(0.0).sqrt();
-        [lowest - half, lowest, lowest + half]
-    }
-
-    /// A speed below which there is only rounding and no direction.
-    fn rounded(mut self) -> Ramp {
-        let largest = length(&self.velocity[0]).max(length(&self.velocity[1]));
-        for velocity in &mut self.velocity {
-            if length(velocity) <= 1e-12 * largest {
-                *velocity = Vector3::zeros();
-            }
-        }
-        self
-    }
-
-    /// Directions of the motion at both ends.
-    fn forward(&self) -> [Vector3<f64>; 2] {
-        let [a, b] = self.velocity.map(|velocity| direction(&velocity));
-        let is_zero = |vector: &Vector3<f64>| *vector == Vector3::zeros();
-        [if is_zero(&a) { b } else { a }, if is_zero(&b) { a } else { b }]
+        (*z, self.dissipated_energy) = (bristle.deflection, bristle.energy);
     }
 }
 

@@ -14,7 +14,8 @@ DESCRIPTIONS = {model: fmpy.read_model_description(str(path_of(model))) for mode
 MODELS = [model for model, description in DESCRIPTIONS.items() if description.modelExchange]
 
 # Variation of inputs about their start values, by unit.
-SWING = {"m/s": 2e-3, "m": 2e-3, "N": 0.5, "m/s2": 0.0, "rad": 0.02, "rad/s": 0.1, "W": 10.0, "K": 5.0, "N.m": 0.1}
+SWING = {"1": 0.1, "m/s": 2e-3, "m": 2e-3, "N": 0.5, "m/s2": 0.0, "rad": 0.02, "rad/s": 0.1}
+SWING |= {"W": 10.0, "K": 5.0, "N.m": 0.1}
 PIECES, PIECE, STEP = 20, 0.01, 1e-3
 
 # Advice on the communication step, which a solver does not have.

@@ -351,3 +351,161 @@ fn elements_of_leuven_slip_as_the_deflection_moves() {
     bench.instance.at_event().expect("an event");
     assert_eq!((bench.get("element[1].slipping"), bench.get("slip")), (0.0, 2.0));
 }
+
+/// Names of what a bristle in a plane does: its deflection, and the force.
+const IN_SPACE: [[&str; 3]; 2] = [
+    ["bristle_deflection_x", "bristle_deflection_y", "bristle_deflection_z"],
+    ["friction_force_x", "friction_force_y", "friction_force_z"],
+];
+
+/// A bristle in a plane with its velocity, deflection in parts of 10 um, and load.
+fn put_bristle(bench: &mut Bench, velocity: [f64; 2], deflection: [f64; 2], load: f64) {
+    for (name, value) in ["velocity_x", "velocity_y"].into_iter().zip(velocity) {
+        bench.set(name, value);
+    }
+    for (name, value) in IN_SPACE[0].into_iter().zip(deflection) {
+        bench.set(name, 1e-5 * value);
+    }
+    bench.set("normal_force", load);
+}
+
+/// Rates of the deflection.
+fn bristle_rates(bench: &Bench) -> [f64; 3] {
+    let mut rate = bench.instance.row().to_vec();
+    bench.instance.model().rate(bench.instance.row(), &mut rate);
+    IN_SPACE[0].map(|name| rate[bench.column(name)])
+}
+
+/// A bristle of Liang's law under 10 N, whose limits are 15 um below v_0 and 10 um above: which events are due, and what
+/// they find. In a phase that an event has found nothing depends on the limit that the speed would choose.
+#[test]
+fn bristles_of_liang_slide_and_change_their_limit_at_events() {
+    const BONDED: f64 = 2.0;
+    for side in [1.0, -1.0] {
+        let mut bench = Bench::for_model_exchange("Liang", &[("normal_force", 10.0)]);
+        bench.instance.at_event().expect("an event");
+        let mut find = |velocity: f64, deflection: f64, load: f64| {
+            put_bristle(&mut bench, [side * velocity, 0.0], [side * deflection, 0.0], load);
+            let before = due(&bench);
+            bench.instance.at_event().expect("an event");
+            assert_eq!(due(&bench)[..2], [false; 2], "{velocity} {deflection}: still due");
+            (before, bench.get("motion"), side * bench.get("friction_force_x"))
+        };
+        let damping = 316.227_766;
+        // Velocity, deflection and load; whether to slide or stop, to pass v_0, to be released; motion and force.
+        let legs = [
+            ((1e-4, 0.0, 10.0), [false; 3], BONDED, damping * 1e-4),
+            ((1e-4, 1.499, 10.0), [false; 3], BONDED, 1.499 + damping * 1e-4),
+            ((-1e-4, 1.501, 10.0), [false; 3], BONDED, 1.5 - damping * 1e-4),
+            ((1e-4, 1.501, 10.0), [true, false, false], 3.0, 1.5),
+            ((9e-4, 1.5, 10.0), [false; 3], 3.0, 1.5),
+            ((1.1e-3, 1.5, 10.0), [false, true, false], 5.0, 1.0),
+            ((5e-2, 1.0, 11.0), [false; 3], 5.0, 1.1),
+            ((5e-2, 1.1, 10.0), [false; 3], 5.0, 1.0),
+            ((9e-4, 1.0, 10.0), [false, true, false], BONDED, 1.0 + damping * 9e-4),
+            ((2e-3, 1.2, 10.0), [false, true, false], 5.0, 1.0),
+            ((-1e-9, 1.0, 10.0), [true, true, false], BONDED, 1.0 - damping * 1e-9),
+            ((-2e-3, 0.5, 10.0), [false, true, false], 4.0, 0.5 - damping * 2e-3),
+            ((2e-3, 0.9, 0.0), [false, false, true], 5.0, 0.0),
+            ((2e-3, 0.0, 1e-7), [false, false, true], 5.0, 0.0),
+            ((2e-3, 0.0, 10.0), [true, false, false], 4.0, damping * 2e-3),
+            ((2e-3, 1.1, 10.0), [true, false, false], 5.0, 1.0),
+            ((0.0, 1.0, 10.0), [false, true, false], BONDED, 1.0),
+        ];
+        for ((velocity, deflection, load), is_due, motion, force) in legs {
+            let what = format!("{velocity} {deflection} {load}");
+            let (due, found, carried) = find(velocity, deflection, load);
+            assert_eq!((due.as_slice(), found), (&is_due[..], motion), "{what}");
+            assert_abs_diff_eq!(carried, force, epsilon = 1e-6);
+        }
+    }
+}
+
+/// Across a bristle that slides, the velocity turns it; along it, nothing does, until the velocity points inwards. Its
+/// force follows a load that rises, but not faster than the bristle moves in 0.1 ms; then it is bonded.
+#[test]
+fn a_bristle_that_slides_turns_and_follows_its_circle() {
+    let mut bench = Bench::for_model_exchange("Liang", &[("normal_force", 10.0)]);
+    put_bristle(&mut bench, [3e-2, 0.0], [0.6, 0.8], 10.0);
+    bench.instance.at_event().expect("an event");
+    assert_eq!(bench.get("motion"), 5.0);
+    let force = |bench: &mut Bench| IN_SPACE[1].map(|name| bench.get(name));
+    let near = |a: [f64; 3], b: [f64; 3], most: f64| a.iter().zip(b).all(|(a, b)| (a - b).abs() < most);
+    // v less its part along z: 0.03 (1, 0) - 0.018 (0.6, 0.8).
+    let turning = [0.0192, -0.0144, 0.0];
+    assert!(near(bristle_rates(&bench), turning, 1e-12), "{:?}", bristle_rates(&bench));
+    let expected = [0.6 + 316.227_766 * 0.0192, 0.8 - 316.227_766 * 0.0144, 0.0];
+    assert!(near(force(&mut bench), expected, 1e-6), "{:?}", force(&mut bench));
+    // It moves outwards at 18 mm/s, which is 1.8 um or 0.18 N in 0.1 ms.
+    for (load, level, is_due) in [(11.0, 1.1, false), (11.79, 1.179, false), (13.0, 1.18, true), (8.0, 0.8, false)] {
+        bench.set("normal_force", load);
+        let expected = [0.6 * level + 316.227_766 * 0.0192, 0.8 * level - 316.227_766 * 0.0144, 0.0];
+        assert!(near(force(&mut bench), expected, 1e-6), "{load}: {:?}", force(&mut bench));
+        assert_eq!(due(&bench), [is_due, false, false], "{load}");
+        let follows = 1e-5 * (level - 1.0) / 1e-4;
+        let rates = [turning[0] + 0.6 * follows, turning[1] + 0.8 * follows, 0.0];
+        assert!(near(bristle_rates(&bench), rates, 1e-9), "{load}: {:?}", bristle_rates(&bench));
+    }
+    bench.set("normal_force", 13.0);
+    bench.instance.at_event().expect("an event");
+    assert_eq!((bench.get("motion"), bristle_rates(&bench)), (4.0, [3e-2, 0.0, 0.0]));
+}
+
+/// The printed rule leads a bristle that slides by the velocity, keeps it where the velocity passes 0, and turns it over
+/// where a limit shrinks below it.
+#[test]
+fn the_printed_rule_turns_a_bristle_over_at_an_event() {
+    let mut bench = Bench::for_model_exchange("Liang", &[("normal_force", 10.0), ("variant", 2.0)]);
+    let carries = |bench: &mut Bench, expected: [f64; 2]| {
+        let [x, y] = [bench.get("friction_force_x"), bench.get("friction_force_y")];
+        assert!((x - expected[0]).abs() < 1e-12 && (y - expected[1]).abs() < 1e-12, "{x} {y}, not {expected:?}");
+    };
+    put_bristle(&mut bench, [3e-2, 0.0], [0.6, 0.8], 10.0);
+    bench.instance.at_event().expect("an event");
+    assert_eq!(bench.get("motion"), 5.0);
+    carries(&mut bench, [1.0, 0.0]);
+    put_bristle(&mut bench, [3e-2, 4e-2], [1.0, 0.0], 10.0);
+    carries(&mut bench, [0.6, 0.8]);
+    assert_eq!(due(&bench), [false; 3]);
+    let rates = bristle_rates(&bench);
+    assert!((rates[0] + 0.04).abs() < 1e-12 && (rates[1] - 0.08).abs() < 1e-12, "{rates:?}");
+    // Past a reversal it has its direction until the event, which bonds it.
+    put_bristle(&mut bench, [-2e-3, 0.0], [1.0, 0.0], 10.0);
+    carries(&mut bench, [1.0, 0.0]);
+    assert_eq!(due(&bench), [true, false, false]);
+    bench.instance.at_event().expect("an event");
+    assert_eq!(bench.get("motion"), 4.0);
+    bench.set("normal_force", 9.0);
+    assert_eq!(due(&bench), [true, false, false]);
+    bench.instance.at_event().expect("an event");
+    assert_eq!(bench.get("motion"), 5.0);
+    carries(&mut bench, [-0.9, 0.0]);
+    // At rest it is shortened.
+    put_bristle(&mut bench, [0.0, 0.0], [-0.9, 0.0], 5.0);
+    bench.instance.at_event().expect("an event");
+    assert_eq!(bench.get("motion"), 2.0);
+    carries(&mut bench, [-0.75, 0.0]);
+}
+
+/// A bonded bristle at rest follows a plane that turns about y at w = 10 rad/s, and loses w^2 of it per second in the
+/// 0.1 ms by which it lags, as its page says: 0.1 % in 0.1 s.
+#[test]
+fn a_bonded_bristle_follows_a_plane_that_turns() {
+    const H: f64 = 2e-6;
+    let mut bench = Bench::for_model_exchange("Liang", &[("normal_force", 10.0)]);
+    put_bristle(&mut bench, [0.0, 0.0], [0.5, 0.3], 10.0);
+    bench.instance.at_event().expect("an event");
+    for step in 0..50_000 {
+        let angle = 10.0 * H * (f64::from(step) + 0.5);
+        bench.set("normal_x", angle.sin());
+        bench.set("normal_z", angle.cos());
+        for (name, rate) in IN_SPACE[0].into_iter().zip(bristle_rates(&bench)) {
+            let moved = bench.get(name) + H * rate;
+            bench.set(name, moved);
+        }
+    }
+    let [x, y, z] = IN_SPACE[1].map(|name| bench.get(name));
+    let [along, normal] = [x * 1f64.cos() - z * 1f64.sin(), x * 1f64.sin() + z * 1f64.cos()];
+    assert!((y - 0.3).abs() < 1e-9 && normal.abs() < 1e-5, "{y} {normal}");
+    assert_abs_diff_eq!((0.5 - along) / 0.5, 1e-3, epsilon = 3e-5);
+}

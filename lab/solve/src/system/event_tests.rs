@@ -151,11 +151,41 @@ fn a_block_changes_its_curves_where_another_integration_says() {
 }
 
 /// Instant and place at which a block that slides against a constant level is as fast as the belt again.
-fn comes_to_rest(w: f64, [begin, x, speed, level]: [f64; 4]) -> [f64; 2] {
+fn comes_to_rest(w: f64, start: [f64; 4]) -> [f64; 2] {
+    swings_back(w, start, BELT)
+}
+
+/// The same for any speed.
+fn swings_back(w: f64, [begin, x, speed, level]: [f64; 4], to: f64) -> [f64; 2] {
     let middle = level / (w * w);
     let out = x - middle;
-    let back = -(out * out + (speed * speed - BELT * BELT) / (w * w)).sqrt();
-    [begin + (TAU + (w * back).atan2(BELT) - (w * out).atan2(speed)) / w, middle + back]
+    let back = -(out * out + (speed * speed - to * to) / (w * w)).sqrt();
+    [begin + (TAU + (w * back).atan2(to) - (w * out).atan2(speed)) / w, middle + back]
+}
+
+/// The bristle breaks at the static limit as a bond does; the block slides against the static level until it differs from
+/// the belt by v_0, against the kinetic one until it is as near again, and takes the bristle along from its kinetic limit
+/// to its static one.
+#[test]
+fn a_bristle_breaks_and_changes_its_limit_where_closed_forms_say() {
+    let (StickSlip { w, .. }, stiffness, damping) = (StickSlip::table_6_1(), 1e5, 1e5f64.sqrt());
+    let [fast, kinetic, breakaway] = [BELT - 1e-3, 0.981, 1.4715];
+    let system = [w * w, stiffness, damping];
+    let breaks = |[start, drift]: [f64; 2]| (start + breakaway / stiffness) / -drift;
+    let steady = steady_bond(0.0, 0.0, system);
+    let first = breaks(steady);
+    // Against the static level it is accelerated outwards of the middle.
+    let [out, speed] = [BELT * first - (breakaway / stiffness) - breakaway / (w * w), BELT + steady[1]];
+    let further = (out * out + (speed * speed - fast * fast) / (w * w)).sqrt();
+    let passes = first + ((w * further).atan2(fast) - (w * out).atan2(speed)) / w;
+    let [returns, x] = swings_back(w, [passes, breakaway / (w * w) + further, fast, kinetic], fast);
+    let second = returns + breaks(steady_bond(x, -kinetic / stiffness, system));
+    let expected = [first, passes, returns, second];
+    for tolerance in [1e-3, 1e-12] {
+        let (statistics, _) = belt("Liang", tolerance);
+        let times: Vec<f64> = statistics.events.iter().take(4).map(|event| event.time).collect();
+        assert!(times.iter().zip(expected).all(|(time, exact)| (time - exact).abs() < 1e-9), "{times:?} {expected:?}");
+    }
 }
 
 /// Two elements with equal levels, 2/3 and 1/3 of the stiffness, 1/3 and 2/3 of the level: the first one slips, then the
