@@ -399,6 +399,7 @@ fn bristles_of_liang_slide_and_change_their_limit_at_events() {
             ((-1e-4, 1.501, 10.0), [false; 3], BONDED, 1.5 - damping * 1e-4),
             ((1e-4, 1.501, 10.0), [true, false, false], 3.0, 1.5),
             ((9e-4, 1.5, 10.0), [false; 3], 3.0, 1.5),
+            ((0.0, 1.5, 10.0), [false; 3], BONDED, 1.5),
             ((1.1e-3, 1.5, 10.0), [false, true, false], 5.0, 1.0),
             ((5e-2, 1.0, 11.0), [false; 3], 5.0, 1.1),
             ((5e-2, 1.1, 10.0), [false; 3], 5.0, 1.0),
