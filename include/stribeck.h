@@ -4824,6 +4824,81 @@ typedef enum stribeck_rolling_resistance_variable {
   STRIBECK_ROLLING_RESISTANCE_STICKING = 553311409,
 } stribeck_rolling_resistance_variable;
 
+/** Guid of DirectionalStribeck for fmi2Instantiate. */
+#define STRIBECK_DIRECTIONAL_STRIBECK_GUID "{02c94eb3-bd10-3967-4d8e-a13dc2802579}"
+
+/** Preset of DirectionalStribeck: enactic/openarm, issue 103 (2025), axis 1: N.m and N.m.s/rad, here at a normal force of 1; no static level known. */
+#define STRIBECK_DIRECTIONAL_STRIBECK_PRESET_OPENARM_JOINT_1 "openarm_joint_1"
+
+/** Preset of DirectionalStribeck: Robotics Toolbox of P. Corke, model of the Puma 560: N.m and N.m.s/rad of the motor, here at a normal force of 1; no static level known. */
+#define STRIBECK_DIRECTIONAL_STRIBECK_PRESET_PUMA_560_JOINT_1 "puma_560_joint_1"
+
+/** DirectionalStribeck: Stribeck friction that differs by direction. Variables of "DirectionalStribeck". */
+typedef enum stribeck_directional_stribeck_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_VELOCITY = 846470194,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_DIRECTIONAL_STRIBECK_NORMAL_FORCE = 5891938,
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_EXTERNAL_FORCE = 1336490458,
+  /** tunable [1]: Kinetic coefficient of friction at positive velocity. (>= 0, default 0.1) */
+  STRIBECK_DIRECTIONAL_STRIBECK_MU_K_FORWARD = 2009355551,
+  /** tunable [1]: Kinetic coefficient of friction at negative velocity. (>= 0, default 0.1) */
+  STRIBECK_DIRECTIONAL_STRIBECK_MU_K_BACKWARD = 1409630639,
+  /** tunable [1]: Static coefficient of friction towards positive velocity; not less than mu_k_forward.
+   *  (>= 0, default 0.15) */
+  STRIBECK_DIRECTIONAL_STRIBECK_MU_S_FORWARD = 172349863,
+  /** tunable [1]: Static coefficient of friction towards negative velocity; not less than mu_k_backward.
+   *  (>= 0, default 0.15) */
+  STRIBECK_DIRECTIONAL_STRIBECK_MU_S_BACKWARD = 846245543,
+  /** tunable [m/s]: Positive velocity at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_DIRECTIONAL_STRIBECK_STRIBECK_VELOCITY_FORWARD = 770119452,
+  /** tunable [m/s]: Magnitude of the negative velocity at which the excess of static friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_DIRECTIONAL_STRIBECK_STRIBECK_VELOCITY_BACKWARD = 188310802,
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
+  STRIBECK_DIRECTIONAL_STRIBECK_STRIBECK_EXPONENT = 509292062,
+  /** tunable [N.s/m]: Viscous friction coefficient at positive velocity. (>= 0, default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_VISCOUS_COEFFICIENT_FORWARD = 1462510995,
+  /** tunable [N.s/m]: Viscous friction coefficient at negative velocity. (>= 0, default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_VISCOUS_COEFFICIENT_BACKWARD = 1367278395,
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
+   *  (>= 0, default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_MASS = 1601648849,
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
+  STRIBECK_DIRECTIONAL_STRIBECK_EXCHANGE = 1692658528,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_STEP_SIZE = 843244609,
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_PLANNING_STEP = 1287183179,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_PLANNED_FORCE = 30514517,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_END_VELOCITY = 1478402472,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_END_EXTERNAL_FORCE = 1757063408,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_END_NORMAL_FORCE = 962162212,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_VELOCITY_CHANGE = 10986035,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_EXTERNAL_FORCE_CHANGE = 1328420411,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_NORMAL_FORCE_CHANGE = 2025029027,
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
+  STRIBECK_DIRECTIONAL_STRIBECK_PHASE = 1501573624,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_DIRECTIONAL_STRIBECK_DISSIPATED_ENERGY = 758404530,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_DIRECTIONAL_STRIBECK_FRICTION_FORCE = 1713976319,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_DIRECTIONAL_STRIBECK_DISSIPATED_POWER = 236926875,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_DIRECTIONAL_STRIBECK_STICKING = 553311409,
+} stribeck_directional_stribeck_variable;
+
 /** Guid of ShockAbsorber for fmi2Instantiate. */
 #define STRIBECK_SHOCK_ABSORBER_GUID "{8f62554a-9b39-b4fd-1f09-d62c9338f893}"
 

@@ -5,8 +5,13 @@ use crate::number::Real;
 
 /// Condition on the two coefficients in every model with stiction.
 pub(crate) fn static_not_below_kinetic(mu_s: f64, mu_k: f64) -> Result<(), Fault> {
+    not_below(("mu_s", mu_s), ("mu_k", mu_k))
+}
+
+/// Condition on a static and a kinetic coefficient with names of their own.
+pub(crate) fn not_below((of, mu_s): (&str, f64), (over, mu_k): (&str, f64)) -> Result<(), Fault> {
     if mu_s < mu_k {
-        return Err(Fault::new(format_args!("mu_s = {mu_s}: must be >= mu_k = {mu_k}")));
+        return Err(Fault::new(format_args!("{of} = {mu_s}: must be >= {over} = {mu_k}")));
     }
     Ok(())
 }

@@ -43,6 +43,7 @@ crate::model::family! {
     lugre_planar::LuGrePlanar,
     elasto_plastic_planar::ElastoPlasticPlanar,
     rolling_resistance::RollingResistance,
+    directional_stribeck::DirectionalStribeck,
 }
 
 // What a parameter is for decides its carrier in a strut and its range in a fit: a law that does not say it does not

@@ -24,9 +24,19 @@ const fn is_along(law: Declared) -> bool {
     column(law, Meaning::Velocity).is_some() && column(law, Meaning::VelocityY).is_none()
 }
 
-/// Whether the law is one of sliding along a line, whose level the contact sets by the coefficient of friction.
+/// Whether the law is one of sliding along a line, whose level the contact sets by the coefficient of friction: one for
+/// both directions.
 const fn is_scalar(law: Declared) -> bool {
-    is_along(law) && column(law, Meaning::FrictionForce).is_some() && column(law, Meaning::KineticLevel).is_some()
+    is_along(law) && column(law, Meaning::FrictionForce).is_some() && kinetic_levels(law) == 1
+}
+
+const fn kinetic_levels(law: Declared) -> usize {
+    let (mut count, mut at) = (0, 0);
+    while at < law.table.len() {
+        count += matches!(law.table[at].meaning, Meaning::KineticLevel) as usize;
+        at += 1;
+    }
+    count
 }
 
 /// Column that plays a part, not within a part of the law.

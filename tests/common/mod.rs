@@ -39,6 +39,12 @@ pub fn scalar_laws() -> impl Iterator<Item = &'static ModelType> {
     catalogue::documented(Family::Friction).map(|(law, _)| law).filter(slides)
 }
 
+/// Those that a contact of a strut can have: it sets one level for both directions.
+pub fn laws_of_strut() -> impl Iterator<Item = &'static ModelType> {
+    let levels = |law: &ModelType| law.table.iter().filter(|one| one.meaning == Meaning::KineticLevel).count();
+    scalar_laws().filter(move |law| levels(law) == 1)
+}
+
 /// Laws that know the mass of a body and hold it at rest, without a band in which it creeps.
 pub fn holding_laws() -> impl Iterator<Item = &'static str> {
     let holds = |law: &&'static ModelType| {
@@ -85,18 +91,27 @@ impl Bench {
         self.instance.set_by_name(name, value).unwrap_or_else(|refused| panic!("{refused}"));
     }
 
-    /// Sets the kinetic coefficient of friction; of a wheel, that of its rolling resistance.
+    /// Sets the kinetic coefficient of friction, of either direction; of a wheel, that of its rolling resistance.
     pub fn set_coefficient(&mut self, coefficient: f64) {
-        match self.has("lever_arm") {
-            true => self.set("lever_arm", coefficient * 0.3),
-            false => self.set("mu_k", coefficient),
+        if self.has("lever_arm") {
+            return self.set("lever_arm", coefficient * 0.3);
+        }
+        for column in self.columns_of(Meaning::KineticLevel) {
+            self.instance.set_column(column, coefficient).unwrap_or_else(|refused| panic!("{refused}"));
         }
     }
 
-    /// The value of the variable that plays a part, if there is one.
+    /// The variables that play a part: one of each direction where a law differs by direction.
+    pub fn columns_of(&self, meaning: Meaning) -> Vec<usize> {
+        let variables = self.instance.model().variables();
+        variables.filter(|(_, variable)| variable.meaning == meaning).map(|(column, _)| column).collect()
+    }
+
+    /// The value of the variable that plays a part, if there is one; of several the largest.
     pub fn of_meaning(&mut self, meaning: Meaning) -> Option<f64> {
-        let column = self.instance.model().table.of(meaning)?;
-        Some(self.instance.get_column(column).unwrap_or_else(|refused| panic!("{refused}")))
+        let columns = self.columns_of(meaning);
+        let value = |column| self.instance.get_column(column).unwrap_or_else(|refused| panic!("{refused}"));
+        columns.into_iter().map(value).reduce(f64::max)
     }
 
     pub fn get(&mut self, name: &str) -> f64 {

@@ -1,7 +1,7 @@
 //! Inputs that move within a step: contacts that hold a mass, in the strut and in a guide.
 
 use crate::common::random::Random;
-use crate::common::{Bench, Exchange, holding_laws, scalar_laws};
+use crate::common::{Bench, Exchange, holding_laws, laws_of_strut};
 use stribeck::catalogue;
 use stribeck::model::{Kind, Meaning, ModelType, Role};
 
@@ -68,7 +68,12 @@ fn slope(bench: &mut Bench, name: &str, slope: f64) {
 
 /// Laws of sliding that know the mass of the body: those of a strut.
 fn laws_with_mass() -> impl Iterator<Item = &'static str> {
-    scalar_laws().filter(|law| law.table.of(Meaning::Mass).is_some()).map(|law| law.name)
+    laws_of_strut().filter(|law| law.table.of(Meaning::Mass).is_some()).map(|law| law.name)
+}
+
+/// Those that hold the body at rest.
+fn holding_laws_of_strut() -> impl Iterator<Item = &'static str> {
+    holding_laws().filter(|name| laws_of_strut().any(|law| law.name == *name))
 }
 
 /// Friction alone of a strut: levels of 10 N and 14 N kinetic, 12 N and 18 N static.
@@ -105,7 +110,7 @@ fn strut(law: &str, exchange: Exchange) -> Bench {
 #[test]
 fn a_strut_that_knows_the_acceleration_holds_its_mass() {
     for exchange in [Exchange::Sequential, Exchange::Parallel] {
-        for law in holding_laws() {
+        for law in holding_laws_of_strut() {
             for knows_the_load in [false, true] {
                 let mut strut = strut(law, exchange);
                 strut.set("num.input_mode", 2.0);
@@ -131,7 +136,7 @@ fn a_strut_that_knows_the_acceleration_holds_its_mass() {
 #[test]
 fn a_guide_that_knows_the_slopes_holds_its_mass() {
     for exchange in [Exchange::Sequential, Exchange::Parallel] {
-        for law in holding_laws() {
+        for law in holding_laws_of_strut() {
             let mut guide = Bench::new("GuideContact", &[("levels.preload_s", 0.0), ("levels.preload_k", 0.0)]);
             choose(&mut guide, law);
             guide.set("friction.mass", MASS);

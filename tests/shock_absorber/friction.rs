@@ -1,6 +1,6 @@
 //! Friction in the strut: laws, levels, rest, and what the contacts remember.
 
-use crate::common::{Bench, scalar_laws};
+use crate::common::{Bench, laws_of_strut};
 use crate::{LINEAR, NONE, Values, bare, golden_trace, law, laws, strut};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use stribeck::catalogue::by_name;
@@ -8,7 +8,7 @@ use stribeck::catalogue::by_name;
 /// Each law drives the strut: its force stays within the levels and takes energy out of a cycle.
 #[test]
 fn every_law_of_the_catalogue_works_in_the_strut() {
-    let names: Vec<&str> = scalar_laws().map(|law| law.name).collect();
+    let names: Vec<&str> = laws_of_strut().map(|law| law.name).collect();
     let offered: Vec<&str> = laws().map(|law| law.1).skip(1).collect();
     assert_eq!(offered, names, "every law of sliding along a line, in the order of the catalogue");
     for name in names {

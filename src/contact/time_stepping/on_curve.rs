@@ -6,13 +6,20 @@ use crate::contact::end_velocity::{self, Landing};
 use crate::contact::unloading;
 use crate::number::{Dual, Mask, Real, choose};
 
-/// Methods supplied by a law whose force is an odd function of the velocity, without memory; everything else is shared.
+/// Methods supplied by a law whose force is a function of the velocity, of its sign, without memory; everything else is
+/// shared.
 pub(crate) trait Curve<T: Real> {
     /// Friction force at a velocity; if the law is set-valued at rest, at any velocity except 0.
     fn curve(&self, velocity: T) -> T;
 
-    /// Static level or, without stiction, Coulomb level.
+    /// Static level or, without stiction, Coulomb level; of a law that differs by direction the higher one.
     fn level(&self) -> T;
+
+    /// Level up to which it holds an external force of that sign.
+    #[inline(always)]
+    fn level_against(&self, _force: T) -> T {
+        self.level()
+    }
 
     /// Speed up to which a regularised contact counts as sticking. `None`: the law is set-valued at rest and holds up
     /// to its level.
@@ -80,7 +87,7 @@ impl<T: Real, L: Curve<T>> OnCurve<'_, T, L> {
     /// Whether a set-valued law is at rest and the external force is within its level.
     #[inline(always)]
     pub(crate) fn is_held(&self) -> T::Mask {
-        self.rests() & self.external_force.abs().at_most(self.law.level())
+        self.rests() & self.external_force.abs().at_most(self.law.level_against(self.external_force))
     }
 }
 
@@ -155,7 +162,7 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
     fn printed(&self) -> T {
         choose!(
             self.rests(),
-            resting(self.phase, self.external_force, self.law.level()),
+            resting(self.phase, self.external_force, self.law.level_against(self.external_force)),
             self.law.curve(match self.law.band() {
                 None => choose!(self.phase.slides(), self.extended(), self.velocity),
                 Some(_) => self.velocity,
@@ -203,7 +210,8 @@ pub(crate) const EVENTS_ON_CURVE: usize = 4;
 impl<L: Curve<f64>> OnCurve<'_, f64, L> {
     fn rest(&self) -> Rest {
         let OnCurve { velocity, external_force, .. } = *self;
-        Rest { phase: Phase::of(self.phase.0), velocity, external_force, level: self.law.level() }
+        let levels = [1.0, -1.0].map(|direction| self.law.level_against(direction));
+        Rest { phase: Phase::of(self.phase.0), velocity, external_force, levels }
     }
 
     fn around_rest(&self, width: f64) -> Band {

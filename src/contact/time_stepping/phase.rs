@@ -66,7 +66,8 @@ pub(super) struct Rest {
     pub phase: Phase,
     pub velocity: f64,
     pub external_force: f64,
-    pub level: f64,
+    /// Levels up to which it holds a force forward and backward.
+    pub levels: [f64; 2],
 }
 
 /// The force at rest. A contact found held by an event stays so until the next event, which the external force
@@ -86,20 +87,27 @@ pub(crate) const PASSED: f64 = 1e-6;
 pub(crate) const REACHED: f64 = 1e-12;
 
 impl Rest {
-    /// Remaining force up to the level in a direction, in parts of the larger of force and level.
-    pub(super) fn reserve(&self, force: f64) -> f64 {
-        let size = self.level.max(force.abs());
-        if size > 0.0 { (self.level - force) / size } else { 0.0 }
+    /// Remaining force up to the level in the direction of the force, in parts of the larger of force and level.
+    pub(super) fn reserve(&self) -> f64 {
+        self.reserve_along(self.external_force.signum())
+    }
+
+    /// The same in a direction.
+    fn reserve_along(&self, direction: f64) -> f64 {
+        let [forward, backward] = self.levels;
+        let (force, level) = (direction * self.external_force, if direction < 0.0 { backward } else { forward });
+        let size = level.max(force.abs());
+        if size > 0.0 { (level - force) / size } else { 0.0 }
     }
 
     /// Positive until the phase has to change.
     pub(super) fn indicator(&self) -> f64 {
         let speed = self.velocity / MOVED;
         match self.phase.direction() {
-            None => (self.reserve(self.external_force.abs()) + REACHED).min(1.0 - speed.abs()),
+            None => (self.reserve() + REACHED).min(1.0 - speed.abs()),
             // A force that drives the body on makes it move again by itself, unless its velocity is prescribed.
             Some(direction) => {
-                let (along, drive) = (direction * speed, REACHED - self.reserve(direction * self.external_force));
+                let (along, drive) = (direction * speed, REACHED - self.reserve_along(direction));
                 (along + PASSED).max(drive.min(along + 1.0))
             }
         }
@@ -112,7 +120,7 @@ impl Rest {
         let has_come_to_rest = self.phase.direction().is_none_or(|direction| direction * self.velocity <= 0.0);
         if !(is_slow && has_come_to_rest) {
             Phase::sliding(self.velocity)
-        } else if self.reserve(self.external_force.abs()) > 0.5 * REACHED {
+        } else if self.reserve() > 0.5 * REACHED {
             Phase::Held
         } else if self.external_force == 0.0 {
             Phase::sliding(self.velocity)

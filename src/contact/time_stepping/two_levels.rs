@@ -49,7 +49,7 @@ pub(crate) const EVENTS_OF_TWO_LEVELS: usize = 3;
 impl TwoLevels<f64> {
     fn rest(&self) -> Rest {
         let TwoLevels { velocity, external_force, breakaway, .. } = *self;
-        Rest { phase: Phase::of(self.phase.0), velocity, external_force, level: breakaway }
+        Rest { phase: Phase::of(self.phase.0), velocity, external_force, levels: [breakaway; 2] }
     }
 
     fn around_rest(&self) -> Band {
@@ -60,7 +60,7 @@ impl TwoLevels<f64> {
         let rest = self.rest();
         let [phase, reserve] = match (self.band > 0.0, Phase::of(self.phase.0)) {
             (false, _) => [rest.indicator(), NO_EVENT],
-            (true, Phase::Held) => [self.around_rest().indicator(), rest.reserve(self.external_force.abs()) + REACHED],
+            (true, Phase::Held) => [self.around_rest().indicator(), rest.reserve() + REACHED],
             (true, _) => [self.around_rest().indicator(), NO_EVENT],
         };
         indicators.copy_from_slice(&[phase, reserve, unloading::load(self.breakaway)]);

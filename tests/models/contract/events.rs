@@ -4,7 +4,7 @@ use super::{axes, friction_models, set_velocity};
 use crate::common::random::Random;
 use crate::common::{Bench, holding_laws, rows};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use stribeck::model::ModelType;
+use stribeck::model::{Meaning, ModelType};
 
 /// Without load in Model Exchange: an event indicator changes its sign where the load vanishes, and the event releases
 /// the contact. Its changes are declared.
@@ -121,8 +121,8 @@ fn events_catch_and_release_contacts_at_rest() {
 
 /// Static level under a load of 10 N.
 fn static_level(bench: &mut Bench) -> f64 {
-    match ["mu_s", "mu_k"].into_iter().find(|name| bench.has(name)) {
-        Some(name) => 10.0 * bench.get(name),
+    match bench.of_meaning(Meaning::StaticLevel).or_else(|| bench.of_meaning(Meaning::KineticLevel)) {
+        Some(coefficient) => 10.0 * coefficient,
         None => 10.0 * bench.get("lever_arm") / bench.get("wheel_radius"),
     }
 }
@@ -509,4 +509,41 @@ fn a_bonded_bristle_follows_a_plane_that_turns() {
     let [along, normal] = [x * 1f64.cos() - z * 1f64.sin(), x * 1f64.sin() + z * 1f64.cos()];
     assert!((y - 0.3).abs() < 1e-9 && normal.abs() < 1e-5, "{y} {normal}");
     assert_abs_diff_eq!((0.5 - along) / 0.5, 1e-3, epsilon = 3e-5);
+}
+
+/// A contact with levels of 1.5 N forward and 4 N backward, by hand: held between -4 and 1.5 N until the event at either
+/// end, and each direction that it slides in comes to rest, or goes on, by its own level.
+#[test]
+fn a_contact_that_differs_by_direction_is_held_between_both_levels() {
+    let levels = [("mu_k_forward", 0.1), ("mu_s_forward", 0.15), ("mu_k_backward", 0.2), ("mu_s_backward", 0.4)];
+    let mut bench =
+        Bench::for_model_exchange("DirectionalStribeck", &[&[("normal_force", 10.0)], &levels[..]].concat());
+    for load in [1.499, 0.2, -1.6, -3.999] {
+        bench.set("velocity", 0.0);
+        bench.set("external_force", load);
+        bench.instance.at_event().expect("an event");
+        assert_eq!((bench.get("sticking"), bench.get("friction_force")), (1.0, load));
+        for (end, is_due) in [(1.5 - 1e-7, false), (1.5 + 1e-7, true), (1e-7 - 4.0, false), (-1e-7 - 4.0, true)] {
+            bench.set("external_force", end);
+            assert_eq!(due(&bench)[0], is_due, "{load} {end}");
+            assert_eq!(bench.get("friction_force"), end, "held until the event");
+        }
+    }
+    for (load, level) in [(1.6, 1.5), (-4.1, -4.0)] {
+        bench.set("velocity", 0.0);
+        bench.set("external_force", load);
+        bench.instance.at_event().expect("an event");
+        assert_eq!((bench.get("sticking"), bench.get("friction_force")), (0.0, level), "{load}");
+        assert!(!due(&bench)[0], "{load}");
+    }
+    // Past its rest: caught by the level of its load, or sent back beyond it.
+    for (velocity, load, phase) in [(1e-3, -3.9, 2.0), (1e-3, -4.1, 4.0), (-1e-3, 1.4, 2.0), (-1e-3, 1.6, 3.0)] {
+        bench.set("velocity", velocity);
+        bench.set("external_force", load);
+        bench.instance.at_event().expect("an event");
+        bench.set("velocity", -1e-8 * velocity.signum());
+        assert!(due(&bench)[0], "{velocity} {load}");
+        bench.instance.at_event().expect("an event");
+        assert_eq!(bench.get("phase"), phase, "{velocity} {load}");
+    }
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::{axes, friction_models};
 use crate::common::Bench;
 use stribeck::catalogue;
-use stribeck::model::{Role, Variable};
+use stribeck::model::{Meaning, Role, Variable};
 
 /// One quantity, one name: if two models have the same name, its unit, type and help text are the same. Only the help
 /// of the Stribeck velocity gives the fraction of its own law.
@@ -50,12 +50,16 @@ fn every_friction_model_has_the_common_columns() {
 /// The static coefficient must not be below the kinetic one; the message names both.
 #[test]
 fn inverted_coefficients_are_rejected_by_name() {
-    for model in friction_models().filter(|model| model.find("mu_s").is_some()) {
-        let mut bench = Bench::new(model.name, &[("mu_s", 0.05)]);
-        let before = bench.instance.save();
-        let fault = bench.instance.step(1e-3).expect_err("mu_s < mu_k");
-        assert_eq!(fault.to_string(), "mu_s = 0.05: must be >= mu_k = 0.1", "{}", model.name);
-        assert_eq!(bench.instance.save(), before, "{}", model.name);
+    for model in friction_models() {
+        for column in Bench::new(model.name, &[]).columns_of(Meaning::StaticLevel) {
+            let name = model.table.at(column).path.to_string();
+            let mut bench = Bench::new(model.name, &[(name.as_str(), 0.05)]);
+            let before = bench.instance.save();
+            let fault = bench.instance.step(1e-3).expect_err("mu_s < mu_k").to_string();
+            let kinetic = name.replace("mu_s", "mu_k");
+            assert_eq!(fault, format!("{name} = 0.05: must be >= {kinetic} = 0.1"), "{}", model.name);
+            assert_eq!(bench.instance.save(), before, "{}", model.name);
+        }
     }
 }
 

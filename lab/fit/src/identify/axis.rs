@@ -17,8 +17,10 @@ pub(super) fn load(experiments: &[Experiment]) -> Option<f64> {
     experiments.iter().all(is_of_axis).then_some(load)
 }
 
-/// Adds mass and offset to the parameters, unless they are held; a mass that is known, other than 0 kg, is.
+/// Adds mass and offset to the parameters, unless they are held; a mass that is known, other than 0 kg, is. The offset is
+/// left out of laws with levels of both directions, which contain it.
 pub fn fitted(selection: &mut Selection, mass: f64) {
+    selection.is_offset_usual = !selection.fits("offset");
     for name in ["mass", "offset"] {
         let is_known = name == "mass" && mass != 0.0;
         if !is_known && selection.fixed(name).is_none() && !selection.fits(name) {

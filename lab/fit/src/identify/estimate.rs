@@ -95,15 +95,16 @@ struct StaticLevel {
 }
 
 impl StaticLevel {
-    fn of(problem: &Problem) -> Option<StaticLevel> {
+    /// That of each direction.
+    fn all(problem: &Problem) -> Vec<StaticLevel> {
         let parameters = &problem.parameters;
-        let is_excess = |(number, one): (usize, &Parameter)| match one.target {
-            Target::Excess { of, over } => Some((number, of, over)),
-            _ => None,
+        let level = |(excess, one): (usize, &Parameter)| {
+            let Target::Excess { of: column, over } = one.target else { return None };
+            let over = problem.source(over);
+            let kinetic = parameters.iter().position(|one| one.target == Target::Column(over));
+            Some(StaticLevel { column, excess, kinetic, held: problem.kinetic(over) })
         };
-        let (excess, column, over) = parameters.iter().enumerate().find_map(is_excess)?;
-        let kinetic = parameters.iter().position(|one| one.target == Target::Column(over));
-        Some(StaticLevel { column, excess, kinetic, held: problem.kinetic(over) })
+        parameters.iter().enumerate().filter_map(level).collect()
     }
 
     fn value(&self, values: &[f64]) -> f64 {
@@ -126,15 +127,18 @@ impl StaticLevel {
 }
 
 impl Optimum<'_> {
-    /// The estimates; mu_s, the sum of two parameters, comes last.
+    /// The estimates; mu_s, the sum of two parameters, comes after those, then what is tied to another one.
     pub fn estimates(&self, has_profiles: bool, repeated: &[Vec<f64>]) -> Vec<Estimate> {
         let repeated = repeated.iter().map(|point| self.problem.values(point)).collect();
         let intervals = Intervals { has_profiles, repeated };
         let values = self.problem.values(&self.best.point);
         let mut list: Vec<Estimate> =
             values.iter().enumerate().map(|(number, value)| self.estimate(number, *value, &intervals)).collect();
-        let level = StaticLevel::of(self.problem).map(|level| self.static_level(&level, &values, &list, &intervals));
-        list.extend(level);
+        let levels = StaticLevel::all(self.problem);
+        list.extend(
+            levels.iter().map(|level| self.static_level(level, &values, &list, &intervals)).collect::<Vec<_>>(),
+        );
+        list.extend(self.tied(&list));
         list.extend(self.gravity(&values, &list, &intervals));
         list
     }
@@ -156,6 +160,17 @@ impl Optimum<'_> {
         let repeated = intervals.repeated(|values| values[number]);
         let estimate = Estimate { name, unit, target, meaning, value, deviation, verdict, linear, profile, repeated };
         if parameter.can_be_zero() { estimate.or_limit() } else { estimate }
+    }
+
+    /// What is tied to an estimate, which it repeats under its own name.
+    fn tied(&self, known: &[Estimate]) -> Vec<Estimate> {
+        let table = &self.problem.law.table;
+        let repeated = |(column, source): &(usize, usize)| {
+            let source = known.iter().find(|one| one.target == Target::Column(*source))?.clone();
+            let (name, meaning) = (table.at(*column).path.to_string(), table.at(*column).meaning);
+            Some(Estimate { name, meaning, target: Target::Column(*column), ..source })
+        };
+        self.problem.tied.iter().filter_map(repeated).collect()
     }
 
     fn static_level(&self, level: &StaticLevel, values: &[f64], known: &[Estimate], intervals: &Intervals) -> Estimate {

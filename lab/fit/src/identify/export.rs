@@ -7,6 +7,7 @@ use stribeck_solve::job::literal;
 use stribeck_solve::system::Fault;
 use toml::{Table, Value};
 
+use super::levels::columns_of;
 use super::parameter::refused;
 use super::{Experiment, Fit};
 use crate::measured::Movement;
@@ -109,8 +110,9 @@ impl Joint {
         Joint { law: fit.law, values, open, movement, load, mass: if mass > 0.0 { mass } else { 1.0 }, lost }
     }
 
-    fn name(&self, meaning: Meaning) -> Option<String> {
-        self.law.table.of(meaning).map(|column| self.law.table.at(column).path.to_string())
+    /// Names of the parameters that play a part: of a law that differs by direction one of each.
+    fn names(&self, meaning: Meaning) -> Vec<String> {
+        columns_of(self.law, meaning).map(|column| self.law.table.at(column).path.to_string()).collect()
     }
 
     fn is_open(&self, name: &str) -> bool {
@@ -126,18 +128,21 @@ impl Joint {
         self.values[name]
     }
 
-    /// The level of friction in N, and the viscous coefficient in N.s/m; of a joint in N.m and N.m.s/rad.
+    /// The level of friction in N, and the viscous coefficient in N.s/m; of a joint in N.m and N.m.s/rad. The means of
+    /// both directions where the law differs by direction.
     fn level_and_damping(&mut self) -> Result<[f64; 2], Fault> {
         let no_level = || refused(self.law, "has no kinetic level, which the file needs");
-        let level = self.name(Meaning::KineticLevel).ok_or_else(no_level)?;
-        if self.is_open(&level) {
+        let levels = self.names(Meaning::KineticLevel);
+        if let Some(level) = levels.iter().find(|level| self.is_open(level)) {
             return Err(refused(self.law, format_args!("{level} is not determined, and the file needs it")));
         }
-        let viscous = self.name(Meaning::Viscous);
-        let damping = viscous.as_ref().map_or(0.0, |name| self.or_zero(name));
-        let force = self.values[&level] * self.load;
-        self.lose_others(&viscous.into_iter().chain([level]).collect::<Vec<_>>());
-        Ok([force, damping])
+        let viscous = self.names(Meaning::Viscous);
+        let damping: Vec<f64> = viscous.iter().map(|name| self.or_zero(name)).collect();
+        let forces: Vec<f64> = levels.iter().map(|level| self.values[level] * self.load).collect();
+        // The mean of both directions stands for neither of them.
+        let kept = [levels, viscous].into_iter().filter(|names| names.len() == 1);
+        self.lose_others(&kept.flatten().collect::<Vec<_>>());
+        Ok([mean(&forces).ok_or_else(no_level)?, mean(&damping).unwrap_or(0.0)])
     }
 
     /// Names what has no place: every other parameter of the contact that is not 0.
@@ -257,6 +262,11 @@ impl Joint {
 /// A parameter without a value.
 fn open(name: &str) -> String {
     format!("{name}, which is not determined")
+}
+
+/// The mean of some numbers; None without any.
+fn mean(numbers: &[f64]) -> Option<f64> {
+    (!numbers.is_empty()).then(|| numbers.iter().sum::<f64>() / numbers.len() as f64)
 }
 
 /// The least and the largest of some numbers.

@@ -96,6 +96,11 @@ pub struct Inquiry {
     #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]
     #[serde(deserialize_with = "job::names")]
     pub fit: Vec<String>,
+    /// Parameter that has the value of another one of its law: mu_k_backward=mu_k_forward
+    #[arg(long, value_name = "NAME=OTHER")]
+    #[serde(with = "job::table")]
+    #[ts(type = "Record<string, string>")]
+    pub tie: Vec<Entry<String>>,
     /// Range of a parameter instead of the one that follows from the data
     #[arg(long, value_name = "NAME=LOW:HIGH")]
     #[serde(with = "job::table")]
@@ -249,7 +254,14 @@ impl Inquiry {
     }
 
     fn selection(&self) -> Selection {
-        Selection { fixed: pairs(&self.fix), fitted: self.fit.clone(), ranges: pairs(&self.range) }
+        let tied = self.tie.iter().map(|Entry(name, other)| (name.clone(), other.clone())).collect();
+        Selection {
+            fixed: pairs(&self.fix),
+            fitted: self.fit.clone(),
+            ranges: pairs(&self.range),
+            tied,
+            is_offset_usual: false,
+        }
     }
 
     /// How they are fitted.

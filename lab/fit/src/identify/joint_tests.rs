@@ -23,16 +23,18 @@ impl Source for Text {
 
 /// A joint of 0.12 kg m2 that sticks, with a drive whose controller holds its torque between samples.
 #[derive(Clone, Copy)]
-struct Joint {
-    level: f64,
-    viscous: f64,
-    offset: f64,
+pub(super) struct Joint {
+    pub level: f64,
+    pub viscous: f64,
+    pub offset: f64,
+    /// What level and viscous coefficient are more when it turns backward.
+    pub backward: [f64; 2],
     /// Gravity of an arm, and the angle at which it is horizontal.
-    gravity: [f64; 2],
+    pub gravity: [f64; 2],
 }
 
-const INERTIA: f64 = 0.12;
-const JOINT: Joint = Joint { level: 0.9, viscous: 0.5, offset: 0.05, gravity: [0.0; 2] };
+pub(super) const INERTIA: f64 = 0.12;
+pub(super) const JOINT: Joint = Joint { level: 0.9, viscous: 0.5, offset: 0.05, backward: [0.0; 2], gravity: [0.0; 2] };
 const ARM: Joint = Joint { gravity: [1.5, 0.3], ..JOINT };
 /// Of the samples, s, and of the simulation.
 const INTERVAL: f64 = 0.004;
@@ -41,7 +43,7 @@ const PARTS: u32 = 100;
 const STEP: f64 = TAU / 65536.0;
 
 /// Time, angle, velocity and torque.
-type Samples = Vec<[f64; 4]>;
+pub(super) type Samples = Vec<[f64; 4]>;
 
 /// Wanted angle and velocity.
 fn wanted(t: f64) -> [f64; 2] {
@@ -59,18 +61,20 @@ impl Joint {
     fn moved(self, [q, v]: [f64; 2], torque: f64, step: f64) -> [f64; 2] {
         let [of_arm, horizontal] = self.gravity;
         let drive = torque - self.offset - of_arm * (q + 0.5 * step * v - horizontal).cos();
-        if v == 0.0 && drive.abs() <= self.level {
+        let direction = if v == 0.0 { drive.signum() } else { v.signum() };
+        let [more, more_viscous] = if direction < 0.0 { self.backward } else { [0.0; 2] };
+        let level = self.level + more;
+        if v == 0.0 && drive.abs() <= level {
             return [q, v];
         }
-        let direction = if v == 0.0 { drive.signum() } else { v.signum() };
-        let acceleration = |v: f64| (drive - self.level * direction - self.viscous * v) / INERTIA;
+        let acceleration = |v: f64| (drive - level * direction - (self.viscous + more_viscous) * v) / INERTIA;
         let middle = v + 0.5 * step * acceleration(v);
         let next = v + step * acceleration(middle);
         if next * direction < 0.0 { [q, 0.0] } else { [q + 0.5 * step * (v + next), next] }
     }
 
     /// A record over 12 s: measured torque and velocity with noise, angle from the encoder.
-    fn record(self, seed: u64) -> Samples {
+    pub(super) fn record(self, seed: u64) -> Samples {
         let count = 3000;
         let [of_torque, of_velocity] = [seed, seed + 1000].map(|seed| noise(seed, count));
         let [q, v] = wanted(0.0);
@@ -91,16 +95,16 @@ impl Joint {
 }
 
 /// A record under a heading, in other units.
-fn text(heading: &str, samples: &Samples, [angle, velocity, torque]: [f64; 3]) -> Text {
+pub(super) fn text(heading: &str, samples: &Samples, [angle, velocity, torque]: [f64; 3]) -> Text {
     let row = |[t, q, v, m]: &[f64; 4]| format!("{t},{},{},{}\n", angle * q, velocity * v, torque * m);
     Text(format!("{heading}\n") + &samples.iter().map(row).collect::<String>())
 }
 
-fn asked() -> Inquiry {
+pub(super) fn asked() -> Inquiry {
     Inquiry { records: vec!["joint.csv".into()], axis: true, repetitions: Some(0), ..Inquiry::default() }
 }
 
-fn fitted(asked: &Inquiry, record: &Text) -> (Data, Fit) {
+pub(super) fn fitted(asked: &Inquiry, record: &Text) -> (Data, Fit) {
     let data = asked.data(record).unwrap();
     let ranking = asked.fits(&data, &mut |_| {}, quiet()).unwrap();
     (data, ranking.best().clone())
@@ -110,10 +114,10 @@ fn refusal(asked: &Inquiry, record: &Text) -> String {
     asked.records(record).unwrap_err().to_string()
 }
 
-const SI: &str = "time [s],position [rad],velocity [rad/s],torque [N m]";
+pub(super) const SI: &str = "time [s],position [rad],velocity [rad/s],torque [N m]";
 
 /// Whether a parameter is determined, in its unit, with an interval that is not wide and has the truth.
-fn assert_told(fit: &Fit, (name, unit): (&str, &str), truth: f64, widest: f64) {
+pub(super) fn assert_told(fit: &Fit, (name, unit): (&str, &str), truth: f64, widest: f64) {
     let one = estimate(fit, name);
     let [low, high] = one.interval();
     assert!(one.verdict == Verdict::Determined && (low..=high).contains(&truth), "{one:?}");
@@ -291,7 +295,7 @@ fn with_gravity() -> Inquiry {
 fn the_gravity_of_an_arm_is_found_as_torque_and_angle() {
     let samples = ARM.record(6);
     let (data, fit) = fitted(&with_gravity(), &text(SI, &samples, [1.0; 3]));
-    let Joint { level, viscous, offset, gravity: [torque, angle] } = ARM;
+    let Joint { level, viscous, offset, gravity: [torque, angle], .. } = ARM;
     for (name, truth, unit) in [
         ("gravity", torque, "N.m"),
         ("gravity_angle", angle, "rad"),

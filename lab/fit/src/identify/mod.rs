@@ -16,6 +16,8 @@ pub mod axis;
 mod axis_tests;
 pub mod damper;
 #[cfg(test)]
+mod direction_tests;
+#[cfg(test)]
 mod ended_tests;
 mod estimate;
 mod evaluated;
@@ -28,6 +30,7 @@ mod interval;
 #[cfg(test)]
 mod joint_tests;
 mod least_squares;
+mod levels;
 mod loss;
 pub mod map;
 mod output;
@@ -37,11 +40,13 @@ mod rank;
 mod refine;
 mod response;
 mod search;
+mod selection;
 mod strut;
 #[cfg(test)]
 mod strut_tests;
 #[cfg(test)]
 mod tests;
+mod tie;
 pub mod tyre;
 mod uncertainty;
 mod validation;
@@ -63,11 +68,12 @@ pub use export::{Exported, Format};
 pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source, no_record};
 pub use map::{FrictionMap, LackOfFit, steady_curve};
 pub use output::{Difference, EARLY, Reference, difference, known, of_law, preset, respond};
-pub use parameter::{Parameter, Scale, Selection, Target};
+pub use parameter::{Parameter, Scale, Target};
 pub use problem::Physical;
 pub use rank::{APART, Rank, rank};
 pub use response::Ports;
 pub use search::{Method, Searches, Watch};
+pub use selection::Selection;
 pub use strut::{StrutFriction, strut_friction};
 pub use uncertainty::{DETERMINED, Residuals, Verdict, digits, digits_within};
 pub use validation::{Validation, held_out};
@@ -75,11 +81,12 @@ pub use validation::{Validation, held_out};
 use crate::measured::Movement;
 use interval::Optimum;
 use loss::Loss;
-use parameter::{OF_RIG, refused};
+use parameter::refused;
 use problem::{Found, Problem};
 use refine::{Refined, refine};
 use response::Exact;
 use search::{First, best, first_search, polish};
+use selection::OF_RIG;
 use stribeck_solve::system::Fault;
 use stribeck_solve::work::share;
 use uncertainty::{SYSTEMATIC, Uncertainty, uncertainty};
@@ -390,7 +397,8 @@ fn fit_from(
     }
     let (best, judged) = fitter.settle(best)?;
     let mut fit = fitter.finish(&best, &judged)?;
-    fit.warnings.extend(fit.static_warning());
+    fit.warnings.extend(fit.static_warnings());
+    fit.warnings.extend(tie::without_offset(law, &task.selection));
     if folds > 0 && !fit.is_cancelled {
         fit.saw(validation::folds(law, experiments, folds, task, watch)?);
     }
@@ -492,9 +500,11 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Se
         pinned: vec![None; parameters.len()],
         substitute: None,
         parameters,
-        excess: None,
+        excess: Vec::new(),
+        tied: tie::columns(law, selection),
         untold: Vec::new(),
     };
+    problem.hold_tied();
     if is_map {
         map::hold_untold(&mut problem)?;
     }

@@ -5,10 +5,11 @@ use std::fmt::Write;
 
 use ssp::parameter_set::ParameterSet;
 use stribeck::instance::Instance;
-use stribeck::model::{Meaning, ModelType};
+use stribeck::model::ModelType;
 
-use super::parameter::OF_RIG;
+use super::levels::pairs_of_levels;
 use super::response::{Ports, forces};
+use super::selection::OF_RIG;
 use super::uncertainty::{digits, digits_within};
 use super::{Estimate, Experiment, Fit, Searches, Verdict};
 use crate::measured::{Direction, Movement, Record};
@@ -117,29 +118,35 @@ impl Fit {
         held.chain(determined).collect()
     }
 
-    /// The kinetic level, if the static one is not determined and has a start value below it: the law takes no less.
-    fn least_static(&self) -> Option<f64> {
+    /// Names of static and kinetic levels with the kinetic one, where the static one is not determined and has a start
+    /// value below it: the law takes no less.
+    fn least_static(&self) -> Vec<([String; 2], f64)> {
         let values = self.values();
         let value = |name: &str| values.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
-        let [level, kinetic] = [Meaning::StaticLevel, Meaning::KineticLevel].map(|meaning| self.law.table.of(meaning));
-        let [level, kinetic] = [self.law.table.at(level?), self.law.table.at(kinetic?)];
-        let is_open = value(&level.path.to_string()).is_none();
-        value(&kinetic.path.to_string()).filter(|kinetic| is_open && level.start < *kinetic)
+        let least = |pair: [usize; 2]| {
+            let names = pair.map(|column| self.name_of(column));
+            let is_open = value(&names[0]).is_none();
+            let kinetic = value(&names[1]).filter(|kinetic| is_open && self.law.table.at(pair[0]).start < *kinetic)?;
+            Some((names, kinetic))
+        };
+        pairs_of_levels(self.law).into_iter().filter_map(least).collect()
     }
 
     /// Says so.
-    pub(super) fn static_warning(&self) -> Option<String> {
-        let level = digits(self.least_static()?);
-        Some(format!(
-            "mu_s is not determined, and the law refuses its start value, which is below mu_k: parameter \
-             sets have mu_s = {level}, the kinetic level"
-        ))
+    pub(super) fn static_warnings(&self) -> Vec<String> {
+        let text = |([level, kinetic], least): ([String; 2], f64)| {
+            format!(
+                "{level} is not determined, and the law refuses its start value, which is below {kinetic}: parameter \
+                 sets have {level} = {}, the kinetic level",
+                digits(least)
+            )
+        };
+        self.least_static().into_iter().map(text).collect()
     }
 
     /// The values, with the kinetic level for the static one where the law refuses its start value.
     pub(super) fn accepted(&self) -> Vec<(String, f64)> {
-        let name = || self.law.table.of(Meaning::StaticLevel).map(|column| self.name_of(column));
-        let least = self.least_static().and_then(|level| Some((name()?, level)));
+        let least = self.least_static().into_iter().map(|([level, _], least)| (level, least));
         self.values().into_iter().chain(least).collect()
     }
 
@@ -285,7 +292,7 @@ mod tests {
         let fit = fitted("Stribeck", &[data], &quick());
         let values = fit.values();
         assert_eq!(values.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["mu_k"], "{:?}", fit.estimates);
-        assert_eq!(fit.least_static(), Some(values[0].1));
+        assert_eq!(fit.least_static(), [(["mu_s", "mu_k"].map(str::to_owned), values[0].1)]);
         assert!(fit.warnings.iter().any(|one| one.contains("the kinetic level")), "{:?}", fit.warnings);
         assert!(fit.parameter_set("sliding").is_ok());
         assert!(fit.configuration().text().contains("mu_s"));

@@ -5,7 +5,9 @@ use std::fmt::Display;
 use stribeck::model::{Kind, Meaning, ModelType, Role, Variable};
 use stribeck::number::Real;
 
-use super::Experiment;
+use super::levels::{kinetic_of, pairs_of_levels};
+use super::selection::{OF_RIG, Selection};
+use super::{Experiment, tie};
 use crate::measured::Movement;
 use stribeck_solve::system::Fault;
 
@@ -240,49 +242,10 @@ fn is_parameter(variable: &Variable) -> bool {
     variable.role.is_parameter() && matches!(variable.kind, Kind::Real(_)) && !variable.is_hidden && is_of_contact
 }
 
-/// Choice of the parameters by the user.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Selection {
-    /// Parameters that are held, with their values; `mass` and `offset` too.
-    pub fixed: Vec<(String, f64)>,
-    /// Parameters that are fitted although they usually are not: exponents, `mass`, `offset` ...
-    pub fitted: Vec<String>,
-    /// Ranges instead of those that follow from the data.
-    pub ranges: Vec<(String, [f64; 2])>,
-}
-
-impl Selection {
-    /// Value at which a parameter is held.
-    pub(super) fn fixed(&self, name: &str) -> Option<f64> {
-        self.fixed.iter().find(|(fixed, _)| fixed == name).map(|(_, value)| *value)
-    }
-
-    /// Whether a parameter is to be fitted although it usually is not.
-    pub(super) fn fits(&self, name: &str) -> bool {
-        self.fitted.iter().any(|fitted| fitted == name)
-    }
-
-    /// Those for one of several laws: without names that others of them have and it does not.
-    pub(super) fn of(&self, law: &ModelType, laws: &[&ModelType]) -> Selection {
-        let has =
-            |law: &ModelType, name: &str| law.find(name.split_once(" - ").map_or(name, |(name, _)| name)).is_some();
-        let is_meant =
-            |name: &str| OF_RIG.contains(&name) || has(law, name) || !laws.iter().any(|other| has(other, name));
-        let mut found = self.clone();
-        found.fixed.retain(|(name, _)| is_meant(name));
-        found.fitted.retain(|name| is_meant(name));
-        found.ranges.retain(|(name, _)| is_meant(name));
-        found
-    }
-}
-
 /// The error of a law.
 pub(super) fn refused(law: &ModelType, reason: impl Display) -> Fault {
     Fault::value(format_args!("{}: {reason}", law.name))
 }
-
-/// Names of the parameters that are of the rig and not of the law.
-pub(super) const OF_RIG: [&str; 6] = ["mass", "offset", "delay", "gravity", "gravity_cos", "gravity_sin"];
 
 /// Name under which the gravity of an arm is fitted, m g l cos(q - q_0) = a cos q + b sin q.
 pub(super) const GRAVITY: &str = "gravity";
@@ -315,12 +278,6 @@ fn excess_name(law: &ModelType, of: usize, over: usize) -> String {
     format!("{} - {}", law.table.at(of).path, law.table.at(over).path)
 }
 
-/// Name of the excess that a law has.
-fn excess(law: &ModelType) -> Option<String> {
-    let [of, over] = [Meaning::StaticLevel, Meaning::KineticLevel].map(|meaning| law.table.of(meaning));
-    Some(excess_name(law, of?, over?))
-}
-
 /// The parameters of a fit, in the order of the table, then those of the rig; none if all are held.
 pub(super) fn parameters(
     law: &ModelType,
@@ -329,15 +286,18 @@ pub(super) fn parameters(
 ) -> Result<Vec<Parameter>, Fault> {
     let known = known(law);
     check_names(law, &known, selection)?;
+    tie::check(law, &known, selection)?;
     let magnitudes = Magnitudes::of(experiments);
-    let is_chosen = |(_, variable): &&(usize, Variable)| {
+    let idle = tie::idle_speeds(law, &tie::columns(law, selection));
+    let is_chosen = |(column, variable): &&(usize, Variable)| {
         let name = variable.path.to_string();
-        selection.fixed(&name).is_none() && (is_usual(variable) || selection.fits(&name))
+        let is_open = selection.fixed(&name).is_none() && !selection.is_tied(&name);
+        is_open && (is_usual(variable) && !idle.contains(column) || selection.fits(&name))
     };
     let chosen = known.iter().filter(is_chosen);
     let mut list: Vec<Parameter> =
         chosen.filter_map(|(column, variable)| of_law(law, *column, variable, &magnitudes)).collect();
-    list.extend(of_rig(experiments, selection, &magnitudes)?);
+    list.extend(of_rig(law, experiments, selection, &magnitudes)?);
     narrow(&mut list, law, selection)?;
     let is_empty = |one: &&Parameter| !(one.range[0] < one.range[1] && one.range[1].is_finite());
     match list.iter().find(is_empty) {
@@ -352,7 +312,7 @@ pub(super) fn parameters(
 fn of_law(law: &ModelType, column: usize, variable: &Variable, magnitudes: &Magnitudes) -> Option<Parameter> {
     let Kind::Real(unit) = variable.kind else { return None };
     let (range, scale) = magnitudes.range(variable, unit.name);
-    let over = law.table.of(Meaning::KineticLevel).filter(|_| variable.meaning == Meaning::StaticLevel);
+    let over = kinetic_of(law, column);
     let (name, target) = match over {
         Some(over) => (excess_name(law, column, over), Target::Excess { of: column, over }),
         None => (variable.path.to_string(), Target::Column(column)),
@@ -384,7 +344,12 @@ fn delay_range(experiments: &[Experiment]) -> Result<Option<[f64; 2]>, Fault> {
 }
 
 /// The parameters of the rig.
-fn of_rig(experiments: &[Experiment], selection: &Selection, magnitudes: &Magnitudes) -> Result<Vec<Parameter>, Fault> {
+fn of_rig(
+    law: &ModelType,
+    experiments: &[Experiment],
+    selection: &Selection,
+    magnitudes: &Magnitudes,
+) -> Result<Vec<Parameter>, Fault> {
     let one = |name: &str, unit, target, range, scale| {
         let (name, meaning) = (name.to_owned(), Meaning::Undeclared);
         Parameter { name, unit, target, meaning, range, scale }
@@ -394,7 +359,7 @@ fn of_rig(experiments: &[Experiment], selection: &Selection, magnitudes: &Magnit
         let (range, scale) = magnitudes.range_of_mass();
         list.push(one("mass", "kg", Target::Mass, range, scale));
     }
-    if selection.fits("offset") {
+    if selection.fits_offset(tie::has_open_directions(law, selection)) {
         let range = [-magnitudes.force, magnitudes.force];
         list.push(one("offset", "N", Target::Offset, range, Scale::Linear));
     }
@@ -422,8 +387,8 @@ fn of_rig(experiments: &[Experiment], selection: &Selection, magnitudes: &Magnit
 /// Refuses names that the law does not have, and values at which a parameter cannot be held.
 fn check_names(law: &ModelType, known: &[(usize, Variable)], selection: &Selection) -> Result<(), Fault> {
     let names: Vec<String> = known.iter().map(|(_, variable)| variable.path.to_string()).collect();
-    let excess = excess(law);
-    let ranges = selection.ranges.iter().map(|(name, _)| name).filter(|name| Some(*name) != excess.as_ref());
+    let excess: Vec<String> = pairs_of_levels(law).into_iter().map(|[of, over]| excess_name(law, of, over)).collect();
+    let ranges = selection.ranges.iter().map(|(name, _)| name).filter(|name| !excess.contains(name));
     let mut named = selection.fixed.iter().map(|(name, _)| name).chain(&selection.fitted).chain(ranges);
     if let Some(name) = named.find(|name| !names.contains(name) && !OF_RIG.contains(&name.as_str())) {
         let all = names.iter().map(String::as_str).chain(OF_RIG);
@@ -449,9 +414,10 @@ fn check_names(law: &ModelType, known: &[(usize, Variable)], selection: &Selecti
 fn narrow(list: &mut [Parameter], law: &ModelType, selection: &Selection) -> Result<(), Fault> {
     for (name, range) in &selection.ranges {
         let Some(parameter) = list.iter_mut().find(|parameter| parameter.name == *name) else {
-            let static_level = law.table.of(Meaning::StaticLevel).map(|column| law.table.at(column).path.to_string());
-            let excess = excess(law).filter(|_| Some(name) == static_level.as_ref());
-            let how = excess.map_or(String::new(), |excess| format!("; it is fitted as '{excess}'"));
+            let pairs = pairs_of_levels(law).into_iter();
+            let mut excess =
+                pairs.filter(|[of, _]| law.find(name) == Some(*of)).map(|[of, over]| excess_name(law, of, over));
+            let how = excess.next().map_or(String::new(), |excess| format!("; it is fitted as '{excess}'"));
             return Err(refused(law, format_args!("{name} has a range and is not fitted{how}")));
         };
         parameter.narrow(law, *range)?;

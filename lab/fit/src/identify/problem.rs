@@ -39,8 +39,10 @@ pub(super) struct Problem<'a> {
     pub pinned: Vec<Option<f64>>,
     /// Forces that are fitted instead of the measured ones.
     pub substitute: Option<Vec<f64>>,
-    /// Excess of a static level that is held: the columns of both levels, and its value.
-    pub excess: Option<(usize, usize, f64)>,
+    /// Excesses of static levels that are held: the columns of both levels, and the value.
+    pub excess: Vec<(usize, usize, f64)>,
+    /// Columns that have the value of another one, which is none of them.
+    pub tied: Vec<(usize, usize)>,
     /// Parameters on which the rows of a map do not depend, with the values at which they are held.
     pub untold: Vec<(Parameter, f64)>,
 }
@@ -213,11 +215,11 @@ impl Problem<'_> {
             delay: self.delay,
             gravity: self.gravity,
         };
-        let mut excess = self.excess;
+        let mut excess = self.excess.clone();
         for (parameter, value) in self.parameters.iter().zip(self.values(point)) {
             match parameter.target {
                 Target::Column(column) => physical.columns.push((column, value)),
-                Target::Excess { of, over } => excess = Some((of, over, value)),
+                Target::Excess { of, over } => excess.push((of, over, value)),
                 Target::Mass => physical.mass = value,
                 Target::Offset => physical.offset = value,
                 Target::Delay => physical.delay = Some(value),
@@ -226,17 +228,70 @@ impl Problem<'_> {
                 Target::Gravity => {}
             }
         }
-        if let Some((of, over, value)) = excess {
-            let kinetic = physical.columns.iter().rev().find(|(column, _)| *column == over).map(|(_, value)| *value);
-            physical.columns.push((of, kinetic.unwrap_or_else(|| self.kinetic(over)) + value));
+        self.tie(&mut physical.columns);
+        for (of, over, value) in excess {
+            let kinetic = self.found(&physical.columns, over);
+            physical.columns.push((of, kinetic + value));
         }
+        // A static level is known now.
+        self.tie(&mut physical.columns);
         physical
     }
 
-    /// The kinetic level where it is not parameter: as it is held, or its start value.
+    /// The value of a column: the last one, or its start value.
+    fn found(&self, columns: &[(usize, f64)], column: usize) -> f64 {
+        let last = columns.iter().rev().find(|(known, _)| *known == column).map(|(_, value)| *value);
+        last.unwrap_or_else(|| self.law.table.at(column).start)
+    }
+
+    /// Gives the columns that are tied the values of the others.
+    fn tie(&self, columns: &mut Vec<(usize, f64)>) {
+        for (column, source) in &self.tied {
+            columns.push((*column, self.found(columns, *source)));
+        }
+    }
+
+    /// Holds the columns that are tied to others than parameters.
+    pub fn hold_tied(&mut self) {
+        let is_parameter = |column: usize| {
+            let targets = self.parameters.iter().map(|one| one.target);
+            let mut of = targets.filter_map(|target| match target {
+                Target::Column(of) | Target::Excess { of, .. } => Some(of),
+                _ => None,
+            });
+            of.any(|of| of == column)
+        };
+        let held = self.tied.iter().filter(|(_, source)| !is_parameter(*source));
+        let held: Vec<(usize, f64)> = held.map(|(column, source)| (*column, self.kinetic(*source))).collect();
+        self.held.extend(held);
+    }
+
+    /// The column that has the value of a column: itself, unless it is tied.
+    pub fn source(&self, column: usize) -> usize {
+        self.tied.iter().find(|(tied, _)| *tied == column).map_or(column, |(_, source)| *source)
+    }
+
+    /// The value of a column that is not parameter: as it is held, or its start value.
     pub fn kinetic(&self, column: usize) -> f64 {
-        let held = self.held.iter().find(|(held, _)| *held == column).map(|(_, value)| *value);
-        held.unwrap_or_else(|| self.law.table.at(column).start)
+        self.found(&self.held, column)
+    }
+
+    /// The columns that move with a column: static levels with the kinetic one, and those that are tied.
+    fn moving_with(&self, column: usize) -> Vec<(usize, f64)> {
+        let excess = self.parameters.iter().filter_map(|parameter| match parameter.target {
+            Target::Excess { of, over } => Some((of, over)),
+            _ => None,
+        });
+        let held = self.excess.iter().map(|(of, over, _)| (*of, *over));
+        let links: Vec<(usize, usize)> = excess.chain(held).chain(self.tied.iter().copied()).collect();
+        let mut seeds = vec![(column, 1.0)];
+        let mut at = 0;
+        while at < seeds.len() {
+            let source = seeds[at].0;
+            seeds.extend(links.iter().filter(|(_, of)| *of == source).map(|(moving, _)| (*moving, 1.0)));
+            at += 1;
+        }
+        seeds
     }
 
     /// Forces of the load cell that the law explains.
@@ -322,17 +377,9 @@ impl Problem<'_> {
             }
             (Target::Offset, _) => self.weighed(vec![1.0; self.samples()]),
             (target @ (Target::Cosine | Target::Sine), _) => self.directions(&physical, target == Target::Cosine),
-            (Target::Column(column), Some(exact)) => {
-                // The static level moves with the kinetic one.
-                let follows = self.parameters.iter().filter_map(|parameter| match parameter.target {
-                    Target::Excess { of, over } if over == column => Some((of, 1.0)),
-                    _ => None,
-                });
-                let held = self.excess.filter(|(_, over, _)| *over == column).map(|(of, ..)| (of, 1.0));
-                let seeds: Vec<(usize, f64)> = [(column, 1.0)].into_iter().chain(follows).chain(held).collect();
-                self.exactly(exact, &physical, &seeds)
+            (Target::Column(moved) | Target::Excess { of: moved, .. }, Some(exact)) => {
+                self.exactly(exact, &physical, &self.moving_with(moved))
             }
-            (Target::Excess { of, .. }, Some(exact)) => self.exactly(exact, &physical, &[(of, 1.0)]),
             (Target::Delay | Target::Gravity, _) | (_, None) => self.differences(point, number, STEP),
         }
     }

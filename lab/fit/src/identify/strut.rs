@@ -18,6 +18,7 @@
 use ssp::parameter_set::{ParameterSet, choice};
 use stribeck::model::{Meaning, ModelType, Variable};
 
+use super::levels::levels_by_direction;
 use super::parameter::{is_level, refused};
 use super::{Estimate, Experiment, Fit, Selection, Settings, Target, Verdict, Watch, fit};
 use crate::dyno::{Damper, Options, Stroke, Test, find_damper, shock_absorber, slow_strokes};
@@ -118,6 +119,9 @@ impl StrutFriction {
     /// Translates the fit into values of the strut.
     pub(super) fn transfer(&mut self, strut: &'static ModelType, mu: f64) -> Result<(), Fault> {
         let law = self.fit.law;
+        if levels_by_direction(law).is_some() {
+            return Err(refused(law, "has a level for each direction, and a contact of the strut has one for both"));
+        }
         let estimate = |meaning: Meaning| {
             let is_it = |one: &&Estimate| one.meaning == meaning && matches!(one.target, Target::Column(_));
             self.fit.estimates.iter().find(is_it)

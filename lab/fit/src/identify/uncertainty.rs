@@ -25,6 +25,7 @@ use std::fmt;
 use nalgebra::{DMatrix, DVector};
 use stribeck::model::Meaning;
 
+use super::levels::levels_by_direction;
 use super::loss::Loss;
 use super::map::{by_velocity, neighbours, student};
 use super::parameter::{Parameter, Target, is_level};
@@ -370,7 +371,9 @@ impl Uncertainty {
         let open: Vec<bool> = (0..values.len()).map(|number| self.is_open(number)).collect();
         let followed = followed(&self.noise_covariance, values, &open, number);
         let is_blurred = self.standard_deviations[number] > DETERMINED * parameter.large_change(values[number]);
-        if open[number] || followed.is_some() {
+        if let Some(reason) = not_apart(problem, number).filter(|_| open[number] || followed.is_some()) {
+            Some(reason)
+        } else if open[number] || followed.is_some() {
             let why = match partner(&self.correlation, number).or(followed) {
                 _ if self.known.alone(number) > DETERMINED => "it hardly changes the force".to_owned(),
                 Some(other) => format!("only in combination with {}", problem.parameters[other].name),
@@ -504,6 +507,21 @@ pub(super) fn is_smooth(
 fn is_foreseen(found: &[f64], foreseen: &[f64], noise: f64) -> bool {
     let [change, expected, astray] = [found, foreseen, &minus(found, foreseen)].map(|change| squares(change).sqrt());
     change.max(expected) < 0.1 * noise || (change >= REACHED * expected && astray <= ASTRAY * expected)
+}
+
+/// Why the data do not tell an offset or a level of one direction, if both levels and the offset are parameters.
+fn not_apart(problem: &Problem, number: usize) -> Option<String> {
+    let levels = levels_by_direction(problem.law)?;
+    let of_three = [Target::Offset, Target::Column(levels[0]), Target::Column(levels[1])];
+    let has = |target: &Target| problem.parameters.iter().any(|one| one.target == *target);
+    let is_one = of_three.contains(&problem.parameters[number].target) && of_three.iter().all(has);
+    is_one.then(|| {
+        let [forward, backward] = levels.map(|column| problem.law.table.at(column).path);
+        format!(
+            "an offset of the force and a difference of the levels by direction cannot be told apart; hold the offset \
+             (fix offset=0: the levels contain it then) or tie the levels (tie {backward}={forward})"
+        )
+    })
 }
 
 /// The experiment that would determine a parameter.

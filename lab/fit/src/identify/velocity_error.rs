@@ -16,8 +16,9 @@
 use nalgebra::DMatrix;
 use stribeck::model::Meaning;
 
+use super::levels::columns_of;
 use super::problem::{Problem, dot};
-use super::{Experiment, Target};
+use super::{Experiment, Target, tie};
 use crate::measured::correlation_of_slopes;
 
 /// Error of the velocity, as a part of the speed at which friction falls, from which parameters are biased (chosen: a
@@ -29,7 +30,8 @@ pub(super) const BLURRED: f64 = 0.01;
 /// has none.
 pub(super) fn speed_of_fall(problem: &Problem, known: impl Fn(Target) -> Option<f64>) -> Option<(String, f64)> {
     [Meaning::FallSpeed, Meaning::TransitionSpeed].into_iter().find_map(|meaning| {
-        let column = problem.law.table.of(meaning)?;
+        let idle = tie::idle_speeds(problem.law, &problem.tied);
+        let column = columns_of(problem.law, meaning).find(|column| !idle.contains(column))?;
         let variable = problem.law.table.at(column);
         let held = || problem.held.iter().find(|(held, _)| *held == column).map(|(_, value)| *value);
         Some((variable.path.to_string(), known(Target::Column(column)).or_else(held).unwrap_or(variable.start)))

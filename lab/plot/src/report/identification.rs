@@ -235,6 +235,7 @@ fn settings(page: &mut Page, facts: &Identification) {
     ];
     rows.extend(selection.fixed.iter().map(|(name, value)| ("Held", format!("{name} = {value}"))));
     rows.extend(selection.fitted.iter().map(|name| ("Fitted as well", name.clone())));
+    rows.extend(selection.tied.iter().map(|(name, source)| ("Tied", format!("{name} = {source}"))));
     rows.extend(selection.ranges.iter().map(|(name, [low, high])| ("Range", format!("{name} from {low} to {high}"))));
     page.table(&head, rows.into_iter().map(|(setting, value)| [setting.to_owned(), value]));
     page.listing(facts.command);

@@ -8,6 +8,7 @@ use super::super::{Answer, Inquiry, Ranking, Settings, Source, Verdict, fit_all}
 use super::*;
 use approx::assert_relative_eq;
 use stribeck_sheet::{Sheet, SheetError};
+use stribeck_solve::job::Entry;
 
 fn inquiry(law: &[&str]) -> Inquiry {
     let law = law.iter().map(|name| (*name).to_owned()).collect();
@@ -24,6 +25,34 @@ fn asked(text: &str, inquiry: &Inquiry) -> Result<(Ranking, Answer), Fault> {
 
 fn refusal(text: &str, inquiry: &Inquiry) -> String {
     asked(text, inquiry).unwrap_err().to_string()
+}
+
+/// Levels of 0.3 and 0.4 N, viscous friction of 2 and 3 N s/m, an offset of 0.02 N.
+#[test]
+fn a_map_tells_directions_and_no_offset_beside_their_levels() {
+    let forces = SPEEDS.into_iter().flat_map(|v| [(v, 0.32 + 2.0 * v), (-v, -0.38 - 3.0 * v)]);
+    let rows =
+        forces.zip(noise(9, 2 * SPEEDS.len())).map(|((v, force), noise)| format!("{v},{}\n", force + 0.002 * noise));
+    let map = format!("velocity [m/s],force [N]\n{}", rows.collect::<String>());
+    let tie = [("mu_s_forward", "mu_k_forward"), ("mu_s_backward", "mu_k_backward")];
+    let tie: Vec<Entry<String>> = tie.map(|(name, other)| Entry(name.to_owned(), other.to_owned())).into();
+    let asked_for = Inquiry { tie, ..inquiry(&["DirectionalStribeck"]) };
+    let (ranking, _) = asked(&map, &asked_for).unwrap();
+    for (name, truth) in [
+        ("mu_k_forward", 0.32),
+        ("mu_k_backward", 0.38),
+        ("viscous_coefficient_forward", 2.0),
+        ("viscous_coefficient_backward", 3.0),
+    ] {
+        let one = estimate(&ranking.fits[0], name);
+        let is_near = (one.value - truth).abs() < 4.0 * one.deviation && one.deviation < 0.01;
+        assert!(one.verdict == Verdict::Determined && is_near, "{one:?}");
+    }
+    let (ranking, _) = asked(&map, &Inquiry { fit: vec!["offset".to_owned()], ..asked_for }).unwrap();
+    for name in ["offset", "mu_k_forward", "mu_k_backward"] {
+        let verdict = estimate(&ranking.fits[0], name).verdict.to_string();
+        assert!(verdict.contains("a difference of the levels by direction cannot be told apart"), "{name}: {verdict}");
+    }
 }
 
 /// Speeds of a map, in m/s.

@@ -39,7 +39,7 @@ pub(in crate::identify) fn hold_untold(problem: &mut Problem) -> Result<(), Faul
     for (one, _) in untold {
         let start = start(problem, &one);
         if let Target::Excess { of, over } = one.target {
-            problem.excess = Some((of, over, start));
+            problem.excess.push((of, over, start));
         }
         problem.untold.push((one, start));
     }
