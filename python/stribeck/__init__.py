@@ -17,7 +17,7 @@ feels the negative.
 from stribeck._stribeck import Refused, __version__
 from stribeck.catalogue import Description, Preset, Variable, law, laws, model, models
 from stribeck.fmus import fmu
-from stribeck.identification import Estimate, Fit, Identification, identify
+from stribeck.identification import Estimate, Fit, Identification, Judgement, identify
 from stribeck.instances import Model, ShockAbsorber
 from stribeck.results import Result
 from stribeck.series import force, simulate
@@ -48,6 +48,7 @@ __all__ = [
     "Fit",
     "FoundStep",
     "Identification",
+    "Judgement",
     "Model",
     "NotConverged",
     "Preset",

@@ -52,6 +52,25 @@ class Estimate:
 
 
 @dataclass(frozen=True)
+class Judgement:
+    """Values that were given, judged by the data: by `reference`, `evaluate`, or `fix` for every parameter."""
+
+    source: str
+    """The preset, the file, or `fix`."""
+    values: dict[str, float]
+    rms: float
+    """RMS residual of the values."""
+    fit_rms: float | None
+    """That of the best fit of the same law, if one was made."""
+    outside: dict[str, tuple[float, float]]
+    """For each value outside the interval of 95 % of the fit, that interval."""
+    verdict: str
+    warnings: list[str]
+    note: str | None
+    """That the values are for another law, if they are."""
+
+
+@dataclass(frozen=True)
 class Fit:
     """A law fitted to records."""
 
@@ -75,6 +94,8 @@ class Fit:
     warnings: list[str]
     values: dict[str, float]
     """The parameters of the law that were held or that the data determine, as `force` and `simulate` take them."""
+    judgement: Judgement | None
+    """What the data say of values that were given."""
 
 
 class Identification:
@@ -107,6 +128,9 @@ class Identification:
         lines = [f"{best.law}: RMS residual {best.rms:.4g} {self.units['force']}"]
         lines += [f"  {one.name}: {one.text}" for one in best.estimates.values()]
         lines += [f"  warning: {warning}" for warning in best.warnings]
+        if best.judgement is not None:
+            given = best.judgement
+            lines.append(f"  {given.source}: RMS residual {given.rms:.4g} {self.units['force']}: {given.verdict}")
         lines += [f"  {fit.law}: ΔBIC {fit.delta_bic:.1f}" for fit in self.fits[1:]]
         return "\n".join(lines)
 
@@ -130,7 +154,15 @@ def _fit(one: dict[str, Any]) -> Fit:
         "warnings",
         "values",
     )
-    return Fit(**{name: one[name] for name in plain}, estimates={each.name: each for each in estimates})
+    return Fit(
+        **{name: one[name] for name in plain},
+        estimates={each.name: each for each in estimates},
+        judgement=one["judgement"] and _judgement(one["judgement"]),
+    )
+
+
+def _judgement(one: dict[str, Any]) -> Judgement:
+    return Judgement(**one | {"outside": {each["name"]: tuple(each["interval"]) for each in one["outside"]}})
 
 
 def identify(

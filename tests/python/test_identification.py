@@ -194,6 +194,14 @@ def test_identify_takes_whatever_has_arrays_by_name(slid):
     assert list(held.best.validation) == ["held out 1"]
 
 
+def test_values_that_are_held_are_judged(slid):
+    assert stribeck.identify(slid, **CHEAP).best.judgement is None
+    found = stribeck.identify(slid, **CHEAP, fix={"mu_k": 0.25})
+    judged = found.best.judgement
+    assert (judged.source, judged.values, judged.fit_rms) == ("fix", {"mu_k": 0.25}, None)
+    assert judged.rms == found.best.rms and judged.verdict in repr(found)
+
+
 @pytest.mark.parametrize(
     ("wrong", "text"),
     [

@@ -387,6 +387,10 @@ lack_of_fit: LackOfFit | null,
  */
 warnings: Array<string>, 
 /**
+ * What the data say of values that were given: a reference, or values that were all held.
+ */
+judgement: Judgement | null, 
+/**
  * The parameters that were held or that the data determine.
  */
 values: Record<string, number>, 
@@ -442,6 +446,54 @@ law: string,
  * Why.
  */
 reason: string, };
+
+export type Judgement = { 
+/**
+ * Where the values are from: a preset, a file, or `fix`.
+ */
+source: string, 
+/**
+ * The values of the law.
+ */
+values: Record<string, number>, 
+/**
+ * RMS residual of the values, in the unit of a force or torque.
+ */
+rms: number, 
+/**
+ * That of the best fit of the same law, if one was made.
+ */
+fit_rms: number | null, 
+/**
+ * Values outside the interval of the fit.
+ */
+outside: Array<Outside>, 
+/**
+ * What is to be thought of the values.
+ */
+verdict: string, 
+/**
+ * Warnings of the values, as of a fit.
+ */
+warnings: Array<string>, 
+/**
+ * What was given is for another law.
+ */
+note: string | null, };
+
+export type Outside = { 
+/**
+ * The parameter, or the difference of two.
+ */
+name: string, 
+/**
+ * The value that was given.
+ */
+value: number, 
+/**
+ * Interval of 95 % of the fit.
+ */
+interval: [number, number], };
 
 export type LackOfFit = { 
 /**

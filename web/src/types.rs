@@ -29,7 +29,8 @@ pub fn types() -> String {
 }
 
 /// Options that have places of their own on the page, are files, or are for files that the page does not read.
-const ELSEWHERE: [&str; 7] = ["sheet", "records", "motion", "law", "mass", "normal_force", "hold_out"];
+const ELSEWHERE: [&str; 9] =
+    ["sheet", "records", "motion", "law", "mass", "normal_force", "hold_out", "reference", "evaluate"];
 
 /// The other options of an identification, which the page shows as fields.
 fn options() -> String {
@@ -77,6 +78,8 @@ fn answers() -> String {
         identify::FittedLaw,
         identify::FittedParameter,
         identify::RefusedLaw,
+        identify::Judgement,
+        identify::Outside,
         identify::LackOfFit,
     )
 }

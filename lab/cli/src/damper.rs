@@ -42,7 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn strokes(friction: &StrutFriction) -> String {
     let mut text =
-        format!("\nslow strokes, at a mean normal force of {:.1} N:\n{}", friction.load, friction.fit.table(None));
+        format!("\nslow strokes, at a mean normal force of {:.1} N:\n{}", friction.load, friction.fit.table());
     if !friction.left.is_empty() {
         text += &format!("not determined, the strut keeps its defaults: {}\n", friction.left.join(", "));
     }

@@ -49,7 +49,7 @@ enum Task {
     /// Runs a system many times, with values from ranges, distributions or a table, and writes one table.
     Study(command::StudyArguments),
     /// Fits the parameters of a friction law to measured friction, with confidence intervals; ranks several laws.
-    Identify(command::IdentifyArguments),
+    Identify(Box<command::IdentifyArguments>),
     /// Writes the records of a virtual rig whose friction law is known.
     Rig(command::RigArguments),
     /// Benchmarks all laws with all solvers, as the thesis does, and writes a page and a table.

@@ -302,6 +302,28 @@ fn a_virtual_rig_is_identified_and_the_result_runs() {
     assert!(text(Path::new(csv)).contains("sigma_0"));
 }
 
+/// The values of the rig, judged beside a fit in terminal and report, and alone in JSON.
+#[test]
+fn given_values_are_judged() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let rig = ["rig", "--law", "Dahl", "--set", "sigma_0=3e4", "--duration", "1", "--out", &file("rig")];
+    assert_eq!(stribeck(&rig).status.code(), Some(0));
+    let [record, reference, report] = ["rig/force.csv", "rig/truth.toml", "report.html"].map(file);
+    let known = ["identify", &record, "--mass", "2", "--normal-force", "20", "--law", "Dahl", "--repetitions", "0"];
+    let output = stribeck(&[&known[..], &["--reference", &reference, "--report", &report]].concat());
+    let (shown, page) = (String::from_utf8(output.stdout).expect("text"), text(Path::new(&report)));
+    assert!([&shown, &page].iter().all(|text| text.contains("truth.toml: RMS residual 0.")), "{shown}\n{page}");
+    assert!(page.contains("Values that were given") && page.contains("<td>sigma_0</td>"), "{page}");
+
+    let output = stribeck(&[&known[..], &["--evaluate", &reference, "--json"]].concat());
+    let found: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let judged = &found["laws"][0]["judgement"];
+    assert_eq!((&judged["values"]["sigma_0"], &judged["source"]), (&3e4.into(), &reference.as_str().into()));
+    assert_eq!((&judged["rms"], &judged["fit_rms"]), (&found["laws"][0]["rms"], &serde_json::Value::Null));
+    assert_eq!(judged["verdict"], "the values explain the data");
+}
+
 #[test]
 fn a_reference_of_another_law_is_said_to_be_one() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -3,17 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use ssp::parameter_set::ParameterSet;
 use stribeck::model::ModelType;
 use stribeck_fit::identify::{
-    Answer, Data, Experiment, Exported, Files, Fit, Format, Inquiry, Rank, Ranking, Reference, Searches, Settings,
-    Validation, Verdict, Watch, digits, evaluate, fit, of_law, preset,
+    Answer, Data, Experiment, Exported, Files, Fit, Format, Inquiry, Rank, Ranking, Searches, Settings, Validation,
+    Verdict, Watch, fit,
 };
 use stribeck_fit::measured::{Quality, Record, average};
 use stribeck_plot::picture::{Theme, friction_map};
 use stribeck_plot::report::{Identification, identification};
-use stribeck_solve::run::Configuration;
-use stribeck_solve::system::{Fault, read};
+use stribeck_solve::system::Fault;
 
 use super::description::Description;
 use super::watch::{Best, CANCELLED, heed_interrupts};
@@ -30,9 +28,6 @@ pub struct Arguments {
     /// Only report the data quality of the records and which parameters they can determine
     #[arg(long)]
     check: bool,
-    /// Values to compare with: a preset of the law, or a parameter set (.toml, .csv, .ssv)
-    #[arg(long, value_name = "PRESET|FILE")]
-    reference: Option<String>,
     /// The best law: a parameter set (.toml for `run --config`, .csv, .ssv), a module of Python (.py), a joint of MuJoCo (.xml) or URDF (.urdf)
     #[arg(long, short)]
     out: Option<PathBuf>,
@@ -58,65 +53,6 @@ impl Arguments {
         self.curves.as_ref().map_or(Ok(()), |path| outputs::folder(path))?;
         if self.check && self.json { Err(Fault::value("--check: writes no JSON")) } else { Ok(()) }
     }
-
-    /// The reference values of each law; None for a law that has none of them. An error if no law has any.
-    fn references(&self, laws: &[&'static ModelType]) -> Result<Vec<Option<Reference>>, Failure> {
-        let Some(text) = &self.reference else { return Ok(laws.iter().map(|_| None).collect()) };
-        let mut all: Vec<Result<Option<Reference>, Failure>> =
-            laws.iter().map(|law| self.reference(law, text)).collect();
-        if all.iter().all(Result::is_err) {
-            return Err(all.swap_remove(0).err().unwrap_or_else(|| Fault::value("no law was given").into()));
-        }
-        let all: Vec<Option<Reference>> = all.into_iter().map(|found| found.ok().flatten()).collect();
-        if all.iter().all(Option::is_none) {
-            return Err(Fault::File(format!("{text}: has no parameter of these laws")).into());
-        }
-        Ok(all)
-    }
-
-    /// The reference values of the best law; warns if there are none, or if they are those of another law.
-    fn of_best<'a>(
-        &self,
-        best: &Fit,
-        mut references: impl Iterator<Item = (&'a &'static ModelType, Option<Reference>)>,
-    ) -> Option<Reference> {
-        let found = references.find(|(law, _)| law.name == best.law.name).and_then(|(_, found)| found);
-        if let Some(text) = self.reference.as_ref().filter(|_| found.is_none()) {
-            eprintln!("stribeck: --reference {text}: has no values for {}, so nothing is compared", best.law.name);
-        }
-        if let Some((text, other)) = self.reference.as_ref().zip(found.as_ref().and_then(|_| self.other_law(best.law)))
-        {
-            eprintln!(
-                "stribeck: --reference {text}: is a set of {other}, not of {}; compared where names are the same",
-                best.law.name
-            );
-        }
-        found
-    }
-
-    /// The laws of the reference file, if this one is not among them.
-    fn other_law(&self, law: &ModelType) -> Option<String> {
-        let path = self.reference.as_ref().map(Path::new).filter(|path| outputs::has_ending(path, "toml"))?;
-        let known: Configuration = read(path).ok()?;
-        let is_other = !known.law.is_empty() && known.law.iter().all(|name| name != law.name);
-        is_other.then(|| known.law.join(", "))
-    }
-
-    fn reference(&self, law: &'static ModelType, text: &str) -> Result<Option<Reference>, Failure> {
-        let path = Path::new(text);
-        if path.extension().is_none() {
-            return Ok(of_law(law, &preset(law, text)?));
-        }
-        if outputs::has_ending(path, "toml") {
-            let known: Configuration = read(path)?;
-            let number = |(name, value): (String, toml::Value)| {
-                value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64)).map(|value| (name, value))
-            };
-            return Ok(of_law(law, &known.set.into_iter().filter_map(number).collect()));
-        }
-        let set = ParameterSet::load(law, path).map_err(|error| Fault::File(error.to_string()))?;
-        Ok(of_law(law, &set.values().map(|(variable, value)| (variable.path.to_string(), value)).collect()))
-    }
 }
 
 /// Fits laws to records and ranks them; prints the parameters with their uncertainty.
@@ -126,7 +62,7 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     let inquiry = arguments.description.complete(&arguments.inquiry)?;
     let (laws, task) = (inquiry.laws()?, inquiry.settings()?);
     let data = inquiry.data(&Files)?;
-    let references = arguments.references(&laws)?;
+    inquiry.check_given()?;
     heed_interrupts();
     if !arguments.json {
         let records = data.records.iter().zip(&data.experiments);
@@ -137,9 +73,9 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
         return check(&laws, &data.experiments, &task);
     }
     let ranking = search(&inquiry, &data)?;
-    let reference = arguments.of_best(ranking.best(), laws.iter().zip(references));
-    let (records, maps, command, reference) = (&data.records, &data.maps, &command_line(), reference.as_ref());
-    tell(arguments, &Identification { records, maps, task: &task, command, ranking: &ranking, reference }, &data)
+    remark(&inquiry, ranking.best());
+    let (records, maps, command) = (&data.records, &data.maps, &command_line());
+    tell(arguments, &Identification { records, maps, task: &task, command, ranking: &ranking }, &data)
 }
 
 fn search(inquiry: &Inquiry, data: &Data) -> Result<Ranking, Failure> {
@@ -150,18 +86,23 @@ fn search(inquiry: &Inquiry, data: &Data) -> Result<Ranking, Failure> {
     Ok(ranking)
 }
 
+/// Says if the reference is not for the best law.
+fn remark(inquiry: &Inquiry, best: &Fit) {
+    let Some(text) = &inquiry.reference else { return };
+    match &best.judgement {
+        None => eprintln!("stribeck: --reference {text}: has no values for {}, so nothing is compared", best.law.name),
+        Some(judgement) => judgement.note.iter().for_each(|note| eprintln!("stribeck: --reference {note}")),
+    }
+}
+
 /// Prints the result and writes the requested files.
 fn tell(arguments: &Arguments, facts: &Identification, data: &Data) -> Result<Ending, Failure> {
-    let Identification { records, ranking, reference, task, .. } = *facts;
+    let Identification { records, ranking, .. } = *facts;
     let best = ranking.best();
     if arguments.json {
         println!("{}", serde_json::to_string(&Answer::of(ranking, data)).map_err(Fault::value)?);
     } else {
-        print!("{}{}", table(ranking), best.table(reference));
-        if let Some(values) = reference {
-            let known = evaluate(best, values, &data.experiments, task)?;
-            print!("{}", beside(&known, best));
-        }
+        print!("{}{}{}", table(ranking), best.table(), judged(best));
     }
     if let Some(folder) = &arguments.curves {
         super::folder(folder)?;
@@ -174,13 +115,11 @@ fn tell(arguments: &Arguments, facts: &Identification, data: &Data) -> Result<En
     Ok(if best.is_cancelled { Ending::Cancelled } else { Ending::Done })
 }
 
-/// RMS residuals of the reference values and of the fit, with the warnings of the former.
-fn beside(known: &Fit, fit: &Fit) -> String {
-    let [rms, least] = [known, fit].map(|one| digits(one.residuals.rms));
-    let unit = fit.movement.unit("N");
-    let mut text = format!("reference: RMS residual {rms} {unit}, that of the fit {least} {unit}\n");
-    known.warnings.iter().for_each(|warning| text += &format!("reference: {warning}\n"));
-    text
+/// What the data say of values that were given.
+fn judged(best: &Fit) -> String {
+    let Some(judgement) = &best.judgement else { return String::new() };
+    let lines = judgement.lines(best.movement.unit("N"));
+    lines.iter().map(|line| format!("{}: {line}\n", judgement.source)).collect()
 }
 
 /// The command line as it was typed, quoted for a shell; empty if it can't be.

@@ -6,7 +6,7 @@ use serde::Serialize;
 use ts_rs::TS;
 
 use super::output::{EARLY, text_of};
-use super::{Data, Estimate, Fit, LackOfFit, Rank, Ranking, Searches, Verdict};
+use super::{Data, Estimate, Fit, Judgement, LackOfFit, Rank, Ranking, Searches, Verdict};
 use crate::measured::Units;
 
 /// Laws fitted to records.
@@ -67,6 +67,8 @@ pub struct FittedLaw {
     pub lack_of_fit: Option<LackOfFit>,
     /// Warnings.
     pub warnings: Vec<String>,
+    /// What the data say of values that were given: a reference, or values that were all held.
+    pub judgement: Option<Judgement>,
     /// The parameters that were held or that the data determine.
     #[ts(type = "Record<string, number>")]
     pub values: BTreeMap<String, f64>,
@@ -134,6 +136,7 @@ fn law(fit: &Fit, place: &Rank) -> FittedLaw {
         evaluations: fit.evaluations,
         lack_of_fit: fit.lack_of_fit,
         warnings: fit.warnings.clone(),
+        judgement: fit.judgement.clone(),
         values: fit.accepted().into_iter().collect(),
         early: fit.is_cancelled.then_some(EARLY),
         estimates: fit.estimates.iter().map(|one| parameter(one, fit.searches)).collect(),

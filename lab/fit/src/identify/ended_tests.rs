@@ -22,7 +22,7 @@ fn a_search_that_is_ended_keeps_its_best() {
     assert!(fit.is_cancelled && fit.residuals.rms.is_finite() && best.lock().unwrap().is_finite());
     assert!(fit.estimates.iter().all(|one| one.profile.is_none() && one.repeated.is_none()));
     assert!(fit.searches == Searches::Ended && !fit.values().is_empty(), "{:?}", fit.estimates);
-    let text = fit.table(None);
+    let text = fit.table();
     assert!(text.contains(EARLY) && text.contains("the best so far") && !text.contains("95 %"), "{text}");
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use stribeck::model::Kind;
+use stribeck::model::{Kind, ModelType};
 use stribeck_solve::system::Fault;
 
 use super::least_squares::Found;
@@ -38,17 +38,24 @@ pub(super) fn evaluated(mut problem: Problem) -> Result<Fit, Fault> {
     Ok(Fit { warnings, ..as_is(&problem, &at, found)? })
 }
 
+/// The parameters of a law at the values that are given, otherwise at those at which a selection holds them, otherwise at
+/// their start values.
+pub(super) fn held(law: &ModelType, values: &Reference, selection: &Selection) -> Vec<(String, f64)> {
+    let real = known(law).into_iter().filter(|(_, variable)| matches!(variable.kind, Kind::Real(_)));
+    let value = |name: &str| values.get(name).copied().or_else(|| selection.fixed(name));
+    let named = real.map(|(_, variable)| {
+        let name = variable.path.to_string();
+        let value = value(&name).unwrap_or(variable.start);
+        (name, value)
+    });
+    named.collect()
+}
+
 /// Evaluates the law of a fit at other values, in the same experiments and with the mass, offset and delay of the fit.
 /// Parameters that are not named have the values at which the task holds them, otherwise their start values.
 pub fn evaluate(fit: &Fit, values: &Reference, experiments: &[Experiment], task: &Settings) -> Result<Fit, Fault> {
     let law = fit.law;
-    let of_law = known(law).into_iter().filter(|(_, variable)| matches!(variable.kind, Kind::Real(_)));
-    let held = |name: &str| task.selection.fixed(name);
-    let of_law = of_law.map(|(_, variable)| {
-        let name = variable.path.to_string();
-        let value = values.get(&name).copied().or_else(|| held(&name)).unwrap_or(variable.start);
-        (name, value)
-    });
+    let of_law = held(law, values, &task.selection).into_iter();
     let of_rig =
         [("mass", Some(fit.physical.mass)), ("offset", Some(fit.physical.offset)), ("delay", fit.physical.delay)];
     let of_gravity = GRAVITY_COEFFICIENTS.into_iter().zip(fit.physical.gravity);
@@ -80,7 +87,7 @@ mod tests {
         let judged = fitted("Coulomb", &data, &held);
         assert!((judged.residuals.rms / mean_square.sqrt() - 1.0).abs() < 1e-12, "{}", judged.residuals.rms);
         assert!(judged.warnings[0].starts_with("the residuals are not noise"), "{:?}", judged.warnings);
-        assert!(judged.table(None).contains("all parameters are held: nothing was fitted"));
+        assert!(judged.table().contains("all parameters are held: nothing was fitted"));
         assert_eq!(judged.values(), [("mu_k".to_owned(), 0.32)]);
         // The same values beside a fit, which finds the right ones; what they do not name has its start value.
         let best = fitted("Coulomb", &data, &quick());

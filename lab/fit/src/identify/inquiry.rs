@@ -14,6 +14,7 @@ use stribeck_solve::system::Fault;
 use toml::Value;
 use ts_rs::TS;
 
+use super::judgement::{Given, judge_held};
 use super::map::{self, FrictionMap, MapColumns};
 use super::{
     Experiment, Method, Ranking, Selection, Settings, Watch, axis, fit_all, held_out, laws_named, names, parameter,
@@ -123,6 +124,13 @@ pub struct Inquiry {
     /// generations are made, 48 or 16 for each parameter, 62 by the genetic algorithm (default: 3000)
     #[arg(long)]
     pub budget: Option<u64>,
+    /// Values that are judged beside the fit of the same law: a preset of the law, or a parameter set (.toml, .csv, .ssv)
+    #[arg(long, value_name = "PRESET|FILE")]
+    pub reference: Option<String>,
+    /// Values that are judged while nothing is fitted: a preset, or a parameter set (.toml, .csv, .ssv); what it does not
+    /// name has its start value
+    #[arg(long, value_name = "PRESET|FILE")]
+    pub evaluate: Option<String>,
     /// Seed of the search and of the repetitions (default: 1)
     #[arg(long)]
     pub seed: Option<u64>,
@@ -285,6 +293,26 @@ impl Inquiry {
         })
     }
 
+    /// Refuses values that no law has, and an evaluation that is to fit something, before the search.
+    pub fn check_given(&self) -> Result<(), Fault> {
+        let laws = self.laws()?;
+        for text in self.reference.iter().chain(&self.evaluate) {
+            Given(text).values(&laws)?;
+        }
+        let others = [
+            ("reference", self.reference.is_some()),
+            ("fit", !self.fit.is_empty()),
+            ("range", !self.range.is_empty()),
+            ("folds", self.folds.is_some()),
+        ];
+        match others.into_iter().find(|(_, is_given)| self.evaluate.is_some() && *is_given) {
+            Some((other, _)) => {
+                Err(Fault::value(format_args!("evaluate: nothing is fitted, which {other} contradicts")))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// Refuses a parameter that is held at two values, or held and fitted.
     pub fn refuse_contradictions(&self) -> Result<(), Fault> {
         for Entry(name, value) in &self.fix {
@@ -435,7 +463,17 @@ impl Inquiry {
         begin: &mut (dyn FnMut(&'static ModelType) + Send),
         watch: Watch,
     ) -> Result<Ranking, Fault> {
-        let mut ranking = fit_all(&self.laws()?, &data.experiments, &self.settings()?, begin, watch)?;
+        self.check_given()?;
+        let (laws, task) = (self.laws()?, self.settings()?);
+        let mut ranking = match &self.evaluate {
+            Some(text) => Given(text).evaluated(&laws, &data.experiments, &task, watch)?,
+            None => fit_all(&laws, &data.experiments, &task, begin, watch)?,
+        };
+        if let Some(text) = &self.reference {
+            let values = Given(text).values(&laws)?;
+            Given(text).judge(&mut ranking, &laws, &values, (&data.experiments, &task))?;
+        }
+        judge_held(&mut ranking);
         let best = ranking.best().law.name;
         // A law that is refused in other records has no figure there; the best one must have.
         for fit in &mut ranking.fits {

@@ -43,12 +43,14 @@ folds = 3
 budget = 500
 seed = 7
 repetitions = 10
+reference = "thesis"
+evaluate = "a.toml"
 "#;
 
 #[test]
 fn a_description_is_the_same_on_the_command_line_and_in_a_file() {
     let all = described(ALL);
-    assert_eq!(job::entries(&all).unwrap().len(), 26, "an option is missing in the text above");
+    assert_eq!(job::entries(&all).unwrap().len(), 28, "an option is missing in the text above");
     let words = shlex::split(&all.command().unwrap()).unwrap();
     assert_eq!(words[..2], ["stribeck", "identify"]);
     let words: Vec<&str> = words[1..].iter().map(String::as_str).collect();

@@ -137,7 +137,7 @@ fn the_values_of_a_joint_are_found_and_shown_in_its_units() {
     ] {
         assert_told(&fit, (name, unit), truth, 0.1 * truth.max(0.1));
     }
-    let shown = fit.table(None);
+    let shown = fit.table();
     assert!(shown.contains(" N.m of ") && shown.contains("at a load of 1 N.m a coefficient"), "{shown}");
     assert!(!shown.contains(" N ") && !shown.contains(" m/s") && !shown.contains(" kg "), "{shown}");
     assert!(data.records[0].1.csv().unwrap().starts_with("time [s],force [N.m],displacement [rad],velocity [rad/s],"));

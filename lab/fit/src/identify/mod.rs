@@ -29,6 +29,9 @@ mod inquiry_tests;
 mod interval;
 #[cfg(test)]
 mod joint_tests;
+mod judgement;
+#[cfg(test)]
+mod judgement_tests;
 mod least_squares;
 mod levels;
 mod loss;
@@ -66,6 +69,7 @@ pub use experiment::{Experiment, Rest, names};
 pub use export::{Exported, Format};
 
 pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source, no_record};
+pub use judgement::{Judgement, Outside};
 pub use map::{FrictionMap, LackOfFit, steady_curve};
 pub use output::{Difference, EARLY, Reference, difference, known, of_law, preset, respond};
 pub use parameter::{Parameter, Scale, Target};
@@ -188,6 +192,8 @@ pub struct Fit {
     pub lack_of_fit: Option<LackOfFit>,
     /// Warnings for the user.
     pub warnings: Vec<String>,
+    /// What the data say of values that were given for the law.
+    pub judgement: Option<Judgement>,
 }
 
 impl Fit {
@@ -654,6 +660,7 @@ fn as_is(problem: &Problem, at: &Found, residuals: Residuals) -> Result<Fit, Fau
         validation: Vec::new(),
         lack_of_fit,
         warnings: Vec::new(),
+        judgement: None,
     })
 }
 

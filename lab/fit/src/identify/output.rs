@@ -194,9 +194,14 @@ impl Fit {
         self.estimates.iter().filter(is_open).map(|one| one.name.as_str())
     }
 
-    /// The fit as a table for a terminal, with the differences from a reference if one is given.
-    pub fn table(&self, reference: Option<&Reference>) -> String {
-        let mut text = self.heading();
+    /// The values beside which it was fitted, if any were given.
+    pub fn reference(&self) -> Option<&Reference> {
+        self.judgement.as_ref().filter(|one| one.fit_rms.is_some()).map(|one| &one.values)
+    }
+
+    /// The fit as a table for a terminal, with the differences from a reference if one was given.
+    pub fn table(&self) -> String {
+        let (mut text, reference) = (self.heading(), self.reference());
         let width = self.estimates.iter().map(|one| one.name.len()).max().unwrap_or(0);
         for one in &self.estimates {
             let _ =

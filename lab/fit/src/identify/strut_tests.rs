@@ -98,7 +98,7 @@ fn a_law_in_a_strut_is_found_in_slow_strokes() {
     let never = AtomicBool::new(false);
     let task = Settings { budget: 1500, repetitions: 0, profiles: false, ..Settings::default() };
     let found = strut_friction(by_name("LuGre").unwrap(), &test, &options, &task, watch(&never)).unwrap();
-    println!("{:?} {}", found.damper, found.fit.table(None));
+    println!("{:?} {}", found.damper, found.fit.table());
     let set = found.damper.parameter_set_with("found", &found.values).unwrap();
     let total = |name: &str| set.get(&format!("c1.{name}")).unwrap() + set.get(&format!("c2.{name}")).unwrap();
     assert!((total("preload_k") / 30.0 - 1.0).abs() < 0.02, "{}", total("preload_k"));

@@ -24,8 +24,6 @@ pub struct Identification<'a> {
     pub command: &'a str,
     /// The fits.
     pub ranking: &'a Ranking,
-    /// Values to compare the best fit with.
-    pub reference: Option<&'a Reference>,
 }
 
 /// The report, as one HTML file.
@@ -35,7 +33,8 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
     for warning in best.is_cancelled.then_some(EARLY).into_iter().chain(best.warnings.iter().map(String::as_str)) {
         page.paragraph("warning", warning);
     }
-    estimates(&mut page, best, facts.reference);
+    estimates(&mut page, best);
+    judgement(&mut page, best);
     residuals(&mut page, best);
     pictures_of(&mut page, facts)?;
     ranking(&mut page, facts);
@@ -80,13 +79,27 @@ const HEAD: [&str; 9] = [
     "Verdict",
 ];
 
-fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
+fn estimates(page: &mut Page, best: &Fit) {
+    let reference = best.reference();
     page.heading("Parameters");
     let row = |one: &Estimate| (one.verdict != Verdict::Determined, cells(one, best, reference));
     page.marked_table(&HEAD, best.estimates.iter().map(row));
     if let Some(note) = best.note() {
         page.paragraph("note", &note);
     }
+}
+
+/// What the data say of values that were given.
+fn judgement(page: &mut Page, best: &Fit) {
+    let Some(judgement) = &best.judgement else { return };
+    page.heading("Values that were given");
+    let lines = judgement.lines(best.movement.unit("N"));
+    for (line, class) in lines.iter().zip(std::iter::once("note").chain(std::iter::repeat("warning"))) {
+        page.paragraph(class, &format!("{}: {line}", judgement.source));
+    }
+    judgement.note.iter().for_each(|note| page.paragraph("warning", note));
+    let row = |(name, value): (&String, &f64)| [name.clone(), digits(*value)];
+    page.table(&["Parameter", "#Value"], judgement.values.iter().map(row));
 }
 
 /// A row of the table of parameters; without numbers if the parameter is not determined.
@@ -252,7 +265,7 @@ fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Pict
     let best = facts.ranking.best();
     let corrected = best.corrected(record);
     let mut all = vec![("measured".to_owned(), corrected.clone())];
-    if let Some(reference) = facts.reference {
+    if let Some(reference) = best.reference() {
         let friction_force = respond(best.law, reference, &corrected, best.parts)?;
         all.push(("reference".to_owned(), Record { friction_force, ..corrected.clone() }));
     }

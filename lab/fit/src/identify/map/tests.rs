@@ -239,7 +239,7 @@ fn repeats_judge_the_law() {
     assert!(warning.is_some() && right.warnings.is_empty(), "{:?} {:?}", wrong.warnings, right.warnings);
     assert_eq!(ranking.best().law.name, "Stribeck");
     assert_eq!(answer.laws[0].correlation, 1.0);
-    assert!(right.table(None).contains("the law explains the map within the scatter"));
+    assert!(right.table().contains("the law explains the map within the scatter"));
     // The scatter that was made, known to a tenth.
     let scatter = answer.findings["map"].iter().find(|one| one.contains("scatter of the repeats")).unwrap();
     assert!(scatter.contains("56 degrees of freedom") && !scatter.contains("weighted"), "{scatter}");
