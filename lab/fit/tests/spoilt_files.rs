@@ -109,6 +109,52 @@ fn mat_4(columns: &[(String, Vec<f64>)]) -> Vec<u8> {
     columns.iter().flat_map(variable).collect()
 }
 
+/// A block of an MDF file: its links, then its data.
+fn block(id: &str, links: &[u64], data: &[u8]) -> Vec<u8> {
+    let length = (24 + 8 * links.len() + data.len()) as u64;
+    let numbers = [[length, links.len() as u64].as_slice(), links].concat();
+    let mut all = [b"##", id.as_bytes(), &[0; 4]].concat();
+    all.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+    all.extend(data);
+    all.resize(all.len().next_multiple_of(8), 0);
+    all
+}
+
+/// Columns as MDF 4, the first one the master channel.
+fn mdf(columns: &[(String, Vec<f64>)]) -> Vec<u8> {
+    let [head, group, channels] = [64_u64, 64 + 104, 64 + 104 + 64];
+    let (count, samples) = (columns.len() as u64, columns[0].1.len());
+    // A name takes 40 bytes, since they are shorter than 16 letters.
+    let channel = |at: u64| channels + 104 + 160 * at;
+    let name = |at: u64| channel(count) + 40 * at;
+    let zeros = |bytes: usize| vec![0; bytes];
+    let identification = [&b"MDF     4.10    test    "[..], &[0; 4], &410_u16.to_le_bytes(), &[0; 34]].concat();
+    let record = [zeros(8), (samples as u64).to_le_bytes().to_vec(), zeros(8)].concat();
+    let record = [record, (8 * columns.len() as u32).to_le_bytes().to_vec(), zeros(4)].concat();
+    let mut file = [
+        identification,
+        block("HD", &[group, 0, 0, 0, 0, 0], &zeros(32)),
+        block("DG", &[0, channels, name(count), 0], &zeros(8)),
+        block("CG", &[0, channel(0), 0, 0, 0, 0], &record),
+    ]
+    .concat();
+    assert_eq!([head + 104, file.len() as u64], [group, channel(0)]);
+    for at in 0..count {
+        let next = if at + 1 < count { channel(at + 1) } else { 0 };
+        let kind = if at == 0 { [2, 1, 4, 0] } else { [0, 0, 4, 0] };
+        let place = [8 * at as u32, 64].map(u32::to_le_bytes).concat();
+        file.extend(block("CN", &[next, 0, name(at), 0, 0, 0, 0, 0], &[&kind[..], &place, &[0; 60]].concat()));
+    }
+    for (name, _) in columns {
+        let mut text = name.clone().into_bytes();
+        text.resize(16, 0);
+        file.extend(block("TX", &[], &text));
+    }
+    let values = (0..samples).flat_map(|row| columns.iter().flat_map(move |(_, column)| column[row].to_le_bytes()));
+    file.extend(block("DT", &[], &values.collect::<Vec<u8>>()));
+    file
+}
+
 /// Tables as the sheets a and b of a workbook, not compressed.
 fn workbook(tables: [&str; 2]) -> Vec<u8> {
     let main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
@@ -204,6 +250,7 @@ fn files(folder: &Path) -> Vec<(&'static str, Vec<u8>, Reader<'_>)> {
         ("csv", text.clone().into_bytes(), of("csv")),
         ("MAT 5", mat_5(&columns), of("mat")),
         ("MAT 4", mat_4(&columns), of("mat")),
+        ("MDF", mdf(&columns), of("mf4")),
         ("xlsx", workbook(["Rig,A12", &text]), of("xlsx")),
         ("damper", damper_text().into_bytes(), Box::new(damper)),
         ("tyre", tyre_text().into_bytes(), Box::new(tyre_test)),
@@ -212,7 +259,10 @@ fn files(folder: &Path) -> Vec<(&'static str, Vec<u8>, Reader<'_>)> {
 }
 
 /// Words of a refusal that say where a mistake is: its line, byte, column or part, or that it is the file as a whole.
-const PLACES: [&str; 14] = [
+const PLACES: [&str; 17] = [
+    "at offset 0x",
+    "block size: ",
+    "version: ",
     "line ",
     "byte ",
     "file.tir:",
