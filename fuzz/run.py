@@ -49,9 +49,11 @@ TARGETS = {
     "parameter_set": (20_000, 2048),
     "shared_library": (20_000, 3072),
     "system": (3_000, 2048),
+    "record": (3_000, 4096),
+    "description": (20_000, 2048),
 }
 # Targets that read text, and the words of these texts.
-TEXTS = ["tyre_file", "damper_test", "parameter_set", "system"]
+TEXTS = ["tyre_file", "damper_test", "parameter_set", "system", "record", "description"]
 WORDS = FOLDER / "words.txt"
 # An input that takes longer, in seconds, or more memory, in MB, fails. This is wall-clock time: on a busy machine a
 # second of computation can take a minute.
