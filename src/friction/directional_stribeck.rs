@@ -54,10 +54,9 @@ crate::model! {
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A host
     /// that integrates the body itself never reaches $v = 0$ exactly, so the force of a contact at rest then alternates
-    /// at any step. With `mass` the body is caught where it comes
-    /// to rest and neither chatters nor creeps; there is no largest step. In Model Exchange a contact is held or slides
-    /// in one direction from one event to the next. A held contact returns `external_force`: connect it, or the body is
-    /// released and caught again endlessly.
+    /// at any step. With `mass` the body is caught where it comes to rest and neither chatters nor creeps; there is no
+    /// largest step. In Model Exchange a contact is held or slides in one direction from one event to the next. A held
+    /// contact returns `external_force`: connect it, or the body is released and caught again endlessly.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors

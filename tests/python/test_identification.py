@@ -199,7 +199,8 @@ def test_values_that_are_held_are_judged(slid):
     found = stribeck.identify(slid, **CHEAP, fix={"mu_k": 0.25})
     judged = found.best.judgement
     assert (judged.source, judged.values, judged.fit_rms) == ("fix", {"mu_k": 0.25}, None)
-    assert judged.rms == found.best.rms and judged.verdict in repr(found)
+    assert judged.rms == found.best.rms
+    assert judged.verdict in repr(found)
 
 
 @pytest.mark.parametrize(

@@ -6,8 +6,8 @@ use crate::contact::end_velocity::{self, Landing};
 use crate::contact::unloading;
 use crate::number::{Dual, Mask, Real, choose};
 
-/// Methods supplied by a law whose force is a function of the velocity, of its sign, without memory; everything else is
-/// shared.
+/// Methods supplied by a law without memory whose force is a function of the velocity and has its sign; everything else
+/// is shared.
 pub(crate) trait Curve<T: Real> {
     /// Friction force at a velocity; if the law is set-valued at rest, at any velocity except 0.
     fn curve(&self, velocity: T) -> T;

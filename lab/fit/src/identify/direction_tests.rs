@@ -49,7 +49,7 @@ fn viscous_friction_by_direction_and_the_offset_of_one_level_are_found() {
         ("mass", INERTIA),
     ];
     let (mut held, mut count) = (0, 0);
-    for seed in 20..28 {
+    for seed in 20..24 {
         let record = record(VISCOUS_JOINT, seed);
         let (_, fit) = fitted(&one_level(), &record);
         for (name, truth) in truth {
@@ -65,8 +65,8 @@ fn viscous_friction_by_direction_and_the_offset_of_one_level_are_found() {
         assert!(offset[0] > 0.03, "{offset:?}");
         assert!(fit.residuals.rms < 0.9 * even.residuals.rms, "{} {}", fit.residuals.rms, even.residuals.rms);
     }
-    // 38 of 40 are expected, and 35 or more in 98 of 100 cases.
-    assert!(held >= 35 && count == 40, "{held} of {count}");
+    // 19 of 20 are expected, and 17 or more in 98 of 100 cases.
+    assert!(held >= 17 && count == 20, "{held} of {count}");
 }
 
 /// The levels of an axis contain the offset of the load cell, and the fit says so.
