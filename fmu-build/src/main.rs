@@ -279,7 +279,7 @@ fn ssp(root: &Path, out: &Path) -> Result<()> {
         files.insert(system::fmu(entry.model.name), bytes);
     }
     let file = format!("{}.ssp", four_post::NAME);
-    let size = package::save(out, &file, &archive::zip(&files, date)?)?;
+    let size = package::save(out, &file, &archive::Archiver::new(date)?.zip(&files)?)?;
     println!("{file:<20} {size:>9} bytes");
     Ok(())
 }

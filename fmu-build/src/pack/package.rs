@@ -11,7 +11,7 @@ use crate::build::library::Library;
 use crate::describe::entry::Entry;
 use crate::describe::xml;
 use crate::describe::xml::Choices;
-use crate::pack::archive::{self, Files};
+use crate::pack::archive::{Archiver, Files};
 use crate::pack::{licenses, sbom};
 use crate::page::{html, icon};
 
@@ -21,6 +21,7 @@ pub struct Packing {
     parts: Parts,
     licenses: Files,
     date: Timestamp,
+    archiver: Archiver,
 }
 
 impl Packing {
@@ -29,7 +30,7 @@ impl Packing {
         let platforms: Vec<_> = libraries.iter().map(|library| library.platform).collect();
         let parts = Parts::of(root, &platforms)?;
         let licenses = licenses::files(root, &parts)?;
-        Ok(Packing { libraries, parts, licenses, date })
+        Ok(Packing { libraries, parts, licenses, date, archiver: Archiver::new(date)? })
     }
 
     /// Names of the platforms that the FMUs run on.
@@ -44,7 +45,7 @@ impl Packing {
 
     /// The bytes of one FMU.
     pub fn fmu(&self, entry: &Entry, choices: Choices) -> Result<Vec<u8>> {
-        archive::zip(&self.contents(entry, choices)?, self.date)
+        self.archiver.zip(&self.contents(entry, choices)?)
     }
 
     fn contents(&self, entry: &Entry, choices: Choices) -> Result<Files> {
@@ -102,7 +103,7 @@ mod tests {
         let libraries = platforms(choices).unwrap().into_iter().map(library).collect();
         let parts = Parts::of(root(), &platforms(&[Choice::Host]).unwrap()).unwrap();
         let licenses = licenses::files(root(), &parts).unwrap();
-        Packing { libraries, parts, licenses, date }
+        Packing { libraries, parts, licenses, date, archiver: Archiver::new(date).unwrap() }
     }
 
     fn packed(entry: &Entry, packing: &Packing) -> Vec<u8> {
