@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 """Compiles and runs the C and C++ programs against include/stribeck.h and the release library.
 
-    python3 tests/c/run.py              in about two minutes
-    python3 tests/c/run.py --thorough   with 10,000 loads, a million steps, under Valgrind and with sanitizers in the
-                                        library itself; needs nightly Rust
+    python3 tests/c/run.py                    in about two minutes
+    python3 tests/c/run.py --library FOLDER   with the libraries in this folder; otherwise they are built
+    python3 tests/c/run.py --thorough         with 10,000 loads, a million steps, under Valgrind and with sanitizers in
+                                              the library itself; needs nightly Rust
 
 Every program is compiled with warnings as errors, linked to the shared and to the static library, and run as it is and
 under the address and undefined-behaviour sanitizers. On Linux faults of hosts are then tried on every model. The
 compilers are cc and c++, or what CC and CXX name.
 """
 
+import argparse
 import ctypes
 import json
 import os
@@ -375,10 +377,11 @@ def test_faults(compiler, results, thorough):
 
 
 def main():
-    thorough = sys.argv[1:] == ["--thorough"]
-    if sys.argv[1:] and not thorough:
-        sys.exit(__doc__)
-    build_folder = build_library()
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--library", type=Path, metavar="FOLDER")
+    parser.add_argument("--thorough", action="store_true")
+    asked = parser.parse_args()
+    build_folder = asked.library.resolve() if asked.library else build_library()
     if WINDOWS:
         # Windows looks for shared libraries along the path.
         os.environ["PATH"] = f"{build_folder}{os.pathsep}{os.environ['PATH']}"
@@ -408,8 +411,8 @@ def main():
         for linkage in linkages:
             test_programs(compiler, results, linkage, sanitized)
 
-    test_faults(compiler, results, thorough)
-    if thorough:
+    test_faults(compiler, results, asked.thorough)
+    if asked.thorough:
         test_valgrind(compiler, results)
         test_threads(output_folder, results)
         test_addresses(output_folder, results)

@@ -1,8 +1,9 @@
 """Compiles the actuator plugin against the headers and the library in the mujoco package, and against libstribeck.
 
-    python -m examples.mujoco.plugin.build_plugin
+    python -m examples.multibody.plugin.build_plugin
 
-Needs cargo and a C++ compiler: c++, or the one in CXX. Linux and macOS only.
+Needs a C++ compiler: c++, or the one in CXX; and cargo, unless
+STRIBECK_LIBRARY names the folder of libstribeck. Linux and macOS only.
 """
 
 import json
@@ -34,10 +35,13 @@ def run(*command: str | Path) -> str:
 
 
 def library() -> Path:
-    """Builds libstribeck and returns its path."""
-    run("cargo", "build", "--release", "--lib", "--package", "libstribeck")
-    target = json.loads(run("cargo", "metadata", "--format-version", "1", "--no-deps"))["target_directory"]
-    return Path(target) / "release" / f"libstribeck{ENDING}"
+    """The path of libstribeck, which is built unless it is in the folder that STRIBECK_LIBRARY names."""
+    folder = os.environ.get("STRIBECK_LIBRARY")
+    if folder is None:
+        run("cargo", "build", "--release", "--lib", "--package", "libstribeck")
+        target = json.loads(run("cargo", "metadata", "--format-version", "1", "--no-deps"))["target_directory"]
+        folder = Path(target) / "release"
+    return Path(folder).resolve() / f"libstribeck{ENDING}"
 
 
 def build(folder: Path = PROJECT / "out") -> Path:

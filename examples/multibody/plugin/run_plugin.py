@@ -1,6 +1,6 @@
 """The quarter car in MuJoCo with its strut inside the simulator, as an actuator plugin written in C++.
 
-    python -m examples.mujoco.plugin.run_plugin --step 1e-3
+    python -m examples.multibody.plugin.run_plugin --step 1e-3
 
 Builds the plugin (see build_plugin.py), drives over the bump with it and with the FMU, and prints the differences: both
 exchange force and motion once per step, so the motions are the same. Writes <out>.csv.

@@ -78,15 +78,14 @@ fn target_folder(root: &Path) -> PathBuf {
 fn compile(root: &Path, platform: Platform, target: Option<Target>) -> Result<Vec<u8>> {
     let folder = target_folder(root);
     let mut cargo = Command::new(target.map_or_else(toolchain::cargo, Target::cargo));
-    cargo.arg("rustc");
+    cargo.arg("build");
     if let Some(target) = target {
         cargo.args(["--target", &target.argument()]).envs(target.environment(&folder)?);
     }
     let own = target.map_or(&[][..], Target::flags);
     cargo
+        // With the shared library comes the static one, of the same code, for C.
         .args(["--release", "--lib", "--package", LIBRARY])
-        // Cargo does not optimise across crates if one of the crate types to build is a Rust library.
-        .args(["--crate-type", "cdylib"])
         .arg("--message-format=json-render-diagnostics")
         .arg("--target-dir")
         .arg(folder)
