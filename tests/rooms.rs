@@ -92,6 +92,7 @@ const FOLDERS: &[&str] = &[
     "ssp",
     "tests",
     "tests/importers",
+    "tests/lanes",
     "web",
     "web/clock",
 ];

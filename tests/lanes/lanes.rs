@@ -1,7 +1,7 @@
 //! Steps that are written for every number type: in lanes they have the bits of a scalar, through dual numbers the slopes
 //! of the result.
 
-#[path = "common/mod.rs"]
+#[path = "../common/mod.rs"]
 mod common;
 
 use std::array::from_fn;
