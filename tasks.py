@@ -42,6 +42,9 @@ PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
 # again with fewer.
 AS_TESTED = ["--workspace", "--bench", "stribeck"]
 
+# Arguments of clippy.
+DENIED = ["--deny", "warnings"]
+
 # Crates that a few runs and one fit do not repay optimising further.
 FOR_A_FEW_RUNS = [
     *("--config", "profile.dev.package.stribeck-solve.opt-level=1"),
@@ -431,7 +434,20 @@ def check_style() -> None:
     run(PYTHON, "-m", "ruff", "format", "--check", *PYTHON_FOLDERS)
     run(PYTHON, "-m", "ruff", "check", *PYTHON_FOLDERS)
     run(PROGRAMS / "clang-format", "--dry-run", "-Werror", *files(C_FOLDERS, ".c", ".cpp", ".h"))
-    run("cargo", "clippy", "--workspace", "--all-targets", "--", "--deny", "warnings")
+    run("cargo", "clippy", "--workspace", "--all-targets", "--", *DENIED)
+
+
+def document() -> None:
+    """Documentation of the crates, from what clippy has checked: by the same driver, and with the same features of all
+    crates, which `--examples` brings although there are none."""
+    sysroot = subprocess.run(["rustc", "--print", "sysroot"], capture_output=True, text=True, check=True).stdout.strip()
+    as_checked = {
+        "RUSTC_WORKSPACE_WRAPPER": str(Path(sysroot) / "bin" / "clippy-driver"),
+        # In the form of cargo-clippy. In another one everything is only checked again.
+        "CLIPPY_ARGS": "".join(f"{word}__CLIPPY_HACKERY__" for word in DENIED),
+    }
+    targets = ["--lib", "--bins", "--examples", "--exclude", "libstribeck"]
+    run("cargo", "doc", "--no-deps", "--workspace", *targets, RUSTDOCFLAGS="-Dwarnings", **as_checked)
 
 
 @task("15 to 25 minutes, then about 12")
@@ -450,15 +466,17 @@ def test() -> None:
     run("cargo", "test", "--workspace")
     # Here each benchmark runs once, to check that it runs.
     run("cargo", "test", *AS_TESTED)
-    run("cargo", "doc", "--no-deps", "--workspace", RUSTDOCFLAGS="-Dwarnings")
+    document()
     run("cargo", "build", "--lib", "--bin", "fmu-build", *AS_TESTED)
     fmu_build = debug_folder() / "fmu-build"
     run(fmu_build, "check")
     pack(fmu_build)
     package()
-    run(PYTHON, "tests/c/run.py")
+    # Where the library of the FMUs has been built, also for C.
+    libraries = debug_folder().parent / "fmu" / "release"
+    run(PYTHON, "tests/c/run.py", "--library", libraries)
     run(PYTHON, "fuzz/run.py")
-    run(PYTHON, "-m", "pytest", "tests/python")
+    run(PYTHON, "-m", "pytest", "tests/python", STRIBECK_LIBRARY=str(libraries))
 
 
 def setup_faults() -> None:
