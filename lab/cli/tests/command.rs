@@ -373,6 +373,23 @@ fn a_saved_description_of_a_job_does_the_same() {
     assert!(refusal(&["tyre", "--config", &saved]).starts_with("stribeck: absent.csv: "));
 }
 
+/// A test whose columns have other names is the same test.
+#[test]
+fn columns_of_a_damper_test_are_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let rows: String = (-40..=40).filter(|v| *v != 0).map(|v| format!("{},{}\n", 25 * v, 30 * v)).collect();
+    let [plain, other] = [path("plain.csv"), path("other.csv")];
+    std::fs::write(&plain, format!("velocity [mm/s],force [N]\n{rows}")).expect("a file");
+    std::fs::write(&other, format!("Speed [mm/s],Load [N]\n{rows}")).expect("a file");
+    let told = |arguments: &[&str]| String::from_utf8(stribeck(arguments).stdout).expect("text");
+    let expected = told(&["damper", &plain]);
+    assert!(expected.starts_with("80 samples; the force is the resistance\n"), "{expected}");
+    assert_eq!(told(&["damper", &other, "--column", "velocity=Speed", "--column", "force=load"]), expected);
+    let missing = format!("stribeck: {other}: no column 'velocity'; there are Speed, Load");
+    assert_eq!(refusal(&["damper", &other]), format!("{missing}; --column velocity=NAME names it"));
+}
+
 /// `--check` says what a record can determine, without numbers, and refuses `--json`.
 #[test]
 fn what_can_be_determined_is_told_first() {

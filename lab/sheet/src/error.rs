@@ -91,6 +91,16 @@ pub enum SheetError {
         /// The quantities of a record.
         wanted: String,
     },
+    /// A quantity is named for two columns.
+    #[error("column {name} = {column}: {name} is {other} already")]
+    NamedTwice {
+        /// The quantity.
+        name: String,
+        /// The second column.
+        column: String,
+        /// The first one.
+        other: String,
+    },
     /// A factor is 0 or not finite.
     #[error("scale {name} = {factor}: must be finite and not 0")]
     Factor {

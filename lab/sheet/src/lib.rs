@@ -20,7 +20,7 @@ mod units;
 
 pub use binary::{NO_SHEETS, has_sheets, table, tables};
 pub use error::{SheetError, of_file};
-pub use sheet::{Sheet, text};
+pub use sheet::{Sheet, check_names, text};
 pub use units::{
     ANGLE, ANGULAR_VELOCITY, CURRENT, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, PRESSURE, Quantity, SLIP, TEMPERATURE,
     TIME, VELOCITY,

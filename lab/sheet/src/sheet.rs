@@ -356,6 +356,21 @@ pub(crate) fn not_too_large(path: &Path) -> Result<(), SheetError> {
     if bytes > LARGEST { Err(SheetError::TooLarge { path: path.into(), bytes }) } else { Ok(()) }
 }
 
+/// Refuses names of columns for what is none of some quantities, and two columns for one of them: pairs of a quantity and
+/// of the column that has it.
+pub fn check_names(names: &[(String, String)], known: &[&Quantity]) -> Result<(), SheetError> {
+    for (at, (name, column)) in names.iter().enumerate() {
+        if !known.iter().any(|quantity| quantity.name == name) {
+            let wanted: Vec<&str> = known.iter().map(|quantity| quantity.name).collect();
+            return Err(SheetError::Quantity { name: name.clone(), wanted: wanted.join(", ") });
+        }
+        if let Some((_, other)) = names[..at].iter().find(|(before, other)| before == name && other != column) {
+            return Err(SheetError::NamedTwice { name: name.clone(), column: column.clone(), other: other.clone() });
+        }
+    }
+    Ok(())
+}
+
 /// Columns under their headings as a table of values separated by commas. A number in its shortest form is read back
 /// with the same bits; a column that is too short ends with empty cells.
 pub fn text(columns: &[(&str, &[f64])]) -> csv::Result<String> {

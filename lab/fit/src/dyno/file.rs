@@ -2,7 +2,12 @@
 
 use std::path::Path;
 
-use stribeck_sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TEMPERATURE, TIME, VELOCITY, table};
+use stribeck_sheet::{
+    DISPLACEMENT, FORCE, Quantity, Sheet, SheetError, TEMPERATURE, TIME, VELOCITY, check_names, table,
+};
+
+/// Quantities of a test.
+const QUANTITIES: [&Quantity; 5] = [&VELOCITY, &FORCE, &DISPLACEMENT, &TEMPERATURE, &TIME];
 
 /// A damper test in SI units, with the signs of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -22,9 +27,17 @@ pub struct Test {
 }
 
 impl Test {
-    /// Reads a file; of a spreadsheet the table of a sheet.
-    pub fn load(path: &Path, sheet: Option<&str>) -> Result<Test, SheetError> {
-        Test::of(&table(path, sheet)?)
+    /// Reads a file; of a spreadsheet the table of a sheet. `columns` are quantities with the columns that have them.
+    pub fn load(path: &Path, sheet: Option<&str>, columns: &[(String, String)]) -> Result<Test, SheetError> {
+        check_names(columns, &QUANTITIES)?;
+        let mut table = table(path, sheet)?;
+        for (name, column) in columns {
+            if !table.has(column) {
+                return Err(table.missing(column));
+            }
+            table.rename(column, name);
+        }
+        Test::of(&table)
     }
 
     /// Reads a [table](stribeck_sheet) with the columns `velocity`, `force`, and perhaps `displacement`, `temperature`
@@ -113,7 +126,7 @@ mod tests {
         assert_eq!(refusal("velocity;force\n1;\n"), "line 2, force: '' is not a finite number");
         assert_eq!(refusal("velocity,force\n1,inf\n"), "line 2, force: 'inf' is not a finite number");
         assert!(refusal("velocity,force\n1,5,2\n").starts_with("no table: "), "a decimal comma between commas");
-        let absent = Test::load(Path::new("absent.csv"), None).unwrap_err().to_string();
+        let absent = Test::load(Path::new("absent.csv"), None, &[]).unwrap_err().to_string();
         assert!(absent.starts_with("absent.csv: "), "{absent}");
     }
 
@@ -122,6 +135,29 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("latin.csv");
         fs::write(&path, b"velocity;force;temperature [\xb0C]\n1;2;20\n").unwrap();
-        assert_eq!(Test::load(&path, None).unwrap().temperature, Some(vec![293.15]));
+        assert_eq!(Test::load(&path, None, &[]).unwrap().temperature, Some(vec![293.15]));
+    }
+
+    /// Also a column that has a name of its own, which another one of the file has.
+    #[test]
+    fn columns_may_have_any_name() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("named.csv");
+        fs::write(&path, "v1 [mm/s],Load [kN],force [N],Stroke [mm]\n100,0.5,7,2\n").unwrap();
+        let load = |columns: &[(&str, &str)]| {
+            let columns: Vec<_> = columns.iter().map(|(name, column)| ((*name).into(), (*column).into())).collect();
+            Test::load(&path, None, &columns)
+        };
+        let test = load(&[("velocity", "v1"), ("force", "Load"), ("displacement", "stroke")]).unwrap();
+        assert_eq!((test.velocity, test.force, test.displacement), (vec![0.1], vec![500.0], Some(vec![2e-3])));
+        for (columns, expected) in [
+            (&[("velocity", "v2")][..], "no column 'v2'; there are v1, Load, force, Stroke"),
+            (&[("normal_force", "Load")], "quantity 'normal_force': must be one of velocity, force, displacement, "),
+            (&[("force", "Load"), ("force", "v1")], "column force = v1: force is Load already"),
+            (&[("velocity", "Load")], "velocity: unit 'kN', must be one of m/s, "),
+        ] {
+            let refused = load(columns).unwrap_err().to_string();
+            assert!(refused.starts_with(expected), "{refused}");
+        }
     }
 }

@@ -325,7 +325,7 @@ fn examples() -> PathBuf {
 }
 
 fn example(name: &str) -> Test {
-    Test::load(&examples().join(name), None).unwrap()
+    Test::load(&examples().join(name), None, &[]).unwrap()
 }
 
 /// The law from which the example was computed: the damper table of the defaults.

@@ -5,6 +5,8 @@ use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use serde::{Deserialize, Serialize};
+use stribeck_sheet::{FORCE, SheetError, VELOCITY};
+use stribeck_solve::job::{self, Entry};
 use stribeck_solve::system::Fault;
 use thiserror::Error;
 
@@ -17,6 +19,10 @@ use crate::dyno::{Damper, DynoError, ForceSign, Options, Test, find_damper};
 pub struct Inquiry {
     /// Table with the columns velocity and force, optionally displacement and temperature; units in brackets
     pub record: Option<PathBuf>,
+    /// Name of a column in the table: force=Kraft_1; in binary files (.mf4, .mat) that of a channel or variable
+    #[arg(long, value_name = "NAME=COLUMN")]
+    #[serde(with = "job::table")]
+    pub column: Vec<Entry<String>>,
     /// Sheet of a spreadsheet (default: the first one with a table)
     #[arg(long, value_name = "NAME")]
     pub sheet: Option<String>,
@@ -86,8 +92,10 @@ impl Inquiry {
 
     /// Finds the damper, and the friction law if one was asked for.
     pub fn answer(&self) -> Result<Answer, DamperError> {
+        let columns: Vec<(String, String)> =
+            self.column.iter().map(|Entry(name, column)| (name.clone(), column.clone())).collect();
         let (options, test) =
-            (self.options(), Test::load(self.file()?, self.sheet.as_deref()).map_err(DynoError::from)?);
+            (self.options(), Test::load(self.file()?, self.sheet.as_deref(), &columns).map_err(with_remedy)?);
         let damper = find_damper(&test, &options)?;
         let friction = self.law.as_deref().map(|law| self.friction(law, &test, &options)).transpose()?;
         let damper = friction.as_ref().map_or(damper, |friction| friction.damper.clone());
@@ -105,6 +113,16 @@ impl Inquiry {
     }
 }
 
+/// An error about a test; how to name a column that was not found.
+fn with_remedy(error: SheetError) -> DamperError {
+    match &error {
+        SheetError::Column { wanted, .. } if [VELOCITY, FORCE].iter().any(|known| known.name == wanted) => {
+            Fault::value(format_args!("{error}; --column {wanted}=NAME names it")).into()
+        }
+        _ => DynoError::from(error).into(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -112,7 +130,7 @@ mod tests {
     #[test]
     fn a_description_says_what_the_options_are() {
         let all = "record = \"a.csv\"\npoints = 7\ncompression_positive = true\nforce_sign = \"reaction\"\nlow_speed = 0.1\n\
-                   gas_force = 90\nlaw = \"Dahl\"\nseed = 3";
+                   gas_force = 90\nlaw = \"Dahl\"\nseed = 3\n[column]\nforce = \"Load\"";
         let Options { compression_positive, force_sign, points, low_speed, falling, gas_force } =
             toml::from_str::<Inquiry>(all).unwrap().options();
         assert_eq!((compression_positive, force_sign, points), (true, Some(ForceSign::Reaction), Some(7)));
@@ -120,5 +138,7 @@ mod tests {
         let refusal = |text: &str| toml::from_str::<Inquiry>(text).unwrap().answer().unwrap_err().to_string();
         assert_eq!(refusal(""), "no record was given");
         assert!(toml::from_str::<Inquiry>("axes = 1").is_err());
+        let entry = Entry("force".to_owned(), "Load".to_owned());
+        assert_eq!(toml::from_str::<Inquiry>(all).unwrap().column, [entry]);
     }
 }

@@ -1,7 +1,9 @@
 //! Columns of records: their names in files, and factors for signals in other units.
 
 use super::{Drive, MeasuredError, Movement, Setup, units};
-use stribeck_sheet::{CURRENT, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY};
+use stribeck_sheet::{
+    CURRENT, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY, check_names,
+};
 
 /// Quantities of a record.
 const QUANTITIES: [&Quantity; 5] = [&TIME, &FORCE, &DISPLACEMENT, &VELOCITY, &NORMAL_FORCE];
@@ -45,8 +47,8 @@ impl Columns {
 
     /// Rejects quantities that no record has, factors that are 0 or not finite, and two for one column.
     pub fn check(&self) -> Result<(), MeasuredError> {
-        let named = self.names.iter().map(|(name, _)| name).chain(self.factors.iter().map(|(name, _)| name));
-        if let Some(name) = named.into_iter().find(|name| !Columns::knows(name)) {
+        check_names(&self.names, &QUANTITIES)?;
+        if let Some((name, _)) = self.factors.iter().find(|(name, _)| !Columns::knows(name)) {
             let wanted = QUANTITIES.map(|quantity| quantity.name).join(", ");
             return Err(SheetError::Quantity { name: name.clone(), wanted }.into());
         }
@@ -397,6 +399,13 @@ mod tests {
             (
                 Columns { names: vec![("forces".into(), "F".into())], ..Columns::default() },
                 "'forces': must be one of time",
+            ),
+            (
+                Columns {
+                    names: [("force", "A"), ("force", "B")].map(|(a, b)| (a.into(), b.into())).into(),
+                    ..Columns::default()
+                },
+                "column force = B: force is A already",
             ),
         ] {
             assert!(columns.check().unwrap_err().to_string().contains(part));
