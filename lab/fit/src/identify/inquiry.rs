@@ -44,6 +44,9 @@ pub struct Inquiry {
     #[serde(with = "job::table")]
     #[ts(type = "Record<string, number>")]
     pub scale: Vec<Entry<f64>>,
+    /// The records are of a joint: columns without a unit are in N m, rad and rad/s
+    #[arg(long)]
+    pub joint: bool,
     /// Torque constant of the motor of a joint in N m/A: its current, in A, stands in the column of the force
     #[arg(long, value_name = "CONSTANT", allow_hyphen_values = true)]
     pub torque_constant: Option<f64>,
@@ -247,7 +250,7 @@ impl Inquiry {
         let names = self.column.iter().map(|Entry(name, column)| (name.clone(), column.clone())).collect();
         let (torque_constant, gear_ratio) = (self.torque_constant, self.gear_ratio);
         let drive = Drive { torque_constant, gear_ratio, motor_side: self.motor_side.clone() };
-        let columns = Columns { names, factors: pairs(&self.scale), drive };
+        let columns = Columns { names, factors: pairs(&self.scale), drive, is_joint: self.joint };
         columns.check().map_err(Fault::value)?;
         Ok(columns)
     }

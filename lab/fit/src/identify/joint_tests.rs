@@ -211,6 +211,38 @@ fn every_unit_that_a_fit_shows_has_one_for_joints() {
     }
 }
 
+/// Columns without any unit are those of a joint if the user says so, also beside one in rpm by a factor, and in a map.
+#[test]
+fn a_joint_without_units_is_one_that_is_said_to_be() {
+    let samples = JOINT.record(8);
+    let (_, expected) = fitted(&asked(), &text(SI, &samples, [1.0; 3]));
+    let joint = Inquiry { joint: true, ..asked() };
+    let in_rpm = Inquiry { scale: vec![Entry("velocity".into(), TAU / 60.0)], ..joint.clone() };
+    for (asked, heading, factors) in [
+        (&joint, "time,q,qd,tau", [1.0; 3]),
+        (&joint, "t,position,velocity,F", [1.0; 3]),
+        (&in_rpm, "time,q,qd,torque", [1.0, 60.0 / TAU, 1.0]),
+    ] {
+        let (data, fit) = fitted(asked, &text(heading, &samples, factors));
+        assert_eq!(data.records[0].1.movement, Movement::Rotation, "{heading}");
+        are_the_same(&expected, &fit);
+        let said = data.records[0].1.quality.findings.join("\n");
+        assert!(heading == "time,q,qd,torque" || said.contains("no unit in the file, taken as s, N.m, "), "{said}");
+    }
+    let map = |joint: bool| {
+        let law = vec!["CoulombViscous".to_owned()];
+        let asked = Inquiry { axis: false, normal_force: Some(1.0), law, joint, ..asked() };
+        asked.data(&Text("qd,tau\n1,1.4\n2,1.9\n-1,-1.4\n-3,-2.4\n".to_owned()))
+    };
+    assert_eq!(map(true).unwrap().maps[0].1.movement, Movement::Rotation);
+    let refused = [refusal(&asked(), &text("time,q,qd,tau", &samples, [1.0; 3])), map(false).unwrap_err().to_string()];
+    for text in refused {
+        assert!(text.contains("'tau' may be the torque of a joint") && text.contains("--joint takes them"), "{text}");
+    }
+    let sliding = refusal(&joint, &text("time,q [mm],qd,tau", &samples, [1.0; 3]));
+    assert!(sliding.contains("q [mm]: joint, torque_constant and gear_ratio are for bodies that turn"), "{sliding}");
+}
+
 fn are_the_same(expected: &Fit, found: &Fit) {
     for (one, other) in expected.estimates.iter().zip(&found.estimates) {
         // A search ends where it no longer gains.
@@ -274,7 +306,7 @@ fn what_contradicts_a_motor_and_its_gear_is_refused() {
         (
             gear(),
             "time,position [mm],speed [m/s],torque",
-            "position [mm]: torque_constant and gear_ratio are for joints",
+            "position [mm]: joint, torque_constant and gear_ratio are for bodies that turn",
         ),
         (
             Inquiry { motor_side: names(&["velocity"]), ..gear() },

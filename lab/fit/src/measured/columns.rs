@@ -37,6 +37,8 @@ pub struct Columns {
     pub factors: Vec<(String, f64)>,
     /// Motor and gear of a joint, which give factors as well.
     pub drive: Drive,
+    /// Whether the body turns, as the user says: columns without a unit are then those of a joint.
+    pub is_joint: bool,
 }
 
 impl Columns {
@@ -164,7 +166,7 @@ impl Columns {
                 table.convert(quantity.name, own, factor, turned.units[0].0)?;
             }
         }
-        Ok(())
+        if self.is_joint { with_units(record.iter_mut().chain(motion), movement) } else { Ok(()) }
     }
 
     /// Whether a factor turns a signal into a quantity; one of -1 turns only its sign, and a gear turns the quantities of a
@@ -174,15 +176,39 @@ impl Columns {
         is_current || self.given(quantity).is_some_and(|factor| factor.abs() != 1.0)
     }
 
+    /// Whether the body turns whatever the units.
+    fn turns(&self) -> bool {
+        self.is_joint || self.drive.is_known()
+    }
+
     /// Whether the body slides or turns, by the units of the columns that are not signals.
     fn movement(&self, record: &[Sheet], motion: &[Sheet]) -> Result<Movement, MeasuredError> {
-        let [record, motion] = [record, motion].map(|tables| tables.iter().collect::<Vec<_>>());
-        let told = Movement::told(&record, &motion, |quantity| !self.is_scaled(quantity))?;
-        match told {
-            Some((Movement::Translation, column)) if self.drive.is_known() => Err(MeasuredError::NoJoint { column }),
+        match self.told(record, motion)? {
+            Some((Movement::Translation, column)) if self.turns() => Err(MeasuredError::NoJoint { column }),
             Some((movement, _)) => Ok(movement),
-            None if self.drive.is_known() => Ok(Movement::Rotation),
+            None if self.turns() => Ok(Movement::Rotation),
             None => Ok(Movement::Translation),
+        }
+    }
+
+    /// What units tell of it, with the first column that does.
+    fn told(&self, record: &[Sheet], motion: &[Sheet]) -> Result<Option<(Movement, String)>, MeasuredError> {
+        let [record, motion] = [record, motion].map(|tables| tables.iter().collect::<Vec<_>>());
+        Movement::told(&record, &motion, |quantity| !self.is_scaled(quantity))
+    }
+
+    /// Refuses a column that is a torque by its name where no unit tells what turns or slides.
+    fn refuse_without_units(&self, record: &[Sheet], motion: &[Sheet]) -> Result<(), MeasuredError> {
+        if self.turns() || self.told(record, motion)?.is_some() {
+            return Ok(());
+        }
+        let of = |table: &Sheet| {
+            let is_it = |name: &&str| is_among(name, &TORQUES) && table.unit(name) == Some("");
+            table.names().find(is_it).map(str::to_owned)
+        };
+        match record.iter().find_map(of) {
+            Some(column) => Err(MeasuredError::NoUnits { column }),
+            None => Ok(()),
         }
     }
 
@@ -195,6 +221,7 @@ impl Columns {
             return Ok(None);
         }
         let turns = self.movement(record, motion)? == Movement::Rotation;
+        self.refuse_without_units(record, motion)?;
         let is_torque = |table: &Sheet, name: &str| {
             let unit = table.unit(name).unwrap_or_default();
             is_among(name, &TORQUES) && (MOMENT.units.iter().any(|known| known.0 == unit) || turns && unit.is_empty())
@@ -274,6 +301,18 @@ impl Columns {
             _ => Err(SheetError::Ambiguous { wanted: quantity.name.to_owned(), candidates: candidates.join("', '") }),
         }
     }
+}
+
+/// Gives columns without a unit that of their quantity, by which the movement is known later.
+fn with_units<'a>(tables: impl Iterator<Item = &'a mut Sheet>, movement: Movement) -> Result<(), MeasuredError> {
+    for table in tables {
+        for quantity in [&FORCE, &DISPLACEMENT, &VELOCITY].map(|quantity| movement.quantity(quantity)) {
+            if table.unit(quantity.name) == Some("") {
+                table.convert(quantity.name, quantity, 1.0, quantity.units[0].0)?;
+            }
+        }
+    }
+    Ok(())
 }
 
 fn is_among(name: &str, names: &[&str]) -> bool {

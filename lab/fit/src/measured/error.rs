@@ -83,10 +83,19 @@ pub enum MeasuredError {
         /// The quantity.
         name: String,
     },
-    /// The motor and gear of a joint, with a column of a body that slides.
-    #[error("{column}: torque_constant and gear_ratio are for joints, in N.m, rad and rad/s")]
+    /// A joint, or its motor and gear, with a column of a body that slides.
+    #[error("{column}: joint, torque_constant and gear_ratio are for bodies that turn, in N.m, rad and rad/s")]
     NoJoint {
         /// The column with its unit.
+        column: String,
+    },
+    /// What may be a torque, in a table without units.
+    #[error(
+        "'{column}' may be the torque of a joint, but no column of force and motion has a unit: --joint takes them as N.m, \
+         rad and rad/s, other units belong into the heading, velocity [rpm]; --column force={column} takes it as a force in N"
+    )]
+    NoUnits {
+        /// The column.
         column: String,
     },
     /// Gravity of a body without an angle.
