@@ -70,7 +70,7 @@ pub use export::{Exported, Format};
 
 pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source, no_record};
 pub use judgement::{Judgement, Outside};
-pub use map::{FrictionMap, LackOfFit, steady_curve};
+pub use map::{FrictionMap, LackOfFit, reference_curve, steady_curve};
 pub use output::{Difference, EARLY, Reference, difference, known, of_law, preset, respond};
 pub use parameter::{Parameter, Scale, Target};
 pub use problem::Physical;

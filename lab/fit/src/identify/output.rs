@@ -48,6 +48,15 @@ pub fn preset(law: &ModelType, name: &str) -> Result<Reference, Fault> {
 /// Friction force of a law with these values over the motion and the load of a record, with each interval between samples
 /// divided into `parts`. Values of inputs and results are ignored, since the record has them.
 pub fn respond(law: &'static ModelType, values: &Reference, record: &Record, parts: usize) -> Result<Vec<f64>, Fault> {
+    let columns = parameters(law, values)?;
+    let refused = |reason: &dyn std::fmt::Display| Fault::value(format_args!("{}: {reason}", law.name));
+    let ports = Ports::of(law).ok_or_else(|| refused(&"only laws of one sliding direction can be fitted"))?;
+    let experiment = Experiment::new("record", record);
+    forces(&mut Instance::new(law), ports, &columns, &experiment, parts).map_err(|reason| refused(&reason))
+}
+
+/// The columns of a law that are parameters, with these values of theirs; refuses a variable that the law does not have.
+pub(super) fn parameters(law: &ModelType, values: &Reference) -> Result<Vec<(usize, f64)>, Fault> {
     let all: Vec<(String, usize)> =
         law.variables().map(|(column, variable)| (variable.path.to_string(), column)).collect();
     let mut columns = Vec::new();
@@ -60,10 +69,7 @@ pub fn respond(law: &'static ModelType, values: &Reference, record: &Record, par
             columns.push((column, *value));
         }
     }
-    let refused = |reason: &dyn std::fmt::Display| Fault::value(format_args!("{}: {reason}", law.name));
-    let ports = Ports::of(law).ok_or_else(|| refused(&"only laws of one sliding direction can be fitted"))?;
-    let experiment = Experiment::new("record", record);
-    forces(&mut Instance::new(law), ports, &columns, &experiment, parts).map_err(|reason| refused(&reason))
+    Ok(columns)
 }
 
 /// Values of a reference that a law has as parameters; None if it has none of them.

@@ -1,8 +1,8 @@
 //! Picture of a map of friction and of the law that was fitted to it.
 
-use stribeck_draw::text::digits;
+use stribeck_draw::text::{digits, typeset_unit};
 use stribeck_fit::identify::map::{FrictionMap, Mean};
-use stribeck_fit::identify::{Fit, steady_curve};
+use stribeck_fit::identify::{Fit, reference_curve, steady_curve};
 use stribeck_solve::system::Fault;
 
 use super::drawing::{Drawing, Line};
@@ -12,30 +12,40 @@ use super::{Kind, Named, Picture, Theme, axes};
 /// Intervals of a curve in each direction (chosen); they are shorter near rest.
 const INTERVALS: u32 = 150;
 
-/// Half the width of a mark, as a part of the largest speed (chosen).
+/// Half the width of a mark, as a part of the largest speed, and half the size of a cross, as parts of the largest speed and
+/// force (chosen).
 const HALF: f64 = 0.006;
+const CROSS: [f64; 2] = [0.008, 0.014];
 
 /// Standard deviations to each side of a mean that an error bar shows (chosen: 95 %).
 const BAR: f64 = 1.96;
 
-/// Looks of the marks and of the curve of each load: those of marks have no dashes, or long ones.
+/// Looks of the marks and of the curve of each load: those of marks have no dashes, or long ones. Curves of given values have
+/// those of the loads that are not there.
 const LOOKS: [[usize; 2]; 4] = [[0, 1], [4, 3], [6, 5], [2, 7]];
 
-/// Draws the means of a map with error bars of its scatter, of 95 % of single rows, and the steady sliding of a law as
-/// curves between the slowest and the fastest row, for at most four loads. Without repeats there are marks only.
+/// Draws the means of a map with error bars of its scatter, of 95 % of single rows, and the steady sliding of a law, as
+/// fitted and with given values, as curves between the slowest and the fastest row, for at most four loads. Without repeats
+/// there are crosses.
 pub fn friction_map(name: &str, map: &FrictionMap, fit: &Fit, theme: Theme) -> Result<Picture, Fault> {
     let means: Vec<Mean> = map.means().into_iter().filter(|mean| mean.velocity != 0.0).collect();
     let all: Vec<f64> = means.iter().map(|mean| mean.normal_force).collect();
     let shown: Vec<usize> = (0..means.len()).filter(|at| all[*at] > 0.0).collect();
-    let half = HALF * means.iter().fold(0.0, |most: f64, mean| most.max(mean.velocity.abs()));
-    let mut lines = Vec::new();
-    for ([marks, curve], load) in LOOKS.into_iter().zip(loads(&shown, &all)) {
-        let near: Vec<&Mean> = near(&shown, &all, load).into_iter().map(|at| &means[at]).collect();
+    let largest = |of: fn(&Mean) -> f64| means.iter().fold(0.0, |most: f64, mean| most.max(of(mean).abs()));
+    let size = [largest(|mean| mean.velocity), largest(|mean| mean.force)];
+    let unit = typeset_unit(map.movement.unit("N"));
+    let (mut lines, loads) = (Vec::new(), loads(&shown, &all));
+    for (number, (load, [marks, curve])) in loads.iter().zip(LOOKS).enumerate() {
+        let near: Vec<&Mean> = near(&shown, &all, *load).into_iter().map(|at| &means[at]).collect();
+        let named = |name: &str| format!("{name}, {} {unit}", digits(*load, 3));
         let line = |name, points, look| Line { name, points, is_cut: false, look: Some(look) };
-        let points = near.iter().flat_map(|mean| mark(mean, half)).collect();
-        let unit = map.movement.unit("N");
-        lines.push(line(format!("measured, {} {unit}", digits(load, 3)), points, marks));
-        lines.extend(curves(fit, &near)?.into_iter().map(|(name, points)| line(name, points, curve)));
+        lines.push(line(named("measured"), near.iter().flat_map(|mean| mark(mean, size)).collect(), marks));
+        let fitted = curves(&named(fit.law.name), &near, &|inputs| steady_curve(fit, inputs))?;
+        lines.extend(fitted.into_iter().map(|(name, points)| line(name, points, curve)));
+        if let (Some(values), Some([_, look])) = (fit.reference(), LOOKS.get(loads.len() + number)) {
+            let given = curves(&named("reference"), &near, &|inputs| reference_curve(fit, values, inputs))?;
+            lines.extend(given.into_iter().map(|(name, points)| line(name, points, *look)));
+        }
     }
     let bars = if map.scatter.is_some() { "means, with 95 % of the scatter" } else { "measured" };
     let title = format!("{name}: {bars}, and {} fitted", fit.law.name);
@@ -45,18 +55,27 @@ pub fn friction_map(name: &str, map: &FrictionMap, fit: &Fit, theme: Theme) -> R
     Ok(Picture { kind: Kind::ForceOverVelocity, part: 1, parts: 1, title, svg })
 }
 
-/// A mean: a short line, with an error bar and its caps if there are repeats.
-fn mark(mean: &Mean, half: f64) -> Vec<[f64; 2]> {
+/// A mean: a short line with an error bar and its caps if there are repeats, a cross if there are none. `size` is the largest
+/// speed and force of the map.
+fn mark(mean: &Mean, size: [f64; 2]) -> Vec<[f64; 2]> {
     let Mean { velocity: v, force, scatter, .. } = *mean;
     let gap = [f64::NAN; 2];
+    let Some(reach) = scatter.map(|scatter| BAR * scatter) else {
+        let [wide, high] = [CROSS[0] * size[0], CROSS[1] * size[1]];
+        let stroke = |high: f64| [[v - wide, force - high], [v + wide, force + high], gap];
+        return [stroke(high), stroke(-high)].concat();
+    };
+    let half = HALF * size[0];
     let across = |force: f64| [[v - half, force], [v + half, force], gap];
-    let Some(reach) = scatter.map(|scatter| BAR * scatter) else { return across(force).to_vec() };
     let bar = [[v, force - reach], [v, force + reach], gap];
     [across(force), bar, across(force - reach), across(force + reach)].concat()
 }
 
-/// The force of steady sliding at the mean load, in each direction that was measured; only the first one has a name.
-fn curves(fit: &Fit, means: &[&Mean]) -> Result<Vec<Named>, Fault> {
+/// Force of steady sliding at pairs of velocity and normal force.
+type Steady<'a> = &'a dyn Fn(&[[f64; 2]]) -> Result<Vec<f64>, Fault>;
+
+/// The force of steady sliding at the mean load, in each direction that was measured; only the first one has the name.
+fn curves(name: &str, means: &[&Mean], steady: Steady) -> Result<Vec<Named>, Fault> {
     let load = means.iter().map(|mean| mean.normal_force).sum::<f64>() / means.len() as f64;
     let mut found = Vec::new();
     for sign in [1.0, -1.0] {
@@ -65,10 +84,8 @@ fn curves(fit: &Fit, means: &[&Mean]) -> Result<Vec<Named>, Fault> {
         let part = |point: u32| f64::from(point) / f64::from(INTERVALS);
         let at = |point: u32| sign * (slowest + (fastest - slowest) * part(point).powi(3));
         let inputs: Vec<[f64; 2]> = (0..=INTERVALS).map(|point| [at(point), load]).collect();
-        let forces = steady_curve(fit, &inputs)?;
-        let unit = fit.movement.unit("N");
-        let name = format!("{}, {} {unit}", fit.law.name, digits(load, 3));
-        let name = if found.is_empty() { name } else { String::new() };
+        let forces = steady(&inputs)?;
+        let name = if found.is_empty() { name.to_owned() } else { String::new() };
         found.push((name, inputs.into_iter().zip(forces).map(|([v, _], force)| [v, force]).collect()));
     }
     Ok(found)
@@ -79,7 +96,7 @@ mod tests {
     use std::path::Path;
     use std::sync::atomic::AtomicBool;
 
-    use stribeck_fit::identify::{Data, Inquiry, Ranking, Source, Watch};
+    use stribeck_fit::identify::{Data, Inquiry, Judgement, Ranking, Source, Watch};
     use stribeck_sheet::{Sheet, SheetError};
 
     use super::super::tyre::tests::places;
@@ -143,12 +160,50 @@ mod tests {
         }
     }
 
+    /// The middle of each cross is on the curve of what was measured.
     #[test]
-    fn a_map_without_repeats_has_no_bars() {
+    fn a_map_without_repeats_has_crosses() {
         let (data, ranking) = fitted(0.0);
         let (name, map) = &data.maps[0];
         let picture = friction_map(name, map, ranking.best(), Theme::Light).unwrap();
-        assert_eq!(places(&picture.svg, "law-1")[0].len(), 7 * 2);
+        let marks = places(&picture.svg, "law-1").concat();
+        assert_eq!(marks.len(), 7 * 4);
+        let [forwards, backwards] = places(&picture.svg, "law-2").try_into().unwrap();
+        for cross in marks.chunks(4) {
+            let middle = [0, 1].map(|axis| cross.iter().map(|end| end[axis]).sum::<f64>() / 4.0);
+            let curve = if middle[0] < 0.5 * (backwards[0][0] + forwards[0][0]) { &backwards } else { &forwards };
+            assert!((height(curve, middle[0]) - middle[1]).abs() < 0.5, "{cross:?}");
+            assert!((cross[1][0] - cross[0][0] - (cross[3][0] - cross[2][0])).abs() < 0.1 && cross[1][1] < cross[0][1]);
+        }
         assert_eq!(picture.title, "map: measured, and CoulombViscous fitted");
+    }
+
+    /// 2.5 N and 5 N.s/m: a parallel that is half a newton farther from rest than the law that was fitted.
+    #[test]
+    fn given_values_have_a_curve_of_their_own() {
+        let (data, ranking) = fitted(0.1);
+        let values = [("mu_k", 2.5), ("viscous_coefficient", 5.0)].map(|(name, value)| (name.to_owned(), value)).into();
+        let judgement = Judgement {
+            source: "given.toml".to_owned(),
+            values,
+            rms: 0.5,
+            fit_rms: Some(0.1),
+            outside: Vec::new(),
+            verdict: String::new(),
+            warnings: Vec::new(),
+            note: None,
+        };
+        let fit = Fit { judgement: Some(judgement), ..ranking.best().clone() };
+        let (name, map) = &data.maps[0];
+        let picture = friction_map(name, map, &fit, Theme::Light).unwrap();
+        assert!(picture.svg.contains(">reference, 1 N<"), "{}", picture.svg);
+        let [marks] = places(&picture.svg, "law-1").try_into().unwrap();
+        let newton = (marks[3][1] - marks[2][1]).abs() / (2.0 * 1.96 * 0.02f64.sqrt());
+        let [fitted, given] = ["law-2", "law-4"].map(|class| places(&picture.svg, class));
+        for (fitted, given, sign) in [(&fitted[0], &given[0], 1.0), (&fitted[1], &given[1], -1.0)] {
+            for (fitted, given) in fitted.iter().zip(given) {
+                assert!((sign * (fitted[1] - given[1]) / newton - 0.5).abs() < 0.02, "{fitted:?} {given:?} {newton}");
+            }
+        }
     }
 }

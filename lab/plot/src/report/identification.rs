@@ -199,7 +199,8 @@ fn records(page: &mut Page, facts: &Identification) {
 
 fn maps(page: &mut Page, facts: &Identification) {
     page.heading("Maps");
-    let head = ["Map", "#Rows", "#Speeds", "#Scatter of the repeats in N", "#Its degrees of freedom", "Findings"];
+    let scatter = format!("#Scatter of the repeats in {}", facts.ranking.best().movement.unit("N"));
+    let head = ["Map", "#Rows", "#Speeds", scatter.as_str(), "#Its degrees of freedom", "Findings"];
     let row = |(name, map): &(String, FrictionMap)| {
         let scatter = map.scatter.as_ref();
         [
@@ -241,11 +242,12 @@ fn settings(page: &mut Page, facts: &Identification) {
         ("Loss", if *is_robust { "robust" } else { "squares" }.to_owned()),
         ("Bootstrap repetitions", repetitions.to_string()),
         ("Parts for cross-validation", folds.to_string()),
-        (
-            "Mass between load cell and contact",
-            format!("{mass} {}, unless it was fitted or held", best.movement.unit("kg")),
-        ),
     ];
+    // A map has no inertia.
+    rows.extend(facts.maps.is_empty().then(|| {
+        let unit = best.movement.unit("kg");
+        ("Mass between load cell and contact", format!("{mass} {unit}, unless it was fitted or held"))
+    }));
     rows.extend(selection.fixed.iter().map(|(name, value)| ("Held", format!("{name} = {value}"))));
     rows.extend(selection.fitted.iter().map(|name| ("Fitted as well", name.clone())));
     rows.extend(selection.tied.iter().map(|(name, source)| ("Tied", format!("{name} = {source}"))));

@@ -25,6 +25,7 @@ pub(super) use untold::{estimates, hold_untold};
 use stribeck::instance::Instance;
 use stribeck_solve::system::Fault;
 
+use super::output::{Reference, parameters};
 use super::parameter::refused;
 use super::response::{Ports, forces};
 use super::uncertainty::digits;
@@ -68,6 +69,15 @@ pub struct Mean {
 
 /// The force that a fitted law explains in steady sliding, with the offset, at pairs of velocity and normal force.
 pub fn steady_curve(fit: &Fit, inputs: &[[f64; 2]]) -> Result<Vec<f64>, Fault> {
+    steady(fit, &fit.physical.columns, inputs)
+}
+
+/// The same with values that were given for the law, and the offset of the fit.
+pub fn reference_curve(fit: &Fit, values: &Reference, inputs: &[[f64; 2]]) -> Result<Vec<f64>, Fault> {
+    steady(fit, &parameters(fit.law, values)?, inputs)
+}
+
+fn steady(fit: &Fit, columns: &[(usize, f64)], inputs: &[[f64; 2]]) -> Result<Vec<f64>, Fault> {
     let ports = Ports::of(fit.law).ok_or_else(|| refused(fit.law, "slides in more than one direction"))?;
     let part = |number: usize| inputs.iter().map(|input| input[number]).collect();
     let rows = Experiment {
@@ -77,7 +87,7 @@ pub fn steady_curve(fit: &Fit, inputs: &[[f64; 2]]) -> Result<Vec<f64>, Fault> {
         map: Some(Rows::default()),
         ..Experiment::default()
     };
-    let found = forces(&mut Instance::new(fit.law), ports, &fit.physical.columns, &rows, 1);
+    let found = forces(&mut Instance::new(fit.law), ports, columns, &rows, 1);
     let found = found.map_err(|reason| refused(fit.law, reason))?;
     Ok(found.into_iter().map(|force| force + fit.physical.offset).collect())
 }
