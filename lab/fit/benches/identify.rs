@@ -8,15 +8,16 @@
 //! * `methods`: evaluations to 1.02 of the noise with the search of the program and with a genetic algorithm as in the
 //!   thesis, over eight seeds.
 //! * `joints [SEEDS]`: simulated joints (200), every other one an arm with gravity: how many intervals hold the truth.
+//! * `sliders [SEEDS]`: the same of simulated sliders (200) with LuGre's law.
 //! * `camera`: what a camera of 100 Hz makes of the static level and the Stribeck velocity.
 //!
 //! Without arguments all of them.
 
+mod simulated;
+
 use std::collections::{BTreeMap, HashMap};
-use std::f64::consts::TAU;
 use std::fs::File;
 use std::io::Write;
-use std::path::Path;
 use std::slice;
 use std::sync::Mutex;
 use std::sync::atomic::AtomicBool;
@@ -27,11 +28,13 @@ use cpu_time::ProcessTime;
 use stribeck::catalogue::by_name;
 use stribeck::model::ModelType;
 use stribeck_fit::identify::{
-    Estimate, Experiment, Fit, Inquiry, Method, Rank, Searches, Settings, Source, Verdict, Watch, fit, fit_all, laws,
+    Estimate, Experiment, Fit, Method, Rank, Searches, Settings, Verdict, Watch, fit, fit_all, laws,
 };
 use stribeck_fit::measured::{Delay, Record, Setup};
 use stribeck_fit::rig::{Faults, VirtualRig};
-use stribeck_sheet::{Sheet, SheetError};
+use stribeck_sheet::Sheet;
+
+use simulated::{Held, Joint, Simulated, Slider};
 
 const MASS: f64 = 2.0;
 const LOAD: f64 = 20.0;
@@ -43,21 +46,30 @@ fn main() {
             trust(&[]);
             ranking();
             methods();
-            joints(200);
+            joints(SEEDS);
+            sliders(SEEDS);
             camera();
         }
         Some("trust") => trust(&arguments[1..]),
         Some("ranking") => ranking(),
         Some("methods") => methods(),
-        Some("joints") => joints(arguments.get(1).and_then(|text| text.parse().ok()).unwrap_or(200)),
+        Some("joints") => joints(seeds(&arguments)),
+        Some("sliders") => sliders(seeds(&arguments)),
         Some("camera") => camera(),
-        Some(other) => eprintln!("no part '{other}': trust, ranking, methods, joints or camera"),
+        Some(other) => eprintln!("no part '{other}': trust, ranking, methods, joints, sliders or camera"),
     }
+}
+
+/// Records of each law, and of each kind that is simulated.
+const SEEDS: u64 = 200;
+
+fn seeds(arguments: &[String]) -> u64 {
+    arguments.get(1).and_then(|text| text.parse().ok()).unwrap_or(SEEDS)
 }
 
 fn trust(arguments: &[String]) {
     let number = |at: usize, usual: u64| arguments.get(at).and_then(|text| text.parse().ok()).unwrap_or(usual);
-    let (seeds, ranked) = (number(0, 200), number(1, u64::MAX));
+    let (seeds, ranked) = (number(0, SEEDS), number(1, u64::MAX));
     let named = arguments.get(2..).unwrap_or(&[]);
     let chosen: Vec<&'static ModelType> =
         laws().filter(|law| named.is_empty() || named.iter().any(|name| name == law.name)).collect();
@@ -174,149 +186,30 @@ fn logged(law: &'static ModelType, experiment: &Experiment, task: &Settings) -> 
     (fit, log.into_inner().expect("no thread panics").into_values().collect())
 }
 
-/// A joint, the motion that its controller wants, and how it is measured.
-struct Joint {
-    inertia: f64,
-    level: f64,
-    viscous: f64,
-    offset: f64,
-    /// Gravity of an arm, N m, and the angle at which it is horizontal; 0 of other joints.
-    gravity: [f64; 2],
-    /// Size in rad, frequency in Hz and phase of each wave.
-    waves: Vec<[f64; 3]>,
-    interval: f64,
-    encoder: f64,
-    /// Noise of torque and velocity.
-    noise: [f64; 2],
-    has_velocity: bool,
-}
-
-/// Steps of the simulation in a sample.
-const PARTS: u32 = 20;
-
-impl Joint {
-    fn drawn(seed: u64, random: &mut fastrand::Rng) -> Joint {
-        let mut between = |low: f64, high: f64| low * f64::powf(high / low, random.f64());
-        let [inertia, level, viscous] = [between(0.01, 1.0), between(0.1, 3.0), between(0.05, 1.0)];
-        let gravity =
-            if seed.is_multiple_of(2) { [between(0.3, 5.0), 6.0 * between(0.1, 1.0) - 3.0] } else { [0.0; 2] };
-        let wave = |number: i32| [between(0.2, 1.2) / f64::from(1 + number), between(0.15, 0.6) * 1.9_f64.powi(number)];
-        let waves: Vec<[f64; 2]> = (0..3).map(wave).collect();
-        let noise = [level * between(0.005, 0.03), between(3e-4, 5e-3)];
-        Joint {
-            inertia,
-            level,
-            viscous,
-            offset: 0.6 * random.f64() - 0.3,
-            gravity,
-            waves: waves.into_iter().map(|[size, rate]| [size, rate, TAU * random.f64()]).collect(),
-            interval: [0.001, 0.002, 0.004][random.usize(0..3)],
-            encoder: TAU / f64::from(1 << [14, 16, 18][random.usize(0..3)]),
-            noise,
-            has_velocity: seed % 4 < 2,
-        }
-    }
-
-    /// Wanted angle and velocity.
-    fn wanted(&self, t: f64) -> [f64; 2] {
-        let part = |[size, rate, phase]: [f64; 3]| {
-            let (sine, cosine) = (TAU * rate * t + phase).sin_cos();
-            [size * sine, size * TAU * rate * cosine]
-        };
-        self.waves.iter().map(|wave| part(*wave)).fold([0.0; 2], |[q, v], [of_q, of_v]| [q + of_q, v + of_v])
-    }
-
-    /// Angle and velocity a short time later; it stops where its velocity changes its sign.
-    fn moved(&self, [q, v]: [f64; 2], torque: f64, step: f64) -> [f64; 2] {
-        let middle = q + 0.5 * step * v - self.gravity[1];
-        let drive = torque - self.offset - self.gravity[0] * middle.cos();
-        if v == 0.0 && drive.abs() <= self.level {
-            return [q, v];
-        }
-        let direction = if v == 0.0 { drive.signum() } else { v.signum() };
-        let rate = |v: f64| (drive - direction * self.level - self.viscous * v) / self.inertia;
-        let next = v + step * rate(v + 0.5 * step * rate(v));
-        if next * direction < 0.0 { [q, 0.0] } else { [q + 0.5 * step * (v + next), next] }
-    }
-
-    /// A record of 12 s under a controller that holds its torque between samples.
-    fn record(&self, random: &mut fastrand::Rng) -> String {
-        let mut normal = || (-2.0 * (1.0 - random.f64()).ln()).sqrt() * (TAU * random.f64()).cos();
-        let (pole, mut state) = (TAU * 6.0, self.wanted(0.0));
-        let stiffness = self.inertia * pole * pole + 10.0 * self.level;
-        let damping = 1.6 * self.inertia * pole + 0.2 * self.viscous;
-        let mut text = "time [s],position [rad],".to_owned() + if self.has_velocity { "velocity [rad/s]," } else { "" };
-        text += "torque [N m]\n";
-        for at in 0..(12.0 / self.interval) as u32 {
-            let (t, rounded) = (f64::from(at) * self.interval, (state[0] / self.encoder).round() * self.encoder);
-            let [q, v] = self.wanted(t);
-            let ahead = self.level * (v / 0.05).tanh() + self.gravity[0] * (q - self.gravity[1]).cos();
-            let torque = stiffness * (q - rounded) + damping * (v - state[1]) + ahead;
-            let velocity = state[1] + self.noise[1] * normal();
-            let velocity = if self.has_velocity { format!("{velocity},") } else { String::new() };
-            text += &format!("{t},{rounded},{velocity}{}\n", torque + self.noise[0] * normal());
-            for _ in 0..PARTS {
-                state = self.moved(state, torque, self.interval / f64::from(PARTS));
-            }
-        }
-        text
-    }
-
-    /// The interval of a parameter around its value, and the truth.
-    fn judged(&self, one: &Estimate) -> Option<([f64; 2], f64)> {
-        let truth = match one.name.as_str() {
-            "mass" => self.inertia,
-            "mu_k" => self.level,
-            "viscous_coefficient" => self.viscous,
-            "offset" => self.offset,
-            "gravity" => self.gravity[0],
-            // An angle may be one turn away.
-            "gravity_angle" => one.value + (self.gravity[1] - one.value + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU,
-            _ => return None,
-        };
-        (one.verdict == Verdict::Determined).then(|| (one.interval(), truth))
-    }
-}
-
-/// A record as a text.
-struct Text(String);
-
-impl Source for Text {
-    fn tables(&self, _: &Path, _: Option<&str>) -> Result<Vec<Sheet>, SheetError> {
-        Ok(vec![Sheet::parse(&self.0)?])
-    }
-}
-
-/// Joints and arms: how many intervals hold the truth.
-fn joints(seeds: u64) {
-    let mut counts: BTreeMap<String, [u32; 2]> = BTreeMap::new();
-    let mut warned = 0;
+/// Simulated things, each with its record: how many intervals hold the truth.
+fn count(names: &str, seeds: u64, of: impl Fn(u64, &mut fastrand::Rng) -> Box<dyn Simulated>) {
+    let mut all = Held::default();
     for seed in 0..seeds {
         let mut random = fastrand::Rng::with_seed(seed);
-        let joint = Joint::drawn(seed, &mut random);
-        let fit = if joint.gravity[0] > 0.0 { vec!["gravity".to_owned()] } else { Vec::new() };
-        let records = vec!["joint.csv".into()];
-        let asked = Inquiry { records, axis: true, repetitions: Some(0), fit, ..Inquiry::default() };
-        let data = asked.data(&Text(joint.record(&mut random))).expect("a record");
-        let never = AtomicBool::new(false);
-        let watch = Watch { cancel: &never, progress: &|_, _| {} };
-        let ranking = asked.fits(&data, &mut |_| {}, watch).expect("a fit");
-        warned += u32::from(!ranking.best().warnings.is_empty());
-        for one in &ranking.best().estimates {
-            let Some(([low, high], truth)) = joint.judged(one) else { continue };
-            let [told, held] = counts.entry(one.name.clone()).or_default();
-            (*told, *held) = (*told + 1, *held + u32::from((low..=high).contains(&truth)));
-        }
+        all.look(&*of(seed, &mut random), &mut random);
     }
-    let (mut all, mut hits) = (0, 0);
-    for (name, [told, held]) in &counts {
+    for (name, [told, held]) in &all.counts {
         println!("{name:<22} {told:>6} {held:>6} {:>8.1}", 100.0 * f64::from(*held) / f64::from(*told));
-        (all, hits) = (all + told, hits + held);
     }
-    let share = 100.0 * f64::from(hits) / f64::from(all.max(1));
+    let ([told, held], warned) = (all.total(), all.warned);
+    let share = 100.0 * f64::from(held) / f64::from(told.max(1));
     println!(
-        "figure: joints: {hits} of {all} intervals hold the truth ({share:.1} %) in {seeds} records, {warned} with warnings"
+        "figure: {names}: {held} of {told} intervals hold the truth ({share:.1} %) in {seeds} records, {warned} with \
+         warnings"
     );
+}
+
+fn joints(seeds: u64) {
+    count("joints", seeds, |seed, random| Box::new(Joint::drawn(seed, random)));
+}
+
+fn sliders(seeds: u64) {
+    count("sliders", seeds, |_, random| Box::new(Slider::drawn(random)));
 }
 
 /// A camera blurs the speeds at which friction falls.

@@ -105,6 +105,7 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     let found = [held("CoulombViscous", 55), held("Stribeck", 40), held("LuGre", 5)].concat();
     let total = found.iter().fold([0, 0], |sum, (_, count)| [sum[0] + count[0], sum[1] + count[1]]);
     let part = |[hits, all]: [u32; 2]| f64::from(hits) / f64::from(all);
+    println!("figure: maps: {} of {} intervals hold the truth, {found:?}", total[0], total[1]);
     assert!(total[1] >= 280 && (0.93..=0.98).contains(&part(total)), "{total:?} {found:?}");
     for name in ["mu_k", "mu_s", "stribeck_velocity", "viscous_coefficient"] {
         let of = found.iter().filter(|one| one.0 == name);
