@@ -6365,7 +6365,7 @@ typedef enum stribeck_four_post_car_variable {
 } stribeck_four_post_car_variable;
 
 /** Guid of DoubleTrackCar for fmi2Instantiate. */
-#define STRIBECK_DOUBLE_TRACK_CAR_GUID "{1e1e386a-4a78-6cf3-d82d-2cc8f86d0256}"
+#define STRIBECK_DOUBLE_TRACK_CAR_GUID "{ba602b63-aeaa-fc1c-0ee5-f227b330db86}"
 
 /** DoubleTrackCar: Double-track car steered at constant speed, with Magic Formula tyres. Variables of "DoubleTrackCar". */
 typedef enum stribeck_double_track_car_variable {
@@ -6726,6 +6726,52 @@ typedef enum stribeck_double_track_car_variable {
   STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY7 = 1657942731,
   /** fixed [1]: Exponent of the pressure in the rolling resistance. (default 0) */
   STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY8 = 1607609874,
+  /** fixed [1]: Free radius at rest per unloaded radius. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_RE0 = 1244817082,
+  /** fixed [1]: Growth of the free radius with the square of speed. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_V1 = 119224678,
+  /** fixed [1]: Growth of the vertical stiffness with speed. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_V2 = 102447059,
+  /** fixed [1]: Growth of the vertical stiffness with deflection. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_FZ2 = 1564862091,
+  /** fixed [1]: Decrease of the vertical stiffness with the longitudinal force. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_FCX = 285724584,
+  /** fixed [1]: Decrease of the vertical stiffness with the lateral force. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_FCY = 302502203,
+  /** fixed [1]: Exponent of the deflection in that decrease; from version 6.2 on. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_FCY2 = 1800278315,
+  /** fixed [1]: Change of the vertical stiffness with the square of camber; in version 6.1. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_CAM = 1344790878,
+  /** fixed [1]: Deflection by camber with the loaded radius; from version 6.2 on, as those that follow. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_CAM1 = 499638717,
+  /** fixed [1/m]: Deflection by camber with the square of the loaded radius. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_CAM2 = 449305860,
+  /** fixed [1]: Decrease of the deflection with the size of camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_CAM3 = 466083479,
+  /** fixed [N]: Lateral force by camber that does not soften the tyre. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_FYS1 = 1950502114,
+  /** fixed [N]: Its change with the loaded radius. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_FYS2 = 1933724495,
+  /** fixed [N]: Its change with the square of the loaded radius. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_Q_FYS3 = 1916946876,
+  /** fixed [1]: Change of the vertical stiffness with pressure. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PFZ1 = 606864888,
+  /** fixed [1]: Stiffness of the effective radius at small loads. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_BREFF = 1061372850,
+  /** fixed [1]: Level of the decrease of the effective radius at small loads. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_DREFF = 1177791368,
+  /** fixed [1]: Decrease of the effective radius with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_FREFF = 1725838766,
+  /** fixed [m]: Distance from the rim at which the tyre bottoms. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_BOTTOM_OFFST = 865986957,
+  /** fixed [N/m]: Stiffness of the bottomed tyre; 0 without bottoming. (>= 0, default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_BOTTOM_STIFF = 1499032857,
+  /** fixed [m]: Radius of the rim. (>= 0, default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RIM_RADIUS = 374156132,
+  /** fixed [m]: Width of the tyre's section. (>= 0, default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_WIDTH = 1959451769,
+  /** fixed [1]: Height of the tyre's section per width. (>= 0, default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_ASPECT_RATIO = 444224415,
   /** state, out [m]: Position of the car's centre of gravity along the road. (default 0) */
   STRIBECK_DOUBLE_TRACK_CAR_POSITION_X = 1501920533,
   /** state, out [m]: Lateral position of the car's centre of gravity; positive to the left. (default 0) */
@@ -6792,6 +6838,12 @@ typedef enum stribeck_double_track_car_variable {
   STRIBECK_DOUBLE_TRACK_CAR_FL_SIDE_SLIP = 722613819,
   /** out [N]: Lateral force of the road on the tyre; positive to the left. */
   STRIBECK_DOUBLE_TRACK_CAR_FL_LATERAL_FORCE = 988510250,
+  /** out [m]: Vertical deflection of the tyre. */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_TYRE_DEFLECTION = 1644518725,
+  /** out [m]: Radius of the tyre under its load; 0 if the formula carries no such load. */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_LOADED_RADIUS = 1579033125,
+  /** out [m]: Effective rolling radius of the tyre; 0 if the formula carries no such load. */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_EFFECTIVE_RADIUS = 1901862391,
   /** in [m]: Height of the road under the wheel. (default 0) */
   STRIBECK_DOUBLE_TRACK_CAR_FR_ROAD_HEIGHT = 1016625143,
   /** in [m/s]: Rate of the road's height. (default 0) */
@@ -6812,6 +6864,12 @@ typedef enum stribeck_double_track_car_variable {
   STRIBECK_DOUBLE_TRACK_CAR_FR_SIDE_SLIP = 39731741,
   /** out [N]: Lateral force of the road on the tyre; positive to the left. */
   STRIBECK_DOUBLE_TRACK_CAR_FR_LATERAL_FORCE = 683113520,
+  /** out [m]: Vertical deflection of the tyre. */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_TYRE_DEFLECTION = 1192316363,
+  /** out [m]: Radius of the tyre under its load; 0 if the formula carries no such load. */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_LOADED_RADIUS = 2041634659,
+  /** out [m]: Effective rolling radius of the tyre; 0 if the formula carries no such load. */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_EFFECTIVE_RADIUS = 1726338141,
   /** in [m]: Height of the road under the wheel. (default 0) */
   STRIBECK_DOUBLE_TRACK_CAR_RL_ROAD_HEIGHT = 531434269,
   /** in [m/s]: Rate of the road's height. (default 0) */
@@ -6832,6 +6890,12 @@ typedef enum stribeck_double_track_car_variable {
   STRIBECK_DOUBLE_TRACK_CAR_RL_SIDE_SLIP = 1421136959,
   /** out [N]: Lateral force of the road on the tyre; positive to the left. */
   STRIBECK_DOUBLE_TRACK_CAR_RL_LATERAL_FORCE = 1844363550,
+  /** out [m]: Vertical deflection of the tyre. */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_TYRE_DEFLECTION = 970568609,
+  /** out [m]: Radius of the tyre under its load; 0 if the formula carries no such load. */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_LOADED_RADIUS = 1565353081,
+  /** out [m]: Effective rolling radius of the tyre; 0 if the formula carries no such load. */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_EFFECTIVE_RADIUS = 610979139,
   /** in [m]: Height of the road under the wheel. (default 0) */
   STRIBECK_DOUBLE_TRACK_CAR_RR_ROAD_HEIGHT = 529359059,
   /** in [m/s]: Rate of the road's height. (default 0) */
@@ -6852,6 +6916,12 @@ typedef enum stribeck_double_track_car_variable {
   STRIBECK_DOUBLE_TRACK_CAR_RR_SIDE_SLIP = 201694665,
   /** out [N]: Lateral force of the road on the tyre; positive to the left. */
   STRIBECK_DOUBLE_TRACK_CAR_RR_LATERAL_FORCE = 1961338476,
+  /** out [m]: Vertical deflection of the tyre. */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_TYRE_DEFLECTION = 659494175,
+  /** out [m]: Radius of the tyre under its load; 0 if the formula carries no such load. */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_LOADED_RADIUS = 1662254959,
+  /** out [m]: Effective rolling radius of the tyre; 0 if the formula carries no such load. */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_EFFECTIVE_RADIUS = 698408881,
 } stribeck_double_track_car_variable;
 
 /** Guid of Posts for fmi2Instantiate. */

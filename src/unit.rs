@@ -68,7 +68,7 @@ impl Unit {
 }
 
 /// Every unit that a column may have.
-pub static UNITS: [Unit; 30] = [
+pub static UNITS: [Unit; 31] = [
     unit("1", "Ratio", [0, 0, 0], &[]),
     unit("m", "Length", [0, 1, 0], &[shown("mm", 1e3), shown("um", 1e6)]),
     unit("m/s", "Velocity", [0, 1, -1], &[shown("mm/s", 1e3)]),
@@ -93,6 +93,7 @@ pub static UNITS: [Unit; 30] = [
     unit("rad/s", "AngularVelocity", [0, 0, -1], &[shown("deg/s", DEGREES)]).times_radian(),
     unit("rad/s2", "AngularAcceleration", [0, 0, -2], &[]).times_radian(),
     unit("1/s", "Rate", [0, 0, -1], &[]),
+    unit("1/m", "PerLength", [0, -1, 0], &[]),
     unit("Hz", "Frequency", [0, 0, -1], &[]),
     unit("K", "Temperature", [0, 0, 0], &[DisplayUnit { name: "degC", factor: 1.0, offset: -273.15 }]).per_kelvin(-1),
     unit("K/s", "TemperatureRate", [0, 0, -1], &[]).per_kelvin(-1),

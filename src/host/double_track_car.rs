@@ -1,5 +1,6 @@
 use crate::host::integrate;
 use crate::host::magic_formula::{Contact, MagicFormula, Side, Wrench};
+use crate::host::tyre_radii::Radii;
 use crate::host::vertical::{Axle, Body, Car, Corner, GRAVITY, Load, Motion, Wheel};
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, real};
 use crate::number::Scalar;
@@ -27,6 +28,12 @@ crate::part! {
         side_slip: state_output = real("rad", 0.0).nominal(1e-2).shown_in("deg"),
         /// Lateral force of the road on the tyre; positive to the left.
         lateral_force: output = real("N", 0.0).nominal(100.0),
+        /// Vertical deflection of the tyre.
+        tyre_deflection: output = real("m", 0.0).nominal(1e-2).shown_in("mm"),
+        /// Radius of the tyre under its load; 0 if the formula carries no such load.
+        loaded_radius: output = real("m", 0.2).nominal(0.1).shown_in("mm"),
+        /// Effective rolling radius of the tyre; 0 if the formula carries no such load.
+        effective_radius: output = real("m", 0.2).nominal(0.1).shown_in("mm"),
     }
 }
 
@@ -56,6 +63,21 @@ crate::model! {
     /// F_k = D sin(C atan(B alpha_k - E (B alpha_k - atan(B alpha_k))))                  (4)
     /// D   = (p_1 + p_2 (f_tk - f_n) / f_n) f_tk
     /// ```
+    ///
+    /// The radii of the tyres under their loads follow from the same formula, in version 6.1 without bottoming
+    ///
+    /// ```text
+    /// f_tk = f_z0 (1 + p_z dp) g (q rho / R_0 + q_fz2 (rho / R_0)^2)                  (9)
+    /// q    = sqrt((k_t R_0 / f_z0)^2 - 4 q_fz2)
+    /// g    = 1 + q_v2 |Omega| R_0 / V_0 - (q_fcy F_k / f_z0)^2
+    /// R_f  = R_0 (q_re0 + q_v1 (Omega R_0 / V_0)^2)
+    /// R_l  = R_f - rho
+    /// R_e  = R_f - f_z0 / (k_t (1 + p_z dp)) (D_e atan(B_e f_tk / f_z0) + F_e f_tk / f_z0)
+    /// ```
+    ///
+    /// with $Omega = V / R_e$, the nominal load $f_z0$, the relative deviation $dp$ of the pressure from the nominal one,
+    /// and $p_z$, $B_e$, $D_e$, $F_e$ for `tyre.pfz1`, `tyre.breff`, `tyre.dreff`, `tyre.freff`. Nothing else depends on
+    /// them: in the motion of the car the tyres are linear springs.
     ///
     /// Body and wheels. A wheel is at the place $(x_k, y_k)$ seen from the body's centre of gravity:
     ///
@@ -130,6 +152,9 @@ crate::model! {
     /// | f_tk      | `fl.tyre_load`             | N     | force of the tyre on the road                       |
     /// | alpha_k   | `fl.side_slip`             | rad   | side slip of the tyre                               |
     /// | F_k       | `fl.lateral_force`         | N     | lateral force of the tyre                           |
+    /// | rho       | `fl.tyre_deflection`       | m     | its vertical deflection                             |
+    /// | R_l       | `fl.loaded_radius`         | m     | its radius under load                               |
+    /// | R_e       | `fl.effective_radius`      | m     | its effective rolling radius                        |
     ///
     /// The corners are `fl`, `fr`, `rl`, `rr` (front left to rear right), the axles `front` and `rear`.
     ///
@@ -147,8 +172,9 @@ crate::model! {
     /// but neither the steering nor the struts.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `cg_to_front` > `wheelbase`; `tyre.pky2` = 0; a step that would take
-    /// more than 86,000 pieces, as with `QuarterCar`.
+    /// Refused: a parameter outside its bound; `cg_to_front` > `wheelbase`; `tyre.pky2` = 0; `tyre.q_fz2` above the
+    /// square of `tyre.unloaded_radius` `tyre_stiffness` / `tyre.fnomin`, divided by 4; a step that would take more than
+    /// 86,000 pieces, as with `QuarterCar`.
     ///
     /// # Limits
     /// The speed is constant: no drive, no brakes, no longitudinal forces. Small angles: the lateral forces count along
@@ -158,13 +184,14 @@ crate::model! {
     /// anti-roll bars: add their force to `strut_force`. The relaxation length does not change with load.
     ///
     /// # Source
-    /// (1) to (4): H. $B$. Pacejka, "Tyre and Vehicle Dynamics", 2nd ed., Butterworth-Heinemann (2006): two-track model
-    /// with the roll axis, section 1.3; Magic Formula, section 4.3.2, in the form of version 5.2, and in the 3rd ed.
-    /// (2012) for version 6; relaxation in its simplest form, of the side slip. (5) to (8): rigid-body dynamics about a
-    /// rest position. Defaults: body, wheels, struts and axles as `FourPostCar`; from the same car ZR26 the yaw inertia
-    /// and the heights of the roll centres; `cg_height` is derived from the 0.293 m of that car less its wheels; tyres:
-    /// an open set (Open-Car-Dynamics, Apache-2.0), scaled from a nominal load of 3000 N to 700 N, without its shifts
-    /// and its friction scale of 0.97. Chosen: speed, relaxation length, height of the wheels.
+    /// (1) to (4) and (9): H. $B$. Pacejka, "Tyre and Vehicle Dynamics", 2nd ed., Butterworth-Heinemann (2006):
+    /// two-track model with the roll axis, section 1.3; Magic Formula, section 4.3.2, in the form of version 5.2, and in
+    /// the 3rd ed. (2012) for version 6 and (9); relaxation in its simplest form, of the side slip. (5) to (8):
+    /// rigid-body dynamics about a rest position. Defaults: body, wheels, struts and axles as `FourPostCar`; from the
+    /// same car ZR26 the yaw inertia and the heights of the roll centres; `cg_height` is derived from the 0.293 m of
+    /// that car less its wheels; tyres: an open set (Open-Car-Dynamics, Apache-2.0), scaled from a nominal load of 3000
+    /// N to 700 N, without its shifts and its friction scale of 0.97. Chosen: speed, relaxation length, height of the
+    /// wheels.
     ///
     /// # Example
     /// The loads of the tyres carry the car, 288.64 kg, and the tyres push to the left in a turn to the left:
@@ -265,17 +292,31 @@ impl<T: Scalar> DoubleTrackCar<T> {
         self.place(corner).x - moments / self.mass()
     }
 
-    /// Forces and moments of the road on a tyre.
-    fn wrench(&self, corner: Corner) -> Wrench<T> {
-        let contact = Contact {
+    fn contact(&self, corner: Corner) -> Contact<T> {
+        Contact {
             load: self.tyre_load(corner),
             longitudinal_slip: T::zero(),
             side_slip: self.corner(corner).side_slip,
             camber: T::zero(),
             speed: self.speed,
-        };
-        self.tyre.wrench_on(if corner.is_left() { Side::Left } else { Side::Right }, &contact)
+        }
     }
+
+    /// Forces and moments of the road on a tyre.
+    fn wrench(&self, corner: Corner) -> Wrench<T> {
+        self.tyre.wrench_on(side(corner), &self.contact(corner))
+    }
+
+    /// Radii of a tyre under its load; 0 if its formula does not carry that.
+    fn radii(&self, corner: Corner, wrench: &Wrench<T>) -> Radii<T> {
+        let stiffness = self.axle(corner).suspension.tyre_stiffness;
+        self.tyre.radii_on(side(corner), stiffness, &self.contact(corner), wrench)
+    }
+}
+
+/// The side of the car that a corner is on.
+fn side(corner: Corner) -> Side {
+    if corner.is_left() { Side::Left } else { Side::Right }
 }
 
 impl<T: Scalar> Car<T> for DoubleTrackCar<T> {
@@ -308,9 +349,13 @@ impl<T: Scalar> Law for DoubleTrackCar<T> {
         self.output_wheels();
         let mut sum = T::zero();
         for corner in Corner::ALL {
-            let force = self.wrench(corner).force_y;
-            self.corner_mut(corner).lateral_force = force;
-            sum = sum + force;
+            let wrench = self.wrench(corner);
+            let radii = self.radii(corner, &wrench);
+            let wheel = self.corner_mut(corner);
+            wheel.lateral_force = wrench.force_y;
+            (wheel.loaded_radius, wheel.effective_radius) = (radii.loaded, radii.effective);
+            wheel.tyre_deflection = radii.deflection;
+            sum = sum + wrench.force_y;
         }
         self.lateral_acceleration = sum / self.mass();
     }
@@ -423,6 +468,14 @@ impl Model for DoubleTrackCar {
     fn check(&self) -> Result<(), Fault> {
         if self.tyre.pky2 == 0.0 {
             return Err(Fault::new("tyre.pky2 = 0: must not be 0"));
+        }
+        for (name, axle) in [("front", &self.front), ("rear", &self.rear)] {
+            let most = self.tyre.largest_q_fz2(axle.axle.suspension.tyre_stiffness);
+            let found = self.tyre.spring.q_fz2;
+            if found > most {
+                let limit = format_args!("(tyre.unloaded_radius {name}.tyre_stiffness / tyre.fnomin)^2 / 4 = {most}");
+                return Err(Fault::new(format_args!("tyre.q_fz2 = {found}: must be at most {limit}")));
+            }
         }
         self.body.check()
     }

@@ -1,5 +1,6 @@
 //! Forces and moments of a rolling tyre.
 
+use crate::host::tyre_spring::TyreSpring;
 use crate::model::real;
 use crate::number::{Decision, Mask, Scalar};
 
@@ -430,6 +431,8 @@ crate::part! {
         qsy7: fixed = real("1", 1.0),
         /// Exponent of the pressure in the rolling resistance.
         qsy8: fixed = real("1", 0.0),
+        /// Vertical spring and radii.
+        spring: (TyreSpring),
     }
 }
 

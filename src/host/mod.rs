@@ -20,4 +20,8 @@ crate::model::family! {
 mod magic_formula;
 mod magic_formula_5;
 mod magic_formula_6;
+mod tyre_radii;
+mod tyre_spring;
 pub use magic_formula::{Contact, FormulaVersion, MagicFormula, Side, Wrench};
+pub use tyre_radii::{NoRadii, Radii, Rolling};
+pub use tyre_spring::TyreSpring;

@@ -3,8 +3,8 @@
 use approx::assert_abs_diff_eq;
 
 use super::*;
-use crate::host::FourPostCar;
-use crate::model::{row_of, row_of_mut};
+use crate::host::{FormulaVersion, FourPostCar, TyreSpring};
+use crate::model::{row_of, row_of_mut, start};
 use crate::numerics::runge_kutta::dormand_prince;
 
 const STEP: f64 = 1e-3;
@@ -292,12 +292,55 @@ fn lane_change_of_the_reference() {
     assert!(car.body.roll.abs().to_degrees() < 1e-4, "no friction holds the body: {}", car.body.roll);
 }
 
+/// The radii of linear springs, of tyres that grow with speed, and of tyres that cannot carry what they carry: the car
+/// goes on as it does.
+#[test]
+fn radii_follow_load_and_speed_and_move_nothing() {
+    let turned = |spring: TyreSpring| {
+        let mut car = DoubleTrackCar::default();
+        (car.tyre.version, car.tyre.spring) = (FormulaVersion::Six.number(), spring);
+        drive(&mut car, 0.5, |_| 0.02, |_| ());
+        car
+    };
+    let linear: TyreSpring = start();
+    let mut plain = turned(linear);
+    for RollingWheel { wheel, tyre_deflection, loaded_radius, effective_radius, .. } in wheels(&mut plain) {
+        assert_abs_diff_eq!(*tyre_deflection, wheel.tyre_load / 87563.5, epsilon = 1e-15);
+        assert_abs_diff_eq!(*loaded_radius, 0.2 - *tyre_deflection, epsilon = 1e-15);
+        assert_eq!(*effective_radius, 0.2);
+    }
+    // Without deflection in R_e it is the free radius: R (R / 0.2 - 1) R = q_v1 (0.2 20 / 16.7)^2.
+    let mut grown = turned(TyreSpring { q_v1: 0.05, ..linear });
+    for RollingWheel { tyre_deflection, loaded_radius, effective_radius, .. } in wheels(&mut grown) {
+        let radius = *effective_radius;
+        assert_abs_diff_eq!(radius * radius * (radius / 0.2 - 1.0), 0.05 * (4.0f64 / 16.7).powi(2), epsilon = 1e-16);
+        assert_abs_diff_eq!(*loaded_radius, radius - *tyre_deflection, epsilon = 1e-15);
+    }
+    let mut soft = turned(TyreSpring { q_fcy: 1e3, ..linear });
+    for RollingWheel { tyre_deflection, loaded_radius, effective_radius, .. } in wheels(&mut soft) {
+        assert_eq!([*tyre_deflection, *loaded_radius, *effective_radius], [0.0, 0.0, 0.0]);
+    }
+    for mut other in [grown, soft] {
+        other.tyre = plain.tyre;
+        for (wheel, as_plain) in wheels(&mut other).into_iter().zip(wheels(&mut plain)) {
+            (wheel.tyre_deflection, wheel.loaded_radius) = (as_plain.tyre_deflection, as_plain.loaded_radius);
+            wheel.effective_radius = as_plain.effective_radius;
+        }
+        assert_eq!(row_of(&other), row_of(&plain));
+    }
+}
+
 #[test]
 fn parameters_that_do_not_fit_are_refused() {
     let mut car = DoubleTrackCar::default();
     car.check().unwrap();
     car.body.cg_to_front = 2.0;
     assert_eq!(car.check().unwrap_err().0, "cg_to_front = 2: must be <= wheelbase = 1.528");
+    car.tyre.spring.q_fz2 = 8.0;
+    car.rear.axle.suspension.tyre_stiffness = 8e4;
+    let limit = "(tyre.unloaded_radius rear.tyre_stiffness / tyre.fnomin)^2 / 4 = 7.11";
+    let refused = car.check().unwrap_err().0;
+    assert!(refused.starts_with(&format!("tyre.q_fz2 = 8: must be at most {limit}")), "{refused}");
     car.tyre.pky2 = 0.0;
     assert_eq!(car.check().unwrap_err().0, "tyre.pky2 = 0: must not be 0");
 }

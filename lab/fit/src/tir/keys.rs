@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use stribeck::host::FormulaVersion;
+use stribeck::host::{FormulaVersion, TyreSpring};
+use stribeck::model::Columns;
 
 /// Keys that belong together.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -65,11 +66,15 @@ pub(super) fn about(key: &str, section: &str) -> &'static str {
     }
 }
 
-/// The name of a key that has several: PAC2002 has its own for pressures.
+/// The name of a key that has several: PAC2002 has its own for pressures and radii, and the book for the camber.
 pub(super) fn canonical(key: &str) -> &str {
     match key {
         "IP" => "INFLPRES",
         "IP_NOM" => "NOMPRES",
+        "QRE0" => "Q_RE0",
+        "QV1" => "Q_V1",
+        "QV2" => "Q_V2",
+        "Q_FZ3" => "Q_CAM",
         _ => key,
     }
 }
@@ -83,10 +88,10 @@ pub(super) fn is_foreign(key: &str, version: FormulaVersion) -> bool {
 }
 
 /// The value of a coefficient that a file does not give: scale factors are 1, the others 0, and those of version 6 what
-/// they are in version 5.2, which is what the model starts with.
+/// they are in version 5.2, which is what the model starts with, as it does with a linear spring.
 pub(crate) fn missing_value(key: &str, start: f64) -> f64 {
     match key {
-        _ if is_of_six(key) => start,
+        _ if is_of_six(key) || is_of_spring(key) => start,
         _ if key.starts_with('L') => 1.0,
         _ => 0.0,
     }
@@ -95,6 +100,11 @@ pub(crate) fn missing_value(key: &str, start: f64) -> f64 {
 /// Whether version 6 of the formula has a coefficient that version 5.2 has not.
 pub(super) fn is_of_six(key: &str) -> bool {
     is_of_pressure(key) || is_pressure(key) || SIX.contains(&key)
+}
+
+/// Whether a coefficient changes no force, but the radii under load, in all versions.
+pub(super) fn is_of_spring(key: &str) -> bool {
+    TyreSpring::TABLE.iter().any(|variable| variable.path.to_string().eq_ignore_ascii_case(key))
 }
 
 pub(super) fn is_pressure(key: &str) -> bool {

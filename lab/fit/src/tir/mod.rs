@@ -3,7 +3,7 @@
 //! `FITTYP` decides the version of the formula: 5, 6, 21 and 52 are for 5.2, as are the formats `PAC2002`, `MF_05` and
 //! `MF-TYRE`; 60 and 61 are for 6.1, 62 is for 6.2. Missing coefficients are 0 and missing scale factors 1, as the
 //! format prescribes; no value of the built-in tyre remains. Vertical stiffness and damping are used for the tyres of
-//! both axles.
+//! both axles; the coefficients of deflection and rolling radius change no force, but the radii of the tyres.
 //!
 //! Files are read as programs write them: sections and keys in any order, in any case, with any others between them. A
 //! key without value counts as absent. Keys that are not used are listed, and so are those that would change

@@ -47,6 +47,7 @@ pub(super) fn read(text: &str) -> Result<Contents, Refusal> {
     contents.check_required(&entries)?;
     contents.check_axes()?;
     contents.fill_pressures(version);
+    contents.drop_progression();
     contents.fill(version);
     Ok(contents)
 }
@@ -186,6 +187,16 @@ impl Contents {
         self.values.extend(missing.into_iter().map(|(key, pressure)| (variable(key), pressure)));
     }
 
+    /// Drops what only makes sense beside the stiffness of the tyre: that of another tyre may be too small for it.
+    fn drop_progression(&mut self) {
+        let is_alone = self.value(&format!("front.{}", BOTH[0].1)).is_none();
+        let name = variable("Q_FZ2");
+        if is_alone && self.value(&name).is_some_and(|value| value != 0.0) {
+            self.values.retain(|(other, _)| *other != name);
+            self.notes.push(format!("Q_FZ2: not used without {}", BOTH[0].0));
+        }
+    }
+
     /// Gives missing entries the values prescribed by the format: scale factors 1, coefficients 0. Those that the
     /// version does not have get them silently.
     fn fill(&mut self, version: FormulaVersion) {
@@ -199,7 +210,8 @@ impl Contents {
             let value = if key == "LONGVL" { one.start } else { keys::missing_value(&key, one.start) };
             self.values.push((name, value));
             // Files do not have LMUV: it is of the book only.
-            if keys::is_foreign(&key, version) || keys::is_pressure(&key) || key == "LMUV" {
+            let is_needless = version == FormulaVersion::Five && keys::is_of_spring(&key);
+            if is_needless || keys::is_foreign(&key, version) || keys::is_pressure(&key) || key == "LMUV" {
                 continue;
             }
             match told.iter_mut().find(|(number, _)| *number == value) {

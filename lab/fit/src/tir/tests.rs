@@ -113,7 +113,7 @@ fn told(groups: &[Group]) -> Vec<String> {
 fn what_is_not_used_is_told_once_by_what_it_is_for() {
     let more = "PTY1 = 2.1\nPTY1 = 2.2\n[SHAPE]\n{radial width}\n1.0 0.0\n[LONG_SLIP_RANGE]\nKPUMIN = -1.5\n\
                 [STRUCTURAL]\nYAW_STIFFNESS = 5000\nDAMP_YAW = many\n[TURNSLIP_COEFFICIENTS]\nPECP2 = 0\n\
-                [TIRE_CONDITIONS]\nIP = 83000\n[INERTIA]\nMASS = kg\n[X]\nQ_RE0 = 1\nPDYl = 3\n";
+                [TIRE_CONDITIONS]\nIP = 83000\n[INERTIA]\nMASS = kg\n[X]\nQFZ1 = 1\nPDYl = 3\n";
     let file = read_small(more);
     let expected = [
         "relaxation and structure: PTY1, YAW_STIFFNESS, DAMP_YAW",
@@ -121,7 +121,7 @@ fn what_is_not_used_is_told_once_by_what_it_is_for() {
         "turn slip: PECP2",
         "inflation pressure: IP",
         "size and mass: MASS",
-        "deflection and rolling radius: Q_RE0",
+        "deflection and rolling radius: QFZ1",
         "unknown: PDYL",
     ];
     assert_eq!(told(&file.unused), expected);
@@ -281,4 +281,48 @@ fn coefficients_count_in_their_version() {
     assert!(file.notes.iter().any(|note| note == "not in the file, set to 2: PKY4"), "{:?}", file.notes);
     assert!(!file.notes.iter().any(|note| note.contains("LMUV") || note.contains("LGAX")), "{:?}", file.notes);
     assert_eq!([get(&small("PKY6 = -1"), "tyre.pky6"), get(&small("PKY6 = -1"), "tyre.version")], [0.0, 1.0]);
+}
+
+/// The spring of a tyre in both versions, in the units of the file and with the names of several programs.
+#[test]
+fn coefficients_of_the_spring_are_read_in_all_versions() {
+    let spring = "QRE0 = 0.99\nQV1 = 1E-3\nQV2 = 0.05\nQ_FZ3 = -2\nDREFF = 0.3\nQ_FYS1 = 2\nQ_CAM2 = 0.1\n\
+                  RIM_RADIUS = 127\nBOTTOM_OFFST = 8\nBOTTOM_STIFF = 2\nWIDTH = 200\nASPECT_RATIO = 0.5\n";
+    let small = format!("{}VERTICAL_STIFFNESS = 0.1\nQ_FZ2 = 3\n", small(spring));
+    let millimetres = small.replace("'meter'", "mm").replace("'newton'", "kN").replace("0.24", "240");
+    let millimetres = millimetres.replace("FNOMIN = 800", "FNOMIN = 0.8");
+    for text in [millimetres.clone(), millimetres.replace("PROPERTY_FILE_FORMAT = 'PAC2002'", "FITTYP = 62")] {
+        let expected: [(&str, f64); 13] = [
+            ("q_re0", 0.99),
+            ("q_v1", 1e-3),
+            ("q_v2", 0.05),
+            ("q_cam", -2.0),
+            ("dreff", 0.3),
+            ("q_fys1", 2000.0),
+            ("q_cam2", 100.0),
+            ("rim_radius", 0.127),
+            ("bottom_offst", 0.008),
+            ("bottom_stiff", 2e6),
+            ("width", 0.2),
+            ("aspect_ratio", 0.5),
+            ("q_fz2", 3.0),
+        ];
+        for (name, value) in expected {
+            assert!(abs_diff_eq!(get(&text, &format!("tyre.{name}")), value, epsilon = 1e-12 * value.abs()), "{name}");
+        }
+        let file = parse("x.tir", &text).unwrap();
+        assert!(file.unused.is_empty() && file.ignored.is_empty(), "{:?} {:?}", file.unused, file.ignored);
+    }
+    // The largest one is (C_z R_0 / F_z0)^2 / 4 = 225.
+    let refused = refusal(&millimetres.replace("Q_FZ2 = 3", "Q_FZ2 = 226"));
+    assert!(refused.starts_with("x.tir: tyre.q_fz2 = 226: must be at most "), "{refused}");
+}
+
+#[test]
+fn a_progressive_spring_needs_its_stiffness() {
+    let file = parse("x.tir", &six("Q_FZ2 = 400")).unwrap();
+    assert_eq!(file.set.get("tyre.q_fz2"), Some(0.0));
+    assert!(file.notes.contains(&"Q_FZ2: not used without VERTICAL_STIFFNESS".into()), "{:?}", file.notes);
+    let absent = |text: &str| parse("x.tir", text).unwrap().notes.iter().any(|note| note.contains("DREFF"));
+    assert!(absent(&six("")) && !absent(&six("DREFF = 0.2")) && !absent(&small("")));
 }

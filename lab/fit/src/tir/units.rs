@@ -85,10 +85,11 @@ impl Units {
     pub fn factor(&self, key: &str) -> f64 {
         match key {
             _ if keys::is_pressure(key) => self.pressure,
-            "FNOMIN" => self.force,
-            "UNLOADED_RADIUS" => self.length,
+            "FNOMIN" | "Q_FYS1" | "Q_FYS2" | "Q_FYS3" => self.force,
+            "UNLOADED_RADIUS" | "RIM_RADIUS" | "WIDTH" | "BOTTOM_OFFST" => self.length,
+            "Q_CAM2" => 1.0 / self.length,
             "LONGVL" => self.length / self.time,
-            "VERTICAL_STIFFNESS" => self.force / self.length,
+            "VERTICAL_STIFFNESS" | "BOTTOM_STIFF" => self.force / self.length,
             "VERTICAL_DAMPING" => self.force * self.time / self.length,
             _ => 1.0,
         }

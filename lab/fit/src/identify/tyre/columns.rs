@@ -161,11 +161,17 @@ fn check_angle(sheet: &Sheet, name: &str, angles: &[f64]) -> Result<(), TyreTest
 /// Least change of a slip that was measured, and largest one that may be meant where it is constant (chosen).
 const MEASURED: f64 = 0.005;
 
-/// Longitudinal slip, and a note if it is a constant that stands for no measurement, as machines write it in cornering.
-fn measured_slip(name: &str, slip: Vec<f64>) -> (Vec<f64>, Option<String>) {
+/// Mean of a slip, and whether it changes.
+fn sweep(slip: &[f64]) -> (f64, bool) {
     let mean = slip.iter().sum::<f64>() / slip.len().max(1) as f64;
     let square = slip.iter().map(|one| (one - mean).powi(2)).sum::<f64>() / slip.len().max(1) as f64;
-    if mean.abs() <= MEASURED || square.sqrt() >= MEASURED {
+    (mean, square.sqrt() >= MEASURED)
+}
+
+/// Longitudinal slip, and a note if it is a constant that stands for no measurement, as machines write it in cornering.
+fn measured_slip(name: &str, slip: Vec<f64>) -> (Vec<f64>, Option<String>) {
+    let (mean, is_swept) = sweep(&slip);
+    if mean.abs() <= MEASURED || is_swept {
         return (slip, None);
     }
     let note = format!("{name} is {} throughout and is ignored as not measured: free rolling is assumed", digits(mean));
@@ -192,9 +198,27 @@ const TIMES: &[&str] = &["time", "ET", "t"];
 /// Temperatures of the tread: in the middle, inside, outside.
 const TEMPERATURES: [&[&str]; 3] = [&["TSTC", "temperature"], &["TSTI"], &["TSTO"]];
 
-/// Longitudinal slip, if there is one.
+/// Longitudinal slip, if there is one: machines write several, of which the first one that changes is meant, or else the
+/// first one.
 fn longitudinal_slip(sheet: &Sheet, notes: &mut Vec<String>) -> Result<Option<Vec<f64>>, SheetError> {
-    let Some((name, slip)) = named(sheet, LONGITUDINAL_SLIP, &SLIP)? else { return Ok(None) };
+    let is_here = |name: &&&str| !matches!(sheet.column_named(name, &SLIP), Ok(None));
+    let names: Vec<&str> = LONGITUDINAL_SLIP.iter().filter(is_here).copied().collect();
+    let Some((mut name, mut slip)) = named(sheet, &names, &SLIP)? else { return Ok(None) };
+    if let [first, others @ ..] = names.as_slice()
+        && !others.is_empty()
+    {
+        let mut swept = None;
+        if !sweep(&slip).1 {
+            let read = others.iter().filter_map(|other| Some((*other, sheet.column_named(other, &SLIP).ok()??)));
+            swept = read.into_iter().find(|(_, slip)| sweep(slip).1);
+        }
+        if let Some((other, values)) = swept {
+            notes.push(format!("{first} is constant: {other} is read as the longitudinal slip"));
+            (name, slip) = (other, values);
+        } else {
+            notes.push(format!("{first} is read as the longitudinal slip, and {} is not", others.join(", ")));
+        }
+    }
     let (slip, note) = measured_slip(name, slip);
     notes.extend(note);
     Ok(Some(slip))

@@ -21,8 +21,8 @@ use stribeck_sheet::{Sheet, SheetError, of_file, table};
 #[serde(deny_unknown_fields, default)]
 pub struct Inquiry {
     /// The tyre property file (.tir), with coefficients of the Magic Formula 5.2, 6.1 or 6.2; or the tables of a tyre
-    /// test, one or several, with the columns FZ, SA (alpha), FY, and perhaps SR (kappa), IA (gamma), FX, MZ and P; of
-    /// braking and driving FZ, SR and FX, and perhaps the others
+    /// test, one or several, with the columns FZ, SA (alpha), FY, and perhaps SR (kappa; SL if SR is constant), IA
+    /// (gamma), FX, MZ and P; of braking and driving FZ, SR and FX, and perhaps the others
     #[serde(alias = "record", deserialize_with = "job::names")]
     pub records: Vec<PathBuf>,
     /// Name of a column in the tables of a test: SA=Schraeglaufwinkel

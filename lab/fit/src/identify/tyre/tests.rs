@@ -279,6 +279,32 @@ fn asked(folder: &std::path::Path, files: &[(&str, &str)]) -> Inquiry {
     Inquiry { records: files.iter().map(path).collect(), axes, radius, nominal_load, ..Inquiry::default() }
 }
 
+/// Machines write a slip by the loaded and one by the effective radius, and sometimes only one of them is measured.
+#[test]
+fn of_two_slips_the_first_one_that_changes_is_read() {
+    let ([_, braking], folder) = (cornering_and_braking(), tempfile::tempdir().unwrap());
+    let slips = |text: &str| {
+        let test = asked(folder.path(), &[("along.csv", text)]).test().unwrap();
+        (test.samples.iter().map(|one| one.longitudinal_slip).collect::<Vec<f64>>(), test.notes)
+    };
+    let with = |own: &str, other: &str, cell: &str| {
+        let more = [other, "%"].into_iter().chain(std::iter::repeat(cell));
+        let lines = braking.lines().zip(more).map(|(line, more)| format!("{line};{more}\n").replace("SR;", own));
+        slips(&lines.collect::<String>())
+    };
+    let (alone, _) = slips(&braking);
+    for (own, other, cell, note) in [
+        ("SL;", "SR", "-100", "SR is constant: SL is read as the longitudinal slip"),
+        ("SL;", "SR", "0", "SR is constant: SL is read as the longitudinal slip"),
+        ("SR;", "SL", "-100", "SR is read as the longitudinal slip, and SL is not"),
+        ("SR;", "SL", "many", "SR is read as the longitudinal slip, and SL is not"),
+    ] {
+        let (read, notes) = with(own, other, cell);
+        assert_eq!(read, alone, "{own} {other} {cell}");
+        assert!(notes.contains(&note.to_owned()), "{notes:?}");
+    }
+}
+
 /// Without noise the coefficients are those of the truth, whatever the order of the files.
 #[test]
 fn cornering_and_braking_in_files_of_their_own_are_fitted_together() {

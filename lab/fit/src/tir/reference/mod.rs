@@ -5,6 +5,9 @@
 //! and gamma*, without turn slip and limits of the ranges, and with 0 for what guards its quotients. It has
 //! cos(tan alpha) where (4.E47) has cos alpha: `six.csv` is for a tyre without residual torque, `six_straight.csv` for
 //! one with all coefficients that does not slip sideways.
+//!
+//! The radii in `six_radii.csv` are those of TyreDyn (N. van Rossem, MIT licence; github.com/NiekvanRossem/TyreDyn,
+//! commit 7821de6), its functions for version 6.2, iterated to the end.
 
 use stribeck::host::{Contact, MagicFormula, Side, Wrench};
 use stribeck::model::{Columns, row_of_mut, start};
@@ -62,6 +65,23 @@ fn residual_torques_agree_with_another_program() {
         let contact = Contact { load, longitudinal_slip, side_slip: 0.0, camber, speed };
         let wrench = MagicFormula { inflpres, ..tyre }.wrench(&contact);
         assert_close(&[wrench.moment_z], &[moment_z], &format!("{contact:?}"));
+    }
+}
+
+/// Upright wheels are left out: there the other program divides by 0.
+#[test]
+fn five_hundred_radii_agree_with_another_program() {
+    let TyreFile { set, .. } = parse("six.tir", FILE).unwrap();
+    let (tyre, stiffness) = (tyre(FILE), set.get("front.tyre_stiffness").unwrap());
+    let rows = rows::<11>(include_str!("six_radii.csv"));
+    assert_eq!(rows.len(), 500);
+    for [load, longitudinal_slip, camber, speed, inflpres, force_x, force_y, expected @ ..] in rows {
+        let contact = Contact { load, longitudinal_slip, side_slip: 0.0, camber, speed };
+        let tyre = MagicFormula { inflpres, ..tyre };
+        let wrench = Wrench { force_x, force_y, ..tyre.wrench(&contact) };
+        let radii = tyre.checked_radii_on(Side::Left, stiffness, &contact, &wrench).unwrap();
+        let found = [radii.free, radii.loaded, radii.effective, radii.deflection];
+        assert_close(&found, &expected, &format!("{contact:?}"));
     }
 }
 
