@@ -7,6 +7,7 @@
     python -m examples.car.car limit --law LuGre                highest speed that passes the cones of ISO 3888-2
     python -m examples.car.car accuracy                         smaller steps, balance of energy, exudyn against MuJoCo
     python -m examples.car.car design --code mujoco             seat of the spring, seals and overlap
+    python -m examples.car.car pressure --pressures 80e3 100e3  inflation pressures of the tyres, side by side
     python -m examples.car.car study                            lane change and four-post with every law, side by side
 
 The car is described in stribeck_fs.toml; --car reads another file of the same form. Needs the packages
@@ -16,6 +17,7 @@ stribeck, exudyn and mujoco. --code mujoco runs the same car in MuJoCo.
 import argparse
 import math
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy
@@ -25,6 +27,7 @@ from examples.car.car_description import CAR, CORNERS, Car, CarError, read_car
 from examples.car.car_design import report_designs
 from examples.car.car_figures import draw_kinematics, draw_study
 from examples.car.car_page import write_page
+from examples.car.car_pressure import TYRE, report_pressures
 from examples.car.car_rest import imbalance, settle
 from examples.car.car_ride import EXUDYN, MUJOCO, Run, columns_with_units, simulate
 from examples.car.car_stand import COLUMNS as STAND_COLUMNS
@@ -62,16 +65,17 @@ def arguments() -> argparse.Namespace:
     drive, study = _add_drive(tasks), _add_study(tasks)
     limit = tasks.add_parser("limit", help="the highest speed that passes the cones")
     accuracy, design = _add_reports(tasks)
-    for task in (drive, limit, accuracy, design):
+    pressure = _add_pressure(tasks)
+    for task in (drive, limit, accuracy, design, pressure):
         task.add_argument("--law", default="LuGre", help="friction law of the struts (default: LuGre)")
-    for task in (study, accuracy, design):
+    for task in (study, accuracy, design, pressure):
         task.add_argument("--jobs", type=int, default=2, help="runs at a time (default: 2)")
     for task in (drive, study):
         task.add_argument("--strut", choices=CORNERS, default="fl", help="the strut in the figures (default: fl)")
-    for task in (drive, limit, design, study):
+    for task in (drive, limit, design, pressure, study):
         task.add_argument("--code", choices=(EXUDYN, MUJOCO), default=EXUDYN, help="simulator (default: exudyn)")
         task.add_argument("--step", type=positive, default=1e-3, help="step in s (default: 1e-3)")
-    for task in (drive, limit, accuracy, design, study):
+    for task in (drive, limit, accuracy, design, pressure, study):
         _add_settings(task)
     return parser.parse_args()
 
@@ -115,6 +119,18 @@ def _add_reports(tasks) -> tuple[argparse.ArgumentParser, argparse.ArgumentParse
     )
     design = tasks.add_parser("design", help="seat of the spring, seals and overlap")
     return accuracy, design
+
+
+def _add_pressure(tasks) -> argparse.ArgumentParser:
+    """Inflation pressures of the tyres."""
+    pressure = tasks.add_parser("pressure", help="inflation pressures of the tyres, side by side")
+    pressure.add_argument(
+        "--pressures", type=positive, nargs="+", default=[80e3, 100e3], metavar="PA", help="in Pa (default: 80e3 100e3)"
+    )
+    pressure.add_argument(
+        "--tyre", type=Path, default=TYRE, help="tyre of Magic Formula 6.1 or 6.2 (default: formula_student_61.tir)"
+    )
+    return pressure
 
 
 def _add_settings(task: argparse.ArgumentParser) -> None:
@@ -231,6 +247,19 @@ def show_design(car: Car, options: argparse.Namespace) -> None:
     print(report_designs(options.car, courses, options.law, changes, options.step, options.code, jobs))
 
 
+def show_pressures(car: Car, options: argparse.Namespace) -> None:
+    """Prints what inflation pressures do; a speed is that of the lane change, as the car stands on the posts."""
+    courses = courses_of(STUDIED, car, numbers(options))
+    courses["four-post"] = replace(courses["four-post"], speed=0.0)
+    changes, jobs = dict(options.set), jobs_of(options)
+    print(
+        report_pressures(
+            *(options.car, options.tyre, options.pressures, courses),
+            *(options.law, changes, options.step, options.code, jobs),
+        )
+    )
+
+
 def jobs_of(options: argparse.Namespace) -> int:
     """How many runs at a time."""
     if options.jobs < 1:
@@ -308,6 +337,8 @@ def program() -> None:
         show_accuracy(car, options)
     elif options.task == "design":
         show_design(car, options)
+    elif options.task == "pressure":
+        show_pressures(car, options)
     elif options.task == "study":
         show_study(car, options)
     else:

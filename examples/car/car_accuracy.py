@@ -3,7 +3,7 @@
 import multiprocessing
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy
@@ -54,7 +54,7 @@ ON_POSTS: list[Quantity] = [
 
 @dataclass(frozen=True)
 class Job:
-    """One run."""
+    """One run; with another tyre and pressure than those of the car if they are given."""
 
     car: Path
     course: Manoeuvre
@@ -62,6 +62,7 @@ class Job:
     changes: Mapping[str, object]
     step: float
     code: str
+    tyre: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -80,7 +81,9 @@ def quantities_of(course: Manoeuvre) -> list[Quantity]:
 
 def answer(job: Job) -> Answer:
     """Computes a run in a process of its own."""
-    run = simulate(read_car(job.car), job.course, job.law, job.changes, job.step, code=job.code)
+    car = read_car(job.car)
+    car = replace(car, tyre=replace(car.tyre, **job.tyre))
+    run = simulate(car, job.course, job.law, job.changes, job.step, code=job.code)
     works = run.works
     booked = works and (-works.friction, -works.dampers, -works.tyres, works.residual)
     return Answer({name: figure(run) for name, figure, _ in quantities_of(job.course)}, booked)

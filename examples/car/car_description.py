@@ -28,6 +28,11 @@ class CarError(CouplingError):
     """A description that makes no sense; the text names the entry, its value and the limit."""
 
 
+def is_left(corner: str) -> bool:
+    """Whether a corner is on the left."""
+    return corner[1] == "l"
+
+
 @dataclass(frozen=True)
 class Body:
     """A rigid body: mass, centre of mass in the axes of the car, principal moments of inertia about it."""
@@ -60,7 +65,7 @@ class Corner:
     @property
     def side(self) -> float:
         """1 on the left, -1 on the right."""
-        return 1.0 if self.name[1] == "l" else -1.0
+        return 1.0 if is_left(self.name) else -1.0
 
     def distance(self, first: str, second: str) -> float:
         """Distance of two points in the design position."""
@@ -91,12 +96,13 @@ class Corner:
 
 @dataclass(frozen=True)
 class Tyre:
-    """What the file of the tyre does not say."""
+    """What the file of the tyre does not say. The inflation pressure, in Pa, is that of the file unless it is given."""
 
     file: Path
     relaxation_length: float
     patch_stiffness: float
     patch_damping: float
+    pressure: float | None = None
 
 
 @dataclass(frozen=True)
@@ -141,7 +147,8 @@ def read_car(path: Path = CAR) -> Car:
 def _tyre(table: "_Table", folder: Path) -> Tyre:
     file = folder / str(table.take("file"))
     numbers = ("relaxation_length", "patch_stiffness", "patch_damping")
-    return Tyre(file=file, **{name: table.positive(name) for name in numbers})
+    pressure = table.positive("pressure") if "pressure" in table.entries else None
+    return Tyre(file=file, pressure=pressure, **{name: table.positive(name) for name in numbers})
 
 
 def car_of(entries: Mapping[str, object], folder: Path = CAR.parent) -> Car:

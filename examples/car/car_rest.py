@@ -4,11 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy
-from stribeck import Tyre
 
-from examples.car.car_description import CORNERS, Car, CarError
+from examples.car.car_description import CORNERS, Car, CarError, is_left
 from examples.car.car_struts import RestingStrut
-from examples.car.car_tyres import UP, Contact, touch
+from examples.car.car_tyres import UP, CarTyre, Contact, touch
 from examples.car.exudyn_car import ExudynCar
 from examples.car.mujoco_car import MujocoCar
 
@@ -29,7 +28,7 @@ class Rest:
     forces: dict[str, float]
 
 
-def settle(model: ExudynCar, tyre: Tyre, parameters: Mapping[str, Mapping[str, object]]) -> Rest:
+def settle(model: ExudynCar, tyre: CarTyre, parameters: Mapping[str, Mapping[str, object]]) -> Rest:
     """Finds the balance: forces of struts and tyres are replaced by their tangents until nothing changes."""
     struts = {name: RestingStrut(parameters[name]) for name in CORNERS}
     seen: dict[str, Contact] = {}
@@ -39,11 +38,11 @@ def settle(model: ExudynCar, tyre: Tyre, parameters: Mapping[str, Mapping[str, o
             length, _ = model.look(name)
             model.set_strut(name, *struts[name].at(length), length)
             carrier = model.carrier(name)
-            contact = touch(tyre, carrier, 0.0, 0.0)
-            slope = tyre.stiffness / numpy.cross(contact.ahead, carrier.axis)[2]
+            contact = touch(tyre, carrier, 0.0, 0.0, is_left(name))
+            slope = tyre.slope(contact, is_left(name)) / numpy.cross(contact.ahead, carrier.axis)[2]
             model.stand(name, carrier, contact, slope, HOLDING, PARKING)
         model.settle("the springs do not carry the car")
-        seen = {name: touch(tyre, model.carrier(name), 0.0, 0.0) for name in CORNERS}
+        seen = {name: touch(tyre, model.carrier(name), 0.0, 0.0, is_left(name)) for name in CORNERS}
         if before and max(abs(seen[name].load - before[name]) for name in CORNERS) < CHANGE:
             return _rest(model, struts, seen)
     raise CarError("the car finds no rest on its springs within 20 iterations")
@@ -53,7 +52,7 @@ def settle(model: ExudynCar, tyre: Tyre, parameters: Mapping[str, Mapping[str, o
 CALMING, CALM = 4000.0, 2.0
 
 
-def relax(model: MujocoCar, tyre: Tyre, parameters: Mapping[str, Mapping[str, object]], step: float) -> Rest:
+def relax(model: MujocoCar, tyre: CarTyre, parameters: Mapping[str, Mapping[str, object]], step: float) -> Rest:
     """Lets the car come to rest on parked wheels, without friction and with much damping."""
     struts = {name: RestingStrut(parameters[name]) for name in CORNERS}
     lengths, loads = {}, {}
@@ -62,7 +61,7 @@ def relax(model: MujocoCar, tyre: Tyre, parameters: Mapping[str, Mapping[str, ob
         for name in CORNERS:
             lengths[name], velocity = model.look(name)
             model.set_strut(name, struts[name].at(lengths[name])[0] - CALMING * velocity)
-            contact = touch(tyre, model.carrier(name), 0.0, 0.0)
+            contact = touch(tyre, model.carrier(name), 0.0, 0.0, is_left(name))
             loads[name] = contact.load
             up = contact.load * UP
             model.push(name, up, numpy.cross(contact.arm, up))

@@ -14,11 +14,11 @@ from pathlib import Path
 import exudyn
 import numpy
 
-from examples.car.car_description import CORNERS, Car, CarError
+from examples.car.car_description import CORNERS, Car, CarError, is_left
 from examples.car.car_energy import Acting, Ledger, Works
 from examples.car.car_rest import Rest, relax, settle
 from examples.car.car_struts import READINGS, open_struts, parameters_of
-from examples.car.car_tyres import ROLLING_DEFLECTION, Carrier, RollingTyre, StandingTyre, read_tyre, touch
+from examples.car.car_tyres import Carrier, RollingTyre, StandingTyre, read_tyre, touch
 from examples.car.exudyn_car import ExudynCar, steps_of
 from examples.car.manoeuvres import Manoeuvre, Pose
 from examples.car.mujoco_car import MujocoCar
@@ -145,7 +145,7 @@ class Ride:
 
     def _tyre(self, name: str) -> RollingTyre | StandingTyre:
         if self.is_moving:
-            return RollingTyre(self.tyre, self.car, name[1] == "l")
+            return RollingTyre(self.tyre, self.car, is_left(name))
         return StandingTyre(self.tyre, self.car, self.car.corners[name].bodies["wheel"].mass)
 
     def start(self, parameters: Mapping[str, Mapping[str, object]]) -> Rest:
@@ -155,9 +155,10 @@ class Ride:
         else:
             rest = relax(self.model, self.tyre, parameters, self.step)
         if self.is_moving:
-            deflections = {name: rest.loads[name] / self.tyre.stiffness for name in CORNERS}
-            radii = {name: self.tyre.radius - ROLLING_DEFLECTION * value for name, value in deflections.items()}
-            self.model.set_in_motion(self.manoeuvre.speed, radii)
+            speed, loads = self.manoeuvre.speed, rest.loads
+            deflections = {name: load / self.tyre.stiffness for name, load in loads.items()}
+            radii = {name: self.tyre.rolling_radius(loads[name], deflections[name], speed) for name in CORNERS}
+            self.model.set_in_motion(speed, radii)
         else:
             for name in CORNERS:
                 self.model.park(name, PARKED)
@@ -172,7 +173,7 @@ class Ride:
         the brake, whose reaction acts on the upright; returns the tyre's forces, the height of the road, the push of
         the tyre and the torques."""
         height, rise = self.manoeuvre.road(name, at, carrier.centre[0])
-        contact = touch(self.tyre, carrier, height, rise)
+        contact = touch(self.tyre, carrier, height, rise, is_left(name), self.tyres[name].forces[:2])
         push = self.tyres[name].push(contact, carrier, step)
         share = self.car.front_brakes if name[0] == "f" else 1.0 - self.car.front_brakes
         drive = (0.5 * self.torque if name[0] == "r" else 0.0) * carrier.axis

@@ -36,7 +36,7 @@ from stribeck.systems import (
     solvers,
     systems,
 )
-from stribeck.tyres import Tyre, TyreWrench
+from stribeck.tyres import Tyre, TyreRadii, TyreWrench
 
 __all__ = [
     "Check",
@@ -58,6 +58,7 @@ __all__ = [
     "Solution",
     "Table",
     "Tyre",
+    "TyreRadii",
     "TyreWrench",
     "Variable",
     "__version__",

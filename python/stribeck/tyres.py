@@ -1,4 +1,4 @@
-"""Forces and moments of rolling tyres."""
+"""Forces, moments and radii of rolling tyres."""
 
 from __future__ import annotations
 
@@ -17,6 +17,17 @@ class TyreWrench(NamedTuple):
     moment_x: float
     moment_y: float
     moment_z: float
+
+
+class TyreRadii(NamedTuple):
+    """Radii in m of a tyre under load: of the rolling tyre without load, of the centre of the wheel above the road in
+    the plane of the wheel, and the effective rolling radius, or None if the file has neither DREFF nor FREFF; and the
+    vertical deflection in m, without camber the difference of the first two."""
+
+    free_radius: float
+    loaded_radius: float
+    effective_radius: float | None
+    deflection: float
 
 
 class Tyre:
@@ -54,3 +65,33 @@ class Tyre:
         leans to the right. The inflation pressure, in Pa, is that of the file unless it is given. A right tyre is the
         mirror image of a left one."""
         return TyreWrench(*self._tyre.wrench(left, (load, longitudinal_slip, side_slip, camber, speed), pressure))
+
+    def radii(
+        self,
+        load: float,
+        *,
+        longitudinal_slip: float = 0.0,
+        side_slip: float = 0.0,
+        camber: float = 0.0,
+        speed: float = 0.0,
+        pressure: float | None = None,
+        left: bool = True,
+    ) -> TyreRadii:
+        """Radii under a load in N, in the state of `wrench` and with its forces, after Magic Formula 6.1 and 6.2.
+        Raises `stribeck.Refused` for a load that no deflection carries, and if the file gives no vertical stiffness."""
+        return TyreRadii(*self._tyre.radii(left, (load, longitudinal_slip, side_slip, camber, speed), pressure))
+
+    def load(
+        self,
+        loaded_radius: float,
+        *,
+        force_x: float = 0.0,
+        force_y: float = 0.0,
+        camber: float = 0.0,
+        spin: float = 0.0,
+        pressure: float | None = None,
+        left: bool = True,
+    ) -> float:
+        """Load in N for a loaded radius in m: the inverse of `radii`, with the forces of the road in N and the spin of
+        the wheel in rad/s. It is 0 where the tyre does not touch the road."""
+        return self._tyre.load(left, (loaded_radius, force_x, force_y, camber, spin), pressure)

@@ -3,6 +3,8 @@
 import copy
 import math
 import tomllib
+from dataclasses import replace
+from pathlib import Path
 
 import exudyn
 import numpy
@@ -15,7 +17,7 @@ from magic_formula import LateralTyre
 from test_programs import is_drawn
 
 from examples.car import car_ride
-from examples.car.car_description import CAR, CORNERS, CarError, car_of, read_car
+from examples.car.car_description import CAR, CORNERS, Car, CarError, car_of, read_car
 from examples.car.car_design import DESIGNS
 from examples.car.car_rest import settle
 from examples.car.car_stand import SPRING, Stand
@@ -433,6 +435,101 @@ def test_tyre_of_the_package_gives_the_published_points():
         stribeck.Tyre("nowhere.tir")
 
 
+SIX = PROJECT / "examples" / "tyres" / "formula_student_61.tir"
+
+
+def test_a_tyre_tells_its_radii_at_any_pressure():
+    """F = F_0 (1 + 0.7 dp) (1 - (0.1 F_y / F_0)^2) (q r + 15 r^2) with q^2 = (C R / F_0)^2 - 60, solved for r."""
+    tyre = stribeck.Tyre(SIX)
+    assert tyre.unused == tyre.ignored == []
+    assert tyre.pressure == 90e3
+    for pressure in (None, 80e3, 100e3):
+        rise = 1.0 + 0.7 * ((pressure or 90e3) / 90e3 - 1.0)
+        for load, side_slip in ((200.0, 0.0), (700.0, 0.05), (1500.0, -0.1)):
+            force_y = tyre.wrench(load, side_slip=side_slip, pressure=pressure).force_y
+            softened = 1.0 - (0.1 * force_y / 700.0) ** 2
+            linear = math.sqrt((87563.5 * 0.2 / 700.0) ** 2 - 60.0)
+            root = (math.sqrt(linear**2 + 60.0 * load / (700.0 * rise * softened)) - linear) / 30.0
+            radii = tyre.radii(load, side_slip=side_slip, pressure=pressure)
+            assert radii.deflection == pytest.approx(0.2 * root, rel=1e-12)
+            assert radii.loaded_radius == pytest.approx(0.2 * (1.0 - root), rel=1e-12)
+            ratio = load / 700.0
+            fall = 700.0 / (87563.5 * rise) * (0.25 * math.atan(8.0 * ratio) + 0.07 * ratio)
+            assert (radii.free_radius, radii.effective_radius) == (0.2, pytest.approx(0.2 - fall, rel=1e-12))
+            state = {"force_y": force_y, "pressure": pressure}
+            assert tyre.load(radii.loaded_radius, **state) == pytest.approx(load, rel=1e-12)
+    rolling = tyre.radii(700.0, speed=20.0)
+    growth = 5e-4 * (20.0 / rolling.effective_radius * 0.2 / 16.7) ** 2
+    assert rolling.free_radius == pytest.approx(0.2 * (1.0 + growth), rel=1e-12)
+    assert tyre.load(0.21) == 0.0
+    assert tyre.radii(0.0).deflection == 0.0
+
+
+def test_radii_that_a_tyre_cannot_have_are_refused(tmp_path):
+    tyre = stribeck.Tyre(SIX)
+    with pytest.raises(stribeck.Refused, match=r"load = 200000: no deflection carries it: .* from 0\.0 to 137000\.0 N"):
+        tyre.radii(2e5)
+    with pytest.raises(stribeck.Refused, match="camber = NaN: must be finite"):
+        tyre.radii(700.0, camber=math.nan)
+    with pytest.raises(stribeck.Refused, match="spin = inf: must be finite"):
+        tyre.load(0.19, spin=math.inf)
+    with pytest.raises(stribeck.Refused, match="pressure = -1: must be > 0"):
+        tyre.load(0.19, pressure=-1.0)
+    file = tmp_path / "soft.tir"
+    text = SIX.read_text(encoding="utf-8")
+    file.write_text("".join(line for line in text.splitlines(True) if "VERTICAL_STIFFNESS" not in line))
+    soft = stribeck.Tyre(file)
+    assert soft.stiffness is None
+    for ask in (lambda: soft.radii(700.0), lambda: soft.load(0.19)):
+        with pytest.raises(stribeck.Refused, match="gives no VERTICAL_STIFFNESS"):
+            ask()
+    # Version 5.2, linear: no coefficient tells its rolling radius.
+    radii = stribeck.Tyre(DESCRIPTION.tyre.file).radii(700.0)
+    assert radii.effective_radius is None
+    assert (radii.free_radius, radii.loaded_radius) == (0.2, pytest.approx(0.2 - 700.0 / 87563.5, rel=1e-12))
+
+
+def at_pressure(pressure: float | None, file: Path = SIX) -> Car:
+    """The car on other tyres."""
+    return replace(DESCRIPTION, tyre=replace(DESCRIPTION.tyre, file=file, pressure=pressure))
+
+
+def test_both_tyres_of_the_examples_have_the_same_forces_at_the_nominal_pressure():
+    """But for the tangent of the side slip in place of the angle, and the sine of the camber."""
+    five, six = stribeck.Tyre(DESCRIPTION.tyre.file), stribeck.Tyre(SIX)
+    for load in (300.0, 700.0, 1400.0):
+        for side_slip in (-0.05, 0.0, 0.02):
+            state = {"longitudinal_slip": 0.01, "side_slip": side_slip, "camber": -0.02, "speed": 20.0}
+            assert six.wrench(load, **state) == pytest.approx(five.wrench(load, **state), rel=0.01, abs=1.0)
+
+
+def test_the_car_sinks_on_softer_tyres():
+    """At rest the wheels carry the weight; the tyres are as deep as radii without forces say."""
+    heights = {}
+    for pressure in (80e3, 100e3):
+        car = at_pressure(pressure)
+        tyre, model = read_tyre(car), ExudynCar(car)
+        rest = settle(model, tyre, parameters_of(car, "None", {}))
+        assert sum(rest.loads.values()) == pytest.approx(car.mass * car.gravity, rel=1e-9)
+        for name in CORNERS:
+            camber = math.asin(model.carrier(name).axis[2])
+            radii = tyre.formula.radii(rest.loads[name], pressure=pressure)
+            assert model.carrier(name).centre[2] == pytest.approx(radii.loaded_radius * math.cos(camber), abs=1e-9)
+        heights[pressure] = model.pose()[2]
+    assert 0.5e-3 < heights[100e3] - heights[80e3] < 3e-3
+
+
+def test_tyres_without_pressure_or_stiffness_are_refused_by_the_car(tmp_path):
+    with pytest.raises(CarError, match="Magic Formula 5.2, which has none"):
+        read_tyre(at_pressure(80e3, DESCRIPTION.tyre.file))
+    file = tmp_path / "soft.tir"
+    file.write_text(SIX.read_text(encoding="utf-8").replace("VERTICAL_DAMPING", "VERTICAL_DAMPER"))
+    with pytest.raises(CarError, match="its file gives no VERTICAL_DAMPING"):
+        read_tyre(at_pressure(80e3, file))
+    with pytest.raises(CarError, match="tyre.pressure = -1: must be positive"):
+        car_of(changed("tyre/pressure", -1.0))
+
+
 def changed(path: str, value: object) -> dict:
     """The description with one entry changed, or removed with None."""
     table = top = entries()
@@ -518,6 +615,10 @@ def test_nonsense_in_struts_and_manoeuvres_is_named():
         (["kinematics", "--points", "3", "--corner", "fr", "--rack", "-0.02", "0.02"], "motion ratio"),
         (["drive", "--law", "Dahl", "--with", "duration=0.1", "--step", "2e-3"], "largest roll"),
         (["accuracy", "--test", "four-post", "--with", "duration=0.1", "--steps", "2e-3", "1e-3"], "codes differ"),
+        (
+            ["pressure", "--pressures", "8e4", "9e4", "1e5", "--with", "duration=0.1", "--with", "speed=16"],
+            "90 kPa",
+        ),
         (
             ["study", "--laws", "Dahl,Karnopp", "--test", "four-post", "--with", "duration=0.2", "--strut", "rr"],
             "Karnopp",
