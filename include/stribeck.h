@@ -1991,7 +1991,7 @@ typedef enum stribeck_lugre_variable {
 } stribeck_lugre_variable;
 
 /** Guid of FrictionalLag for fmi2Instantiate. */
-#define STRIBECK_FRICTIONAL_LAG_GUID "{ebbe0a4c-aecb-84a6-d133-567793ad148d}"
+#define STRIBECK_FRICTIONAL_LAG_GUID "{920d25db-c641-75de-0fcb-c6fbf188de4f}"
 
 /** Preset of FrictionalLag: Example of a lubricated guide: lag and Stribeck velocity in the middle of the reported ranges. */
 #define STRIBECK_FRICTIONAL_LAG_PRESET_LUBRICATED_GUIDE "lubricated_guide"
@@ -2005,6 +2005,8 @@ typedef enum stribeck_frictional_lag_variable {
   STRIBECK_FRICTIONAL_LAG_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_FRICTIONAL_LAG_NORMAL_FORCE = 5891938,
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_FRICTIONAL_LAG_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
@@ -2409,6 +2411,8 @@ typedef enum stribeck_frictional_lag_variable {
   STRIBECK_FRICTIONAL_LAG_HISTORY_64_BEGIN = 206940798,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
   STRIBECK_FRICTIONAL_LAG_HISTORY_64_END = 910333354,
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
+  STRIBECK_FRICTIONAL_LAG_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_FRICTIONAL_LAG_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -2420,7 +2424,7 @@ typedef enum stribeck_frictional_lag_variable {
 } stribeck_frictional_lag_variable;
 
 /** Guid of Armstrong for fmi2Instantiate. */
-#define STRIBECK_ARMSTRONG_GUID "{ea672f5d-c0f7-68db-9ad2-d2faba962336}"
+#define STRIBECK_ARMSTRONG_GUID "{a29e2957-ad40-4d5f-46a2-c9bcfb8fd23c}"
 
 /** Preset of Armstrong: Example of a contact that has rested so long that its static friction has fully risen. */
 #define STRIBECK_ARMSTRONG_PRESET_LONG_REST "long_rest"
@@ -2844,6 +2848,8 @@ typedef enum stribeck_armstrong_variable {
   STRIBECK_ARMSTRONG_HISTORY_64_BEGIN = 206940798,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
   STRIBECK_ARMSTRONG_HISTORY_64_END = 910333354,
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
+  STRIBECK_ARMSTRONG_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_ARMSTRONG_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -4900,7 +4906,7 @@ typedef enum stribeck_directional_stribeck_variable {
 } stribeck_directional_stribeck_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{8f62554a-9b39-b4fd-1f09-d62c9338f893}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{8fd63df7-e430-2cb1-017a-438064337788}"
 
 /** Preset of ShockAbsorber: Formula Student, front axle: the start values. */
 #define STRIBECK_SHOCK_ABSORBER_PRESET_FRONT "front"
@@ -5605,7 +5611,7 @@ typedef enum stribeck_telescopic_joint_variable {
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
-#define STRIBECK_GUIDE_CONTACT_GUID "{67cda36f-22e5-81d0-c423-a0f207aac7a7}"
+#define STRIBECK_GUIDE_CONTACT_GUID "{07832e0b-f58b-b54a-6cf6-effa8476aecc}"
 
 /** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Variables of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {

@@ -11,7 +11,7 @@
 //! change over one step. A jump becomes a ramp of that duration.
 
 use crate::contact::motion::Motion;
-use crate::model::real;
+use crate::model::{Fault, Meaning, real};
 
 /// Number of pieces (chosen).
 const PIECES: usize = 64;
@@ -25,11 +25,11 @@ crate::part! {
     /// A piece of the past in which the velocity moved linearly.
     Piece {
         /// Duration of this piece of the past; 0 = not used.
-        duration: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms"),
+        duration: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").means(Meaning::History),
         /// Velocity at the beginning of this piece of the past.
-        begin: state = real("m/s", 0.0).shown_in("mm/s").odd(),
+        begin: state = real("m/s", 0.0).shown_in("mm/s").odd().means(Meaning::History),
         /// Velocity at the end of this piece of the past.
-        end: state = real("m/s", 0.0).shown_in("mm/s").odd(),
+        end: state = real("m/s", 0.0).shown_in("mm/s").odd().means(Meaning::History),
     }
 }
 
@@ -86,6 +86,15 @@ impl DelayLine {
     /// Whether nothing has been added yet.
     pub(crate) fn is_empty(&self) -> bool {
         self.history[0].duration == 0.0
+    }
+
+    /// Refuses a past that steps have left: a solver with rates begins with none.
+    pub(crate) fn check_model_exchange(&self) -> Result<(), Fault> {
+        if self.is_empty() {
+            return Ok(());
+        }
+        let text = "for solvers that integrate rates, because they keep the past themselves";
+        Err(Fault::new(format_args!("history[1].duration = {}: must be 0 {text}", self.history[0].duration)))
     }
 
     /// Adds the latest motion. The past older than `delay` is forgotten.

@@ -78,7 +78,7 @@ quantities! {
     /// Elastic deflection of the bristles, component y.
     BRISTLE_DEFLECTION_Y = real("m", 0.0).nominal(1e-5).shown_in("um").odd();
     /// Velocity that determines the friction level: delayed by the time lag, or filtered.
-    LAGGED_VELOCITY = real("m/s", 0.0).nominal(1e-3).shown_in("mm/s").odd();
+    LAGGED_VELOCITY = real("m/s", 0.0).nominal(1e-3).shown_in("mm/s").odd().means(Meaning::Lagged);
     /// Has the contact broken away?
     SLIPPING = boolean(false);
     /// Is the contact stuck since the last step? Only with mass > 0; in Model Exchange see phase.

@@ -1,9 +1,11 @@
 use crate::contact::delay_line::{DelayLine, Piece};
 use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
+use crate::contact::time_stepping::{MOVED, NO_EVENT, PASSED, Phase, PhaseColumn, REACHED};
+use crate::contact::unloading;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, real};
-use crate::number::{Mask, Real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, Past, Preset, WithPast, real};
+use crate::number::{Mask, Real, choose};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::root::first_rise;
 
@@ -48,6 +50,7 @@ crate::model! {
     /// |         | `history[i].duration`  | s     | pieces of the history of $w$, the latest first          |
     /// |         | `history[i].begin`     | m/s   | velocity of slip at the beginning of a piece            |
     /// |         | `history[i].end`       | m/s   | velocity of slip at the end of a piece                  |
+    /// |         | `phase`                |       | motion as found by the last event                       |
     /// | f_f     | `friction_force`       | N     | friction force                                          |
     ///
     /// # Sign
@@ -64,6 +67,11 @@ crate::model! {
     /// about $tau_L / 63$ they are thinned: the error of $w$ is then at most $(tau_L / 31)^2 / 8$ times the second
     /// derivative of $v$, plus the change of $v$ over one step. The dissipated energy is a closed form where the inputs
     /// and $w$ are constant, and otherwise a quadrature with a relative error below 1e-10.
+    ///
+    /// A solver that keeps the past, as the workbench does, integrates the law by its rates: $w$ comes from the motion
+    /// that it has found, no step is longer than $tau_L$, and the law changes at events. While the contact slips, only
+    /// the sign of $z$ has a meaning then; a displacement that a falling load cuts follows within 0.1 ms, its force at
+    /// once. Model Exchange is not offered, because no importer gives the past.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
@@ -128,6 +136,8 @@ crate::model! {
         lagged_velocity: state = LAGGED_VELOCITY,
         /// History of the velocity of slip.
         delay_line: (DelayLine),
+        /// Motion of the contact as found by the last event of Model Exchange.
+        phase: state = Phase::Free.start(),
         dissipated_energy: state_output = DISSIPATED_ENERGY,
         friction_force: output = FRICTION_FORCE,
         dissipated_power: output = DISSIPATED_POWER,
@@ -137,6 +147,9 @@ crate::model! {
 
 /// Multiple of v_S up to which the kink of w through 0 and the steepest parts of the Stribeck curve are searched for.
 const BAND: f64 = 1.0;
+
+/// Time constant of a deflection that a falling load pushes back, in s (chosen).
+const PUSHED: f64 = 1e-4;
 
 impl<T: Real> Armstrong<T> {
     /// F_Sinf per normal force.
@@ -200,21 +213,42 @@ impl<T: Real> Armstrong<T> {
         self.lags().choose(|| self.lagged_velocity, || T::zero())
     }
 
+    /// Motion of the contact as found by the last event.
+    fn phase(&self) -> PhaseColumn<T> {
+        PhaseColumn(self.phase)
+    }
+
+    /// Whether the contact carries a load; an event that finds none releases it.
+    fn is_loaded(&self) -> T::Mask {
+        !self.normal_force.at_most(T::from(unloading::RELEASED))
+    }
+
+    /// Rate of the deflection of a stuck contact.
+    fn deflection_rate(&self) -> T {
+        let excess = self.bristle_deflection - self.held_deflection(self.normal_force);
+        let is_outward = (self.velocity * excess).is_positive();
+        self.velocity - choose!(is_outward, T::zero(), excess / T::from(PUSHED))
+    }
+
     fn force(&self) -> T {
         let (load, direction) = (self.normal_force, self.velocity.sign());
         let arriving = || self.sliding_level(load, self.followed_at_rest()) * self.bristle_deflection.sign();
+        let slips_on = self.phase().slides();
         let slipping = || {
             let w = self.lags().choose(|| self.lagged_velocity, || self.velocity);
+            // Between events a contact slips in one direction, also in trial steps of a solver beyond the stop.
+            let direction = choose!(slips_on, self.phase().direction(), direction);
             self.sliding_level(load, w) * direction + self.viscous_coefficient * self.velocity
         };
         let stuck = || self.sigma_0 * self.held_deflection(load);
         let moving = || self.is_slipping().choose(slipping, stuck);
-        load.vanishes().choose(|| T::zero(), || self.arrives(direction).choose(arriving, moving))
+        let is_arriving = !slips_on & self.arrives(direction);
+        load.vanishes().choose(|| T::zero(), || is_arriving.choose(arriving, moving))
     }
 }
 
 impl<T: Real> Law for Armstrong<T> {
-    type Interface = CoSimulation;
+    type Interface = WithPast;
 
     fn output(&mut self) {
         self.friction_force = self.force();
@@ -224,7 +258,39 @@ impl<T: Real> Law for Armstrong<T> {
     }
 }
 
+impl<T: Real> Derivatives for Armstrong<T> {
+    fn derivatives(&self, rate: &mut Self) {
+        let is_stuck = !self.is_slipping() & self.is_loaded();
+        rate.bristle_deflection = is_stuck.choose(|| self.deflection_rate(), || T::zero());
+        rate.dwell_time = T::truth(is_stuck);
+        rate.dissipated_energy = self.force() * self.velocity;
+    }
+}
+
 impl Armstrong {
+    /// |z| in parts of the largest that the level can carry.
+    fn stretch(&self) -> f64 {
+        let level = self.holding_level(self.normal_force, self.dwell_time);
+        if level > 0.0 { self.sigma_0 * self.bristle_deflection.abs() / level } else { f64::INFINITY }
+    }
+
+    /// Speed in the direction of the deflection, if there is one, in parts of the least one that counts.
+    fn outward_speed(&self) -> f64 {
+        let side = self.bristle_deflection.sign();
+        (if side == 0.0 { self.velocity.abs() } else { self.velocity * side }) / MOVED
+    }
+
+    /// Whether a stuck contact breaks away at an event. The limits lie between those of the indicator.
+    fn breaks(&self) -> bool {
+        self.stretch() >= 1.0 + 0.5 * REACHED && self.outward_speed() > 0.5 * PASSED
+    }
+
+    /// Direction in which the contact slips, if an event or, without one, a step has left it slipping.
+    fn slip_direction(&self) -> Option<f64> {
+        let direction = Phase::of(self.phase).direction().unwrap_or(self.bristle_deflection.sign());
+        self.is_slipping().then_some(direction)
+    }
+
     /// Advances over inputs that move linearly.
     fn advance(&mut self, motion: Motion) {
         for part in motion.parts() {
@@ -401,12 +467,49 @@ impl Model for Armstrong {
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
+    fn check_model_exchange(&self) -> Result<(), Fault> {
+        self.delay_line.check_model_exchange()
+    }
+
+    const EVENT_INDICATORS: usize = 3;
+
+    fn is_linear(&self) -> bool {
+        self.phase().is(Phase::Held)
+    }
+
+    fn event_indicators(&self, indicators: &mut [f64]) {
+        let reserve = 1.0 + REACHED - self.stretch();
+        let [change, reserve] = match Phase::of(self.phase).direction() {
+            // A swing that only just reaches the level shows in the reserve, which is smooth where it turns.
+            None => [reserve.max(PASSED - self.outward_speed()), reserve.max(-1.0)],
+            Some(direction) => [direction * self.velocity / MOVED + PASSED, NO_EVENT],
+        };
+        indicators.copy_from_slice(&[change, reserve, unloading::load(self.normal_force)]);
+    }
+
+    fn at_event(&mut self) {
+        match self.slip_direction() {
+            _ if unloading::is_unloaded(self.normal_force) => self.release(),
+            Some(direction) if direction * self.velocity <= 0.0 => self.stop(self.normal_force),
+            None if self.breaks() => self.break_away(self.velocity.sign(), self.normal_force),
+            _ => {}
+        }
+        self.phase = self.slip_direction().map_or(Phase::Held, Phase::sliding).number();
+    }
+
+    fn past(&self) -> Option<Past> {
+        let now = if self.is_slipping() { self.velocity } else { 0.0 };
+        Some(Past { lag: self.time_lag, now, before: 0.0, is_kept: true })
+    }
+
     fn step(&mut self, dt: f64) {
+        self.phase = Phase::Free.number();
         self.advance(Motion::held(self.velocity, self.normal_force, dt));
         self.settle();
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        self.phase = Phase::Free.number();
         let begin = ramp::Inputs::of(self);
         self.advance(Motion {
             acceleration: slope.velocity,
@@ -430,202 +533,4 @@ impl Model for Armstrong {
 }
 
 #[cfg(test)]
-mod tests {
-    use approx::assert_abs_diff_eq;
-
-    use super::*;
-
-    const F_C: f64 = 0.981;
-    const F_SINF: f64 = 0.4905;
-
-    fn force(law: &mut Armstrong) -> f64 {
-        law.output();
-        law.friction_force
-    }
-
-    fn go(law: &mut Armstrong, velocity: f64, time: f64) -> f64 {
-        law.velocity = velocity;
-        law.step(time);
-        force(law)
-    }
-
-    #[test]
-    fn a_stuck_contact_is_a_spring() {
-        let mut law = Armstrong::default();
-        assert_abs_diff_eq!(go(&mut law, 1e-6, 2.0), 0.2, epsilon = 1e-15);
-        assert_abs_diff_eq!(go(&mut law, -3e-6, 1.0), -0.1, epsilon = 1e-15);
-        assert_abs_diff_eq!(law.dissipated_energy, 0.1 * 0.1 / 2e5, epsilon = 1e-21);
-        assert_eq!((law.sticking, law.dwell_time), (1.0, 3.0));
-    }
-
-    /// Hyperbolic rise: a half at gamma, a third at gamma / 2, three quarters at 3 gamma. A stiff contact breaks away
-    /// at once, and the force stays there for the lag.
-    #[test]
-    fn breakaway_rises_with_the_dwell_time() {
-        for (dwell, share) in [(2.0, 0.5), (1.0, 1.0 / 3.0), (6.0, 0.75)] {
-            let mut law = Armstrong { sigma_0: 1e12, ..Default::default() };
-            go(&mut law, 0.0, dwell);
-            let found = go(&mut law, -0.01, 0.0049);
-            assert!((found + F_C + share * F_SINF).abs() < 1e-9, "{dwell}: {found}");
-        }
-    }
-
-    /// The instant of breakaway by fixed-point iteration of sigma_0 v t = f_C + F_Sinf (1 + t) / (1 + t + gamma).
-    #[test]
-    fn breakaway_is_located_within_the_step() {
-        let mut t = 0.0;
-        for _ in 0..100 {
-            t = (F_C + F_SINF * (1.0 + t) / (3.0 + t)) / (1e5 * 1e-5);
-        }
-        let (level, w) = (1e5 * 1e-5 * t, 1e-5 / 0.001);
-        for pieces in [1, 2, 19, 4000] {
-            let mut law = Armstrong::default();
-            go(&mut law, 0.0, 1.0);
-            for _ in 0..pieces {
-                go(&mut law, 1e-5, 2.0 / f64::from(pieces));
-            }
-            let sliding = F_C + (level - F_C) / (1.0 + w * w);
-            assert!((force(&mut law) - sliding).abs() < 1e-14, "{pieces}");
-            let energy = 0.5 * level * 1e-5 * t + level * 1e-5 * 0.005 + sliding * 1e-5 * (2.0 - t - 0.005);
-            assert!((law.dissipated_energy / energy - 1.0).abs() < 1e-12, "{pieces}");
-        }
-    }
-
-    /// While the velocity of slip one lag earlier is 0, the force stays at the breakaway level; then it falls.
-    #[test]
-    fn force_stays_for_the_lag_after_breakaway() {
-        let mut law = Armstrong { sigma_0: 1e9, gamma: 0.0, ..Default::default() };
-        for k in 1..=60 {
-            let found = go(&mut law, 0.002, 1e-4);
-            let expected = if k <= 50 { F_C + F_SINF } else { F_C + F_SINF / 5.0 };
-            assert!((found - expected).abs() < 1e-12, "after {k} steps of 0.1 ms: {found}");
-        }
-    }
-
-    /// Without lag and with gamma = 0 the slip branch is the Lorentzian curve.
-    #[test]
-    fn no_lag_and_instant_rise_leave_the_curve_of_hess_and_soom() {
-        let values = [(1e-5, 1.47145095), (2e-4, 1.45263462), (1e-3, 1.22625), (2e-3, 1.0791), (1e-2, 0.985856436)];
-        let mut law = Armstrong { time_lag: 0.0, gamma: 0.0, ..Default::default() };
-        for (velocity, expected) in values {
-            for sign in [1.0, -1.0] {
-                let found = go(&mut law, sign * velocity, 10.0);
-                assert!((sign * found / expected - 1.0).abs() < 1e-8, "{velocity}: {found}");
-            }
-        }
-    }
-
-    /// Stopping from 2 mm/s: the level at the stop belongs to the velocity one lag earlier, and the next rise begins
-    /// there.
-    #[test]
-    fn the_stop_keeps_the_force_and_the_magnitude() {
-        let mut law = Armstrong { gamma: 1.0, stribeck_coefficient: 0.05, ..Default::default() };
-        go(&mut law, 0.002, 1.0);
-        go(&mut law, 0.0, 1e-9);
-        assert_abs_diff_eq!(force(&mut law) - F_C, F_SINF / 5.0, epsilon = 1e-12);
-        assert_abs_diff_eq!(law.stribeck_coefficient, 0.01, epsilon = 1e-15);
-        assert_eq!((law.sticking, law.slipping), (1.0, 0.0));
-        // A second later half of the missing part has returned.
-        go(&mut law, 0.0, 1.0);
-        law.sigma_0 = 1e12;
-        law.bristle_deflection = 0.0;
-        assert_abs_diff_eq!(go(&mut law, 1e-3, 1e-3) - F_C, 0.6 * F_SINF, epsilon = 1e-8);
-    }
-
-    /// After a reversal the contact unloads elastically and breaks away after 2 f / sigma_0 on the other side.
-    #[test]
-    fn a_reversal_passes_through_the_spring() {
-        let mut law = Armstrong { time_lag: 0.0, gamma: 0.0, ..Default::default() };
-        go(&mut law, 1e-3, 1.0);
-        let level = F_C + F_SINF;
-        for k in 1..29 {
-            let found = go(&mut law, -1e-3, 1e-3);
-            assert!((found - (level - 0.1 * f64::from(k))).abs() < 1e-12, "{k}: {found}");
-        }
-        assert_abs_diff_eq!(go(&mut law, -1e-3, 5e-3), -1.22625, epsilon = 1e-12);
-        assert_eq!(law.sticking, 0.0);
-    }
-
-    /// Sudden fall of the load: the force falls at once and stays low when the load is back.
-    #[test]
-    fn a_falling_load_cuts_the_force() {
-        let mut law = Armstrong { gamma: 0.0, ..Default::default() };
-        go(&mut law, 1e-5, 1.0);
-        law.normal_force = 1.0;
-        law.velocity = 0.0;
-        assert_abs_diff_eq!(force(&mut law), 0.15, epsilon = 1e-15);
-        law.step(1e-3);
-        law.normal_force = 9.81;
-        assert_abs_diff_eq!(force(&mut law), 0.15, epsilon = 1e-12);
-    }
-
-    /// Ramps of velocity and load through zero velocity against 100 000 short ramps, energy against the midpoint rule.
-    #[test]
-    fn ramps_do_not_depend_on_their_division_and_energy_is_the_integral_of_power() {
-        for time_lag in [0.0, 0.003] {
-            let mut law = Armstrong { time_lag, gamma: 0.01, viscous_coefficient: 2.0, ..Default::default() };
-            go(&mut law, -2e-3, 0.1);
-            let slope = Armstrong { velocity: 0.3, normal_force: -150.0, ..law };
-            let (mut dense, n) = (law, 50_000);
-            law.step_ramp(&slope, 0.04);
-            let mut energy = dense.dissipated_energy;
-            for _ in 0..n {
-                dense.step_ramp(&slope, 0.02 / f64::from(n));
-                energy += { force(&mut dense) * dense.velocity } * 0.04 / f64::from(n);
-                dense.step_ramp(&slope, 0.02 / f64::from(n));
-            }
-            assert!((law.dissipated_energy / dense.dissipated_energy - 1.0).abs() < 1e-8, "{time_lag}");
-            assert!((law.dissipated_energy / energy - 1.0).abs() < 1e-4, "{} {energy}", law.dissipated_energy);
-            assert!((force(&mut law) - force(&mut dense)).abs() < 1e-8, "{time_lag}");
-        }
-    }
-
-    fn noise(k: i32) -> f64 {
-        (f64::from(k) * 12.9898).sin() * 3e-3 * (f64::from(k) * 0.7).cos()
-    }
-
-    /// At constant load the contact returns no more energy than was put in; if the load rises during slip, no more than
-    /// stated.
-    #[test]
-    fn passive_at_constant_load_and_within_the_stated_bound_else() {
-        for time_lag in [0.0, 1e-3, 0.02] {
-            let mut law = Armstrong { time_lag, gamma: 0.05, ..Default::default() };
-            for k in 0..20_000 {
-                go(&mut law, noise(k), 2e-3);
-                assert!(law.dissipated_energy >= 0.0, "{time_lag} {k}: {}", law.dissipated_energy);
-            }
-        }
-        let mut law = Armstrong { gamma: 0.0, time_lag: 0.0, normal_force: 1.0, ..Default::default() };
-        go(&mut law, 1e-6, 1.500_001);
-        law.normal_force = 1000.0;
-        go(&mut law, 1e-9, 1e-6);
-        go(&mut law, -1e-3, 1.5);
-        let bound = 0.15f64.powi(2) * (1000f64.powi(2) - 1.0) / 2e5;
-        assert!(law.dissipated_energy < -0.9 * bound && law.dissipated_energy > -bound, "{}", law.dissipated_energy);
-    }
-
-    #[test]
-    fn equal_levels_leave_spring_and_coulomb_level() {
-        let mut law = Armstrong { mu_s: 0.1, ..Default::default() };
-        for velocity in [1e-4, -0.2, 3.0] {
-            let found = go(&mut law, velocity, 1.0);
-            assert_abs_diff_eq!(found, F_C * velocity.signum(), epsilon = 1e-15);
-        }
-    }
-
-    #[test]
-    fn release_sets_back_to_the_start() {
-        let mut law = Armstrong::default();
-        go(&mut law, 0.01, 1.0);
-        law.normal_force = 0.0;
-        law.step(1e-3);
-        let fresh = Armstrong { velocity: 0.01, normal_force: 0.0, ..Default::default() };
-        law.dissipated_energy = 0.0;
-        law.output();
-        let (mut a, mut b) = (law, fresh);
-        b.output();
-        (a.normal_force, b.normal_force) = (9.81, 9.81);
-        assert_eq!(go(&mut a, 3e-3, 0.3), go(&mut b, 3e-3, 0.3));
-        assert_eq!(crate::model::row_of(&a), crate::model::row_of(&b));
-    }
-}
+mod tests;

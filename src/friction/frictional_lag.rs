@@ -1,11 +1,13 @@
 use crate::contact::delay_line::{DelayLine, Piece};
 use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
+use crate::contact::time_stepping::{Curve, EVENTS_ON_CURVE, OnCurve, Phase, PhaseColumn};
+use crate::contact::unloading;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Preset, boolean};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, Past, Preset, WithPast, boolean};
 use crate::number::elementary::{exp_m1, ln_1p, pow};
-use crate::number::{Mask, Scalar};
+use crate::number::{Mask, Real, choose};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::relaxation;
 
@@ -31,12 +33,15 @@ crate::model! {
     /// w(t) = v(t - tau_L)                        Delay
     /// tau_L dw/dt + w = v                        FirstOrder
     /// f_C = mu_k f_n,   f_s = mu_s f_n
+    ///
+    /// solvers with events, at rest:   f_f = f_e,   |f_e| <= F_ss(w)
     /// ```
     ///
     /// | symbol | variable              | unit  | meaning                                                |
     /// |--------|-----------------------|-------|--------------------------------------------------------|
     /// | v      | `velocity`            | m/s   | velocity of body 1 relative to body 2                  |
     /// | f_n    | `normal_force`        | N     | force pressing the surfaces together                   |
+    /// | f_e    | `external_force`      | N     | resultant of all other tangential forces               |
     /// | mu_k   | `mu_k`                | 1     | kinetic coefficient of friction                        |
     /// | mu_s   | `mu_s`                | 1     | static coefficient of friction                         |
     /// | v_S    | `stribeck_velocity`   | m/s   | speed at which the excess over $f_C$ has fallen to 1/e |
@@ -47,6 +52,7 @@ crate::model! {
     /// |        | `history[i].duration` | s     | pieces of the past, the latest first: their durations  |
     /// |        | `history[i].begin`    | m/s   | velocity at the beginning of a piece                   |
     /// |        | `history[i].end`      | m/s   | velocity at the end of a piece                         |
+    /// |        | `phase`               |       | motion as found by the last event                      |
     /// | f_f    | `friction_force`      | N     | friction force                                         |
     ///
     /// # Sign
@@ -75,11 +81,21 @@ crate::model! {
     /// begins. The dissipated energy is a closed form where $w$ and the inputs are constant, otherwise a quadrature
     /// with a relative error below 1e-10. `sticking` means that the velocity is exactly zero.
     ///
+    /// A solver that keeps the past, as the workbench does, integrates the law by its rates: $w$ comes from the motion
+    /// that it has found, and no step is longer than $tau_L$. At an event the contact comes to rest, and then it carries
+    /// `external_force` up to $F_ss(w)$: the limit of ever shorter steps. Steps do not use `external_force`, and Model
+    /// Exchange is not offered, because no importer gives the past.
+    ///
+    /// # Coupling
+    /// `external_force` matters to solvers with events only. If body 2 has the acceleration $a_2$, it is $F_1 - m_1 a_2$;
+    /// if it moves freely, $(m_2 F_1 - m_1 F_2) / (m_1 + m_2)$, with the masses of both bodies and the resultants of all
+    /// other tangential forces on them.
+    ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// No stiction: the force is zero at $v = 0$, so the law cannot hold a load, and a host that integrates the body
+    /// No stiction: in co-simulation the force is zero at $v = 0$, so the law cannot hold a load, and a host that integrates the body
     /// itself sees the force alternate around rest. No pre-sliding displacement. When the velocity changes its sign,
     /// the level still follows the speed one time lag earlier, so the force need not pass the static level.
     /// `time_lag` = 0 is the static law; `mu_s` = `mu_k` leaves only the viscous part to lag. `normal_force` = 0
@@ -108,6 +124,7 @@ crate::model! {
     FrictionalLag: "Stribeck friction that lags behind the velocity (Hess and Soom)" {
         velocity: input = VELOCITY,
         normal_force: input = NORMAL_FORCE,
+        external_force: input = EXTERNAL_FORCE,
         mu_k: tunable = MU_K,
         mu_s: tunable = MU_S,
         stribeck_velocity: tunable = STRIBECK_VELOCITY,
@@ -121,6 +138,8 @@ crate::model! {
         lagged_velocity: state = LAGGED_VELOCITY,
         /// The past of the velocity.
         delay_line: (DelayLine),
+        /// Motion of the contact as found by the last event of Model Exchange.
+        phase: state = Phase::Free.start(),
         dissipated_energy: state_output = DISSIPATED_ENERGY,
         friction_force: output = FRICTION_FORCE,
         dissipated_power: output = DISSIPATED_POWER,
@@ -131,18 +150,19 @@ crate::model! {
 /// The Stribeck peak is ignored where it is below exp(-40), which no sum of levels can resolve.
 const NEGLIGIBLE: f64 = 40.0;
 
-impl<T: Scalar> FrictionalLag<T> {
-    /// w.
-    fn followed_velocity(&self) -> T {
-        (self.lags() & !self.has_past.vanishes()).choose(|| self.lagged_velocity, || self.velocity)
+impl<T: Real> FrictionalLag<T> {
+    /// w, if without a lag it is this velocity.
+    fn followed(&self, velocity: T) -> T {
+        (self.lags() & !self.has_past.vanishes()).choose(|| self.lagged_velocity, || velocity)
     }
 
     fn lags(&self) -> T::Mask {
         self.time_lag.is_positive()
     }
 
-    fn variant(&self) -> FrictionalLagVariant {
-        FrictionalLagVariant::of(self.variant.value())
+    /// Whether w comes from a filter.
+    fn is_filtered(&self) -> T::Mask {
+        self.lags() & !self.has_past.vanishes() & FrictionalLagVariant::FirstOrder.is(self.variant)
     }
 
     /// F_ss(w) at a normal force.
@@ -154,19 +174,72 @@ impl<T: Scalar> FrictionalLag<T> {
         };
         load.vanishes().choose(|| T::zero(), loaded)
     }
+
+    /// Motion of the contact as found by the last event.
+    fn phase(&self) -> PhaseColumn<T> {
+        PhaseColumn(self.phase)
+    }
+
+    /// The contact, which events let carry a force at rest.
+    fn contact(&self) -> OnCurve<'_, T, Self> {
+        let FrictionalLag { velocity, normal_force, external_force, .. } = *self;
+        OnCurve { law: self, velocity, normal_force, external_force, phase: self.phase() }
+    }
+
+    fn force(&self) -> T {
+        let sliding = || self.curve(choose!(self.phase().slides(), self.contact().extended(), self.velocity));
+        let held = || self.normal_force.vanishes().choose(|| T::zero(), || self.external_force);
+        self.phase().is(Phase::Held).choose(held, sliding)
+    }
 }
 
-impl<T: Scalar> Law for FrictionalLag<T> {
-    type Interface = CoSimulation;
+impl<T: Real> Curve<T> for FrictionalLag<T> {
+    fn curve(&self, velocity: T) -> T {
+        self.steady(self.followed(velocity), self.normal_force) * velocity.sign()
+    }
+
+    /// Level at rest.
+    fn level(&self) -> T {
+        self.steady(self.followed(T::zero()), self.normal_force)
+    }
+
+    fn band(&self) -> Option<T> {
+        None
+    }
+}
+
+impl<T: Real> Law for FrictionalLag<T> {
+    type Interface = WithPast;
 
     fn output(&mut self) {
-        self.friction_force = self.steady(self.followed_velocity(), self.normal_force) * self.velocity.sign();
+        self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
-        self.sticking = T::truth(self.velocity.vanishes() & self.normal_force.is_positive());
+        let rests = self.phase().is(Phase::Held) | self.velocity.vanishes();
+        self.sticking = T::truth(rests & self.normal_force.is_positive());
+    }
+}
+
+impl<T: Real> Derivatives for FrictionalLag<T> {
+    fn derivatives(&self, rate: &mut Self) {
+        let filtered = || (self.velocity - self.lagged_velocity) / self.time_lag;
+        rate.lagged_velocity = self.is_filtered().choose(filtered, || T::zero());
+        rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 
 impl FrictionalLag {
+    fn variant(&self) -> FrictionalLagVariant {
+        FrictionalLagVariant::of(self.variant)
+    }
+
+    /// Begins to remember, if it has not yet.
+    fn begin(&mut self) {
+        if self.has_past == 0.0 {
+            self.has_past = 1.0;
+            self.lagged_velocity = self.velocity;
+        }
+    }
+
     /// Advances over inputs that move linearly.
     fn advance(&mut self, motion: Motion) {
         for part in motion.parts() {
@@ -270,11 +343,43 @@ impl Model for FrictionalLag {
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
+    fn check_model_exchange(&self) -> Result<(), Fault> {
+        self.delay_line.check_model_exchange()
+    }
+
+    const EVENT_INDICATORS: usize = EVENTS_ON_CURVE;
+
+    fn event_indicators(&self, indicators: &mut [f64]) {
+        self.contact().write_indicators(indicators);
+    }
+
+    fn at_event(&mut self) {
+        if unloading::is_unloaded(self.normal_force) {
+            self.release();
+        } else {
+            self.begin();
+        }
+        self.phase = self.contact().settled().number();
+    }
+
+    fn past(&self) -> Option<Past> {
+        let is_delayed = !self.lags() || self.variant() == FrictionalLagVariant::Delay;
+        let past = Past {
+            lag: self.time_lag,
+            now: self.velocity,
+            before: self.lagged_velocity,
+            is_kept: self.has_past != 0.0,
+        };
+        is_delayed.then_some(past)
+    }
+
     fn step(&mut self, dt: f64) {
+        self.phase = Phase::Free.number();
         self.advance(Motion::held(self.velocity, self.normal_force, dt));
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        self.phase = Phase::Free.number();
         let begin = ramp::Inputs::of(self);
         self.advance(Motion {
             acceleration: slope.velocity,
@@ -291,7 +396,7 @@ impl Model for FrictionalLag {
                 FrictionalLagVariant::FirstOrder => (self.velocity - self.lagged_velocity) / self.time_lag,
             };
         }
-        rate.dissipated_energy = self.steady(self.followed_velocity(), self.normal_force) * self.velocity.abs();
+        rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 

@@ -132,6 +132,9 @@ pub trait Interface<M> {
     /// Whether it is Model Exchange.
     const IS_MODEL_EXCHANGE: bool;
 
+    /// Whether a solver that keeps the past of a model finds the rates of all its states.
+    const HAS_RATES: bool;
+
     /// Writes the time derivatives of the continuous states into their columns of `rate`, if there are any.
     fn rates(model: &M, rate: &mut M);
 }
@@ -142,6 +145,7 @@ pub enum ModelExchange {}
 
 impl<M: Derivatives> Interface<M> for ModelExchange {
     const IS_MODEL_EXCHANGE: bool = true;
+    const HAS_RATES: bool = true;
 
     #[inline(always)]
     fn rates(model: &M, rate: &mut M) {
@@ -149,11 +153,39 @@ impl<M: Derivatives> Interface<M> for ModelExchange {
     }
 }
 
+/// A model as for [`ModelExchange`], but for a [`Past`] that no importer gives: for co-simulation, and for solvers that
+/// keep the past.
+pub enum WithPast {}
+
+impl<M: Derivatives> Interface<M> for WithPast {
+    const IS_MODEL_EXCHANGE: bool = false;
+    const HAS_RATES: bool = true;
+
+    #[inline(always)]
+    fn rates(model: &M, rate: &mut M) {
+        model.derivatives(rate);
+    }
+}
+
+/// Past of a quantity, which a model follows a time lag later.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Past {
+    /// The time lag in s; without one the quantity itself is followed.
+    pub lag: f64,
+    /// Present value of the quantity.
+    pub now: f64,
+    /// Value before the model began to remember.
+    pub before: f64,
+    /// Whether it remembers: without a load it has no past.
+    pub is_kept: bool,
+}
+
 /// A model that only its own steps advance.
 pub enum CoSimulation {}
 
 impl<M> Interface<M> for CoSimulation {
     const IS_MODEL_EXCHANGE: bool = false;
+    const HAS_RATES: bool = false;
 
     #[inline(always)]
     fn rates(_model: &M, _rate: &mut M) {}
@@ -249,8 +281,14 @@ pub trait Model: Described + Law<Number = f64> {
         Self::PIECEWISE_LINEAR
     }
 
-    /// Changes whatever changes at events only; the run begins with one. Model Exchange only.
+    /// Changes whatever changes at events only; the run begins with one. For models with rates.
     fn at_event(&mut self) {}
+
+    /// The past that the rates need with the present parameters. Whoever integrates them fills the column that
+    /// [lags](crate::table::Meaning::Lagged), unless the lag is 0.
+    fn past(&self) -> Option<Past> {
+        None
+    }
 
     /// Shows the model to a visitor, as one that runs in lanes if it does.
     fn accept(visitor: &mut impl Visitor) {

@@ -17,7 +17,8 @@ mod steps;
 pub use crate::table::*;
 pub use declare::{list, start};
 pub use equations::{
-    CoSimulation, Columns, Derivatives, Described, Interface, Law, Model, ModelExchange, Numbers, Preset, Width,
+    CoSimulation, Columns, Derivatives, Described, Interface, Law, Model, ModelExchange, Numbers, Past, Preset, Width,
+    WithPast,
 };
 pub(crate) use equations::{is_for_exchange, rests_at_events};
 pub use evaluate::{Evaluate, advise_in, memory_in, output_and_rate_in, output_in, rate_in};

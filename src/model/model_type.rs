@@ -4,7 +4,7 @@ use std::ffi::CStr;
 use std::fmt;
 
 use super::row::{Room, commit, view, view_mut};
-use super::{Kernels, Law, Model, Preset, is_for_exchange};
+use super::{Interface, Kernels, Law, Model, Past, Preset, is_for_exchange};
 use crate::guid::{self, GuidText};
 use crate::number::Dual;
 use crate::reference::{self, Place, Reference, References};
@@ -33,6 +33,8 @@ pub struct ModelType {
     pub presets: &'static [Preset],
     /// Whether it supports Model Exchange.
     pub model_exchange: bool,
+    /// Whether a solver that keeps its [past](ModelType::past) finds the rates of all its states.
+    pub has_rates: bool,
     /// Number of its event indicators.
     pub event_indicators: usize,
     /// Number of values that an instance keeps beside the row: [`Model::MEMORY`].
@@ -64,6 +66,7 @@ pub struct ModelType {
     check_without_events: fn(&[f64]) -> Result<(), Fault>,
     indicate: fn(&[f64], &mut [f64]),
     is_linear: fn(&[f64]) -> bool,
+    past: fn(&[f64]) -> Option<Past>,
 }
 
 impl ModelType {
@@ -78,6 +81,7 @@ impl ModelType {
             references: M::REFERENCES,
             presets: M::PRESETS,
             model_exchange: is_for_exchange::<M>(),
+            has_rates: <M::Interface as Interface<M>>::HAS_RATES,
             event_indicators: M::EVENT_INDICATORS,
             memory: M::MEMORY,
             kernels: M::KERNELS,
@@ -106,6 +110,7 @@ impl ModelType {
             check_without_events: |row| view::<M, f64>(row).check_without_events(),
             indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
             is_linear: |row| view::<M, f64>(row).is_linear(),
+            past: |row| view::<M, f64>(row).past(),
             try_at_event: |row, memory, room| commit::<M>(row, memory, room, 0, |model, _| model.at_event()),
         }
     }
@@ -255,6 +260,11 @@ impl ModelType {
     /// Whether rates and outputs are linear until the next event; see [`Model::PIECEWISE_LINEAR`].
     pub fn is_linear(&self, row: &[f64]) -> bool {
         (self.is_linear)(row)
+    }
+
+    /// The past that the rates need with these parameters.
+    pub fn past(&self, row: &[f64]) -> Option<Past> {
+        (self.past)(row)
     }
 
     /// Changes whatever changes at events only. False if a result is not finite; the row must not be used then.

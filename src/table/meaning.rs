@@ -56,6 +56,10 @@ pub enum Meaning {
     Deflection,
     /// State: energy taken out of the motion.
     Energy,
+    /// State: value of a quantity a time lag ago, or filtered.
+    Lagged,
+    /// State: part of the past that steps keep; a solver with rates keeps its own.
+    History,
     /// Output: friction force; in the plane and in space its component along x.
     FrictionForce,
     /// Output: whether the contact sticks.

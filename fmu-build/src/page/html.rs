@@ -150,6 +150,9 @@ fn meaning(capability: &str) -> &'static str {
 
 /// Capabilities in Model Exchange.
 fn exchange(model: &ModelType) -> String {
+    if model.has_rates && !model.model_exchange {
+        return "Co-simulation only: its rates need the past, which an importer does not give.".to_owned();
+    }
     if !model.model_exchange {
         return "Co-simulation only: its memory cannot be expressed as continuous states.".to_owned();
     }

@@ -291,6 +291,18 @@ fn belt(law: &str, solver: Solver, tolerance: f64) -> Vec<f64> {
     run(solver, &mut motion, &mut states, &options).1.states.swap_remove(position)
 }
 
+/// A law that follows the past needs a solver that keeps it.
+#[test]
+fn solvers_of_other_crates_refuse_laws_that_follow_the_past() {
+    for law in ["FrictionalLag", "Armstrong"] {
+        let system = System::assemble(&Source::open("motion").unwrap(), Some(law), &[]).unwrap();
+        let settings = |solver| Settings { solver, until: 0.1, ..Settings::of(&system) };
+        let fault = stribeck_solve::run::run(&system, &settings(Name::Dopri5), &[]).unwrap_err().to_string();
+        assert_eq!(fault, "solver dopri5: keeps no past, which a law follows");
+        assert!(stribeck_solve::run::run(&system, &settings(Name::Rosenbrock23), &[]).unwrap().is_reached());
+    }
+}
+
 /// Regularised and bristle laws are stiff, but have no jumps: solvers of both crates agree with ours.
 #[test]
 fn other_crates_agree_on_laws_without_jumps() {

@@ -76,7 +76,7 @@ impl<T: Real, L: Curve<T>> OnCurve<'_, T, L> {
 
     /// The velocity of a contact that an event has found sliding: beyond rest the curve is extended at its last value.
     #[inline(always)]
-    pub(super) fn extended(&self) -> T {
+    pub(crate) fn extended(&self) -> T {
         let direction = self.phase.direction();
         let least = direction * T::from(f64::MIN_POSITIVE);
         let is_beyond = (direction * self.velocity).below(T::zero());

@@ -75,8 +75,12 @@ struct Found {
     by_bisection: bool,
 }
 
-/// Whether a part carries an external force at rest, which only an event finds.
+/// Whether a part carries an external force at rest, which only an event finds. Steps of a law that follows its past know
+/// nothing of that force; the iteration finds it.
 fn rests_at_events(part: &Part) -> bool {
+    if part.model.has_rates && !part.model.model_exchange {
+        return false;
+    }
     let is_carried =
         |(column, variable): (usize, Variable)| variable.meaning == Meaning::ExternalForce && part.uses(column);
     part.model.check_without_events(&part.row).is_err() && part.model.variables().any(is_carried)

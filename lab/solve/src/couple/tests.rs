@@ -179,6 +179,29 @@ fn bristles_move_in_steps_as_between_their_events() {
     }
 }
 
+/// Two roads to the same motion: the past in the dense output of a solver, and in the columns of the laws, which steps fill.
+/// What steps differ by falls with their tolerance.
+#[test]
+fn laws_that_lag_move_in_steps_as_by_their_rates() {
+    let grid = Grid { begin: 0.0, end: 14.0, intervals: 1400 };
+    for (law, tolerances, most) in [("FrictionalLag", [1e-4, 1e-6], 3e-5), ("Armstrong", [1e-5, 1e-7], 2e-5)] {
+        let system = belt(law, &[]);
+        let recorded = [system.source("rig.position").unwrap()];
+        let mut motion = Motion::new(&system, &recorded).unwrap();
+        let (mut states, mut recorder) = (motion.start(), Recorder::new(grid, &motion));
+        let options = Options::new(14.0, 1e-8);
+        let (end, _) = solve(Method::Rodas5P, &mut motion, &mut states, &options, &mut recorder);
+        assert!(end.is_reached(), "{law}: {end}");
+        let off = |tolerance: f64| {
+            let (end, _, (_, steps)) = by_steps(&system, grid, &Options::new(14.0, tolerance), &recorded).unwrap();
+            assert!(end.is_reached(), "{law}: {end}");
+            steps[0].iter().zip(&recorder.values[0]).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+        };
+        let [loose, tight] = tolerances.map(off);
+        assert!(tight < most && tight < 0.3 * loose, "{law}: {loose:e} {tight:e}");
+    }
+}
+
 /// Two roads to the same motion: the balance of forces with located events, and the acceleration of the block as an input
 /// to steps that are halved until they agree. The block slips as the spring reaches the static level, at 7.3575 s.
 #[test]

@@ -156,6 +156,9 @@ fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSo
         #[cfg(feature = "foreign")]
         Kind::Foreign(foreign) => {
             return of_motion(system, sources, grid, |motion, states, recorder| {
+                if motion.has_past() {
+                    return Err(Fault::value(format_args!("solver {solver}: keeps no past, which a law follows")));
+                }
                 let locates = settings.events && motion.indicators() > 0;
                 check_foreign(solver, !locates || foreign.has_events(), states)?;
                 Ok(solve_foreign(foreign, motion, states, &options, recorder))

@@ -378,11 +378,13 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
         let length = made.end - self.begin.time;
         let piece = Piece { begin: self.begin.time, length, course: &course, precision: PRECISION };
         self.recorder.piece(self.equations, &piece)?;
+        self.equations.accept(self.begin.time, made.end, &|fraction, states| course.at(fraction, states));
         self.begin.time = made.end;
         self.begin.states = *self.step.end();
         self.statistics.steps += 1;
         match made.event {
             Some(indicator) => self.pass(indicator),
+            None if self.equations.is_due(made.end) => self.settle(),
             None => {
                 if self.options.events && self.watch.is_needed() {
                     self.watch.go_on();

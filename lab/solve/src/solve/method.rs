@@ -145,6 +145,14 @@ impl Equations for Padded<'_> {
         self.inner.next_break(time)
     }
 
+    fn accept(&mut self, begin: f64, end: f64, states_at: &dyn Fn(f64, &mut [f64])) {
+        self.inner.accept(begin, end, states_at);
+    }
+
+    fn is_due(&self, time: f64) -> bool {
+        self.inner.is_due(time)
+    }
+
     fn recorded(&self) -> usize {
         self.inner.recorded()
     }

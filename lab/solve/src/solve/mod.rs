@@ -71,6 +71,14 @@ pub trait Equations {
         f64::INFINITY
     }
 
+    /// Takes note of a step that was made, with the states at each fraction of it.
+    fn accept(&mut self, _begin: f64, _end: f64, _states_at: &dyn Fn(f64, &mut [f64])) {}
+
+    /// Whether the equations change at a time at which a step has ended, although no indicator has changed its sign.
+    fn is_due(&self, _time: f64) -> bool {
+        false
+    }
+
     /// Number of further values to be recorded.
     fn recorded(&self) -> usize {
         0

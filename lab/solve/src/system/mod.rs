@@ -10,6 +10,7 @@ mod motion;
 mod mover;
 mod order;
 mod part;
+mod past;
 mod signal;
 mod slot;
 mod values;
@@ -23,6 +24,8 @@ pub use values::{Setting, closest, spelled};
 
 #[cfg(test)]
 mod event_tests;
+#[cfg(test)]
+mod past_tests;
 #[cfg(test)]
 mod strut_tests;
 #[cfg(test)]

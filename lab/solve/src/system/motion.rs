@@ -1,11 +1,13 @@
-//! Equations of motion of a system whose parts all support Model Exchange.
+//! Equations of motion of a system whose parts all have rates.
 
+use stribeck::model::Past;
 use stribeck::number::DIRECTIONS;
 use stribeck::table::{Meaning, Variable};
 
 use super::mover::Mover;
 use super::order::{Task, moving, tasks};
-use super::part::{System, Wire, WireSource};
+use super::part::{Part, System, Wire, WireSource};
+use super::past::{Breaks, Line};
 use super::{Fault, Place, Signal};
 use crate::solve::Equations;
 
@@ -22,6 +24,13 @@ pub struct Motion {
     tasks_of_indicators: Vec<Task>,
     signals: Vec<(Place, Signal)>,
     moving_signals: bool,
+    /// What laws follow a time lag later.
+    lines: Vec<Line>,
+    /// Those of the tasks that their parts need.
+    tasks_of_lines: Vec<Task>,
+    breaks: Breaks,
+    /// Columns of what laws follow at once, because their lag is 0.
+    present: Vec<Place>,
     recorded: Vec<WireSource>,
     /// Whether columns that are not [`Mover::changing`] may have changed since they were taken over with slopes.
     stale: bool,
@@ -106,7 +115,7 @@ impl Motion {
     /// The tasks that give every connected input its value, in a system with equations of motion.
     fn order(system: &System) -> Result<Vec<Task>, Fault> {
         for part in &system.parts {
-            if !part.model.model_exchange {
+            if !part.model.has_rates {
                 let text = format_args!("{} ({}) has no rates: it is for steps only", part.name, part.model.name);
                 return Err(Fault::value(text));
             }
@@ -133,7 +142,10 @@ impl Motion {
         let tasks = Motion::order(system)?;
         let states = states(system, recorded);
         let scales = scales(system, &states);
-        let moving = moving(system, system.influences(), &states);
+        let (lines, present) = lines(system);
+        let lagged = lines.iter().map(|line| Place { part: line.part, column: line.column });
+        let changing: Vec<Place> = states.iter().copied().chain(lagged).collect();
+        let moving = moving(system, system.influences(), &changing);
         let mover = |(number, moving): (usize, &Vec<usize>)| Mover::new(system, number, &states, moving);
         let movers: Vec<Mover> = moving.iter().enumerate().map(mover).collect();
         let moving_signals = system.signals.iter().any(|(_, signal)| !matches!(signal, Signal::Constant(_)));
@@ -141,6 +153,10 @@ impl Motion {
         Ok(Motion {
             acts: acts(&used, &movers),
             tasks_of_indicators: needed(&used, |part| movers[part].indicators > 0),
+            tasks_of_lines: needed(&used, |part| lines.iter().any(|line| line.part == part)),
+            lines,
+            breaks: Breaks::default(),
+            present,
             movers,
             runs: runs(&states),
             states,
@@ -168,7 +184,34 @@ impl Motion {
         &self.states
     }
 
-    /// States and signals at a time.
+    /// Whether laws follow the past, which a solver must have given to [`Equations::accept`].
+    pub fn has_past(&self) -> bool {
+        !self.lines.is_empty()
+    }
+
+    /// What the law of a line remembers.
+    fn past(&self, line: &Line) -> Option<Past> {
+        let mover = &self.movers[line.part];
+        mover.model.past(&mover.row)
+    }
+
+    /// Reads and writes the past on from an event, before which laws have remembered these values.
+    fn pass_lines(&mut self, time: f64, before: &[Option<Past>]) {
+        let mut lines = std::mem::take(&mut self.lines);
+        for (line, before) in lines.iter_mut().zip(before) {
+            match (self.past(line), before) {
+                (Some(past), Some(before)) if past.is_kept => {
+                    let last = if line.is_empty() { past.before } else { before.now };
+                    line.pass(time, [last, past.now]);
+                }
+                _ => line.forget(),
+            }
+        }
+        self.breaks.add(time, &lines);
+        self.lines = lines;
+    }
+
+    /// States, signals and what laws follow of the past, at a time.
     fn put_states(&mut self, time: f64, states: &[f64]) {
         for Run { part, column, first, count } in &self.runs {
             copy(&states[*first..], &mut self.movers[*part].row[*column..], *count);
@@ -176,6 +219,11 @@ impl Motion {
         if self.moving_signals {
             for (place, signal) in &self.signals {
                 self.movers[place.part].row[place.column] = signal.at(time).0;
+            }
+        }
+        for line in &self.lines {
+            if let Some((value, _)) = line.at(time) {
+                self.movers[line.part].row[line.column] = value;
             }
         }
     }
@@ -201,6 +249,22 @@ impl Motion {
         }
     }
 
+    /// Gives signals and what laws follow of the past their slopes.
+    fn incline_by_time(&mut self, time: f64, direction: usize) {
+        for (place, signal) in &self.signals {
+            self.movers[place.part].incline(place.column, direction, signal.at(time).1);
+        }
+        for line in &self.lines {
+            let slope = line.at(time).map_or(0.0, |(_, slope)| slope);
+            self.movers[line.part].incline(line.column, direction, slope);
+        }
+    }
+
+    /// The next time at which the rate of a signal jumps.
+    fn next_kink(&self, time: f64) -> f64 {
+        self.signals.iter().map(|(_, signal)| signal.next_break(time)).fold(f64::INFINITY, f64::min)
+    }
+
     fn find_rates(&mut self) {
         self.movers.iter_mut().filter(|mover| mover.moves).for_each(Mover::find_rates);
     }
@@ -213,6 +277,20 @@ impl Motion {
         }
         Ok(())
     }
+}
+
+/// The past that laws follow, and the columns of what they follow without a lag.
+fn lines(system: &System) -> (Vec<Line>, Vec<Place>) {
+    let (mut lines, mut present) = (Vec::new(), Vec::new());
+    for (part, Part { model, row, .. }) in system.parts.iter().enumerate() {
+        let (Some(past), Some(column)) = (model.past(row), model.table.of(Meaning::Lagged)) else { continue };
+        if past.lag > 0.0 {
+            lines.push(Line::new(part, column, past.lag));
+        } else {
+            present.push(Place { part, column });
+        }
+    }
+    (lines, present)
 }
 
 /// Computes outputs and passes them on.
@@ -262,9 +340,14 @@ fn states(system: &System, recorded: &[WireSource]) -> Vec<Place> {
     };
     let (mut states, mut unread) = (Vec::new(), Vec::new());
     for (part, made) in system.parts.iter().enumerate() {
+        let follows = made.model.past(&made.row).is_some();
         for column in made.model.states_in_use(&made.row) {
             let place = Place { part, column };
-            if made.model.table.at(column).meaning != Meaning::Energy || is_read(place) {
+            let meaning = made.model.table.at(column).meaning;
+            if meaning == Meaning::History || follows && meaning == Meaning::Lagged {
+                continue;
+            }
+            if meaning != Meaning::Energy || is_read(place) {
                 states.push(place);
             } else {
                 unread.push(place);
@@ -340,16 +423,14 @@ impl Equations for Motion {
         let count = self.states.len();
         by_time.fill(0.0);
         // Time comes after the states.
-        let past = count + usize::from(self.moving_signals);
+        let past = count + usize::from(self.moving_signals || !self.lines.is_empty());
         for first in (0..past).step_by(DIRECTIONS) {
             let directions = first..past.min(first + DIRECTIONS);
             self.movers.iter_mut().for_each(Mover::spread_changing);
             for (direction, number) in directions.clone().enumerate() {
                 match self.states.get(number) {
                     Some(place) => self.movers[place.part].incline(place.column, direction, 1.0),
-                    None => self.signals.iter().for_each(|(place, signal)| {
-                        self.movers[place.part].incline(place.column, direction, signal.at(time).1);
-                    }),
+                    None => self.incline_by_time(time, direction),
                 }
             }
             self.incline();
@@ -394,6 +475,9 @@ impl Equations for Motion {
 
     fn at_event(&mut self, time: f64, states: &mut [f64]) -> Result<(), String> {
         self.stale = true;
+        self.lines.iter_mut().for_each(|line| line.turn(time));
+        self.put(time, states);
+        let past: Vec<Option<Past>> = self.lines.iter().map(|line| self.past(line)).collect();
         for _ in 0..PASSES {
             self.put(time, states);
             let before: Vec<Vec<f64>> = self.movers.iter().map(|mover| mover.row.clone()).collect();
@@ -409,6 +493,7 @@ impl Equations for Motion {
                 break;
             }
         }
+        self.pass_lines(time, &past);
         Ok(())
     }
 
@@ -417,7 +502,32 @@ impl Equations for Motion {
     }
 
     fn next_break(&self, time: f64) -> f64 {
-        self.signals.iter().map(|(_, signal)| signal.next_break(time)).fold(f64::INFINITY, f64::min)
+        self.next_kink(time).min(self.breaks.next(time, &self.lines))
+    }
+
+    fn accept(&mut self, begin: f64, end: f64, states_at: &dyn Fn(f64, &mut [f64])) {
+        if self.lines.is_empty() {
+            return;
+        }
+        let mut lines = std::mem::take(&mut self.lines);
+        let mut states = vec![0.0; self.states.len()];
+        for line in &mut lines {
+            let part = line.part;
+            line.keep(begin, end, &mut |time| {
+                states_at((time - begin) / (end - begin), &mut states);
+                self.put_states(time, &states);
+                perform(&self.tasks_of_lines, &mut self.movers);
+                self.movers[part].model.past(&self.movers[part].row).map_or(0.0, |past| past.now)
+            });
+        }
+        if self.next_kink(begin) <= end {
+            self.breaks.add(end, &lines);
+        }
+        self.lines = lines;
+    }
+
+    fn is_due(&self, time: f64) -> bool {
+        self.lines.iter().any(|line| line.is_due(time))
     }
 
     fn recorded(&self) -> usize {
@@ -426,6 +536,10 @@ impl Equations for Motion {
 
     fn record(&mut self, time: f64, states: &[f64], values: &mut [f64]) -> Result<(), String> {
         self.put(time, states);
+        for Place { part, column } in &self.present {
+            let Mover { model, row, .. } = &mut self.movers[*part];
+            row[*column] = model.past(row).map_or(row[*column], |past| past.now);
+        }
         self.outputs()?;
         self.find_rates();
         for (value, source) in values.iter_mut().zip(&self.recorded) {

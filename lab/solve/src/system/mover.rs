@@ -61,7 +61,7 @@ struct Search {
 impl Visitor for Search {
     fn visit<M: Model>(&mut self) {
         // Models without rates need no code.
-        if const { ModelType::of::<M>().model_exchange } && M::NAME == self.name {
+        if const { ModelType::of::<M>().has_rates } && M::NAME == self.name {
             self.found = Some((Functions::of::<M>(), Functions::of::<M>()));
         }
     }
