@@ -34,8 +34,12 @@ fuzz_target!(|bytes: &[u8]| {
     }
     for axes in [Axes::Iso, Axes::Sae] {
         if let Ok(test) = TyreTest::of(&sheet, axes) {
-            let columns = [test.load, test.side_slip, test.longitudinal_slip, test.camber, test.force_y];
-            assert!(columns.iter().flatten().all(|value| value.is_finite()), "{columns:?}");
+            for sample in &test.samples {
+                let known = [sample.load, sample.side_slip, sample.longitudinal_slip, sample.camber];
+                let measured = [sample.force_x, sample.force_y, sample.moment_z, sample.pressure];
+                let mut values = known.into_iter().chain(measured.into_iter().flatten());
+                assert!(values.all(f64::is_finite), "{sample:?}");
+            }
         }
     }
 });
