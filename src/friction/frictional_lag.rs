@@ -95,10 +95,10 @@ crate::model! {
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// No stiction: in co-simulation the force is zero at $v = 0$, so the law cannot hold a load, and a host that integrates the body
-    /// itself sees the force alternate around rest. No pre-sliding displacement. When the velocity changes its sign,
-    /// the level still follows the speed one time lag earlier, so the force need not pass the static level.
-    /// `time_lag` = 0 is the static law; `mu_s` = `mu_k` leaves only the viscous part to lag. `normal_force` = 0
+    /// No stiction: in co-simulation the force is zero at $v = 0$, so the law cannot hold a load, and a host that
+    /// integrates the body itself sees the force alternate around rest. No pre-sliding displacement. When the velocity
+    /// changes its sign, the level still follows the speed one time lag earlier, so the force need not pass the static
+    /// level. `time_lag` = 0 is the static law; `mu_s` = `mu_k` leaves only the viscous part to lag. `normal_force` = 0
     /// releases the contact: force 0, also of the viscous part, and the next step forgets the past.
     ///
     /// # Source
