@@ -550,9 +550,9 @@ def tolerances() -> None:
 
 @task("hours")
 def identified() -> None:
-    """How often the intervals of an identification hold the truth: 200 seeds of every law, and 200 joints and sliders of
-    simulators of their own; how fast its search is, and what a camera does to it; takes hours. The intervals that were counted are kept for as long as the sources are the
-    same, so that a task that was ended goes on where it was."""
+    """How often the intervals of an identification hold the truth: 200 seeds of every law, and 200 joints and sliders
+    of simulators of their own; how fast its search is, and what a camera does to it; takes hours. The intervals that
+    were counted are kept for as long as the sources are the same: a task that was ended goes on where it was."""
     folders = ["src", "lab/fit/src/identify", "lab/fit/src/measured", "lab/fit/benches"]
     sources = [
         *sorted(path for folder in folders for path in (ROOT / folder).rglob("*.rs")),
