@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import argparse
 import ctypes
-import hashlib
 import os
 import platform
 import re
@@ -52,18 +51,13 @@ FOR_A_FEW_RUNS = [
 ]
 
 # Those of Table 6.5 of the thesis.
-LAWS_ON_BELT = [
-    *("Karnopp", "BengisuAkay", "Andersson", "Awrejcewicz"),
-    *("Specker", "LinearStiction", "Hollars", "BrownMcPhee"),
-]
-
+LAWS_ON_BELT = ["Karnopp", "BengisuAkay", "Andersson", "Awrejcewicz"]
+LAWS_ON_BELT += ["Specker", "LinearStiction", "Hollars", "BrownMcPhee"]
 # The parts of the library that contain code.
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
 RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "python", "ssp", "web", "examples"]
 PYTHON_FOLDERS = ["tasks.py", "benches", "examples", "fuzz", "python", "tests", "web/tests", "web/write_types.py"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/multibody", "tests/c", "tests/platforms", "benches"]
-
-
 # Rust's names of the platforms of `fmu-build pack --platform all`.
 TARGETS = [
     "x86_64-unknown-linux-gnu",
@@ -440,14 +434,12 @@ def check_style() -> None:
 def document() -> None:
     """Documentation of the crates, from what clippy has checked: by the same driver, and with the same features of all
     crates, which `--examples` brings although there are none."""
-    sysroot = subprocess.run(["rustc", "--print", "sysroot"], capture_output=True, text=True, check=True).stdout.strip()
-    as_checked = {
-        "RUSTC_WORKSPACE_WRAPPER": str(Path(sysroot) / "bin" / "clippy-driver"),
-        # In the form of cargo-clippy. In another one everything is only checked again.
-        "CLIPPY_ARGS": "".join(f"{word}__CLIPPY_HACKERY__" for word in DENIED),
-    }
-    targets = ["--lib", "--bins", "--examples", "--exclude", "libstribeck"]
-    run("cargo", "doc", "--no-deps", "--workspace", *targets, RUSTDOCFLAGS="-Dwarnings", **as_checked)
+    sysroot = Path(subprocess.check_output(["rustc", "--print", "sysroot"], text=True).strip())
+    # In the form of cargo-clippy. In another one everything is only checked again.
+    denied = "".join(f"{word}__CLIPPY_HACKERY__" for word in DENIED)
+    driver = {"RUSTC_WORKSPACE_WRAPPER": str(sysroot / "bin" / "clippy-driver"), "CLIPPY_ARGS": denied}
+    targets = ["--workspace", "--exclude", "libstribeck", "--lib", "--bins", "--examples"]
+    run("cargo", "doc", "--no-deps", *targets, RUSTDOCFLAGS="-Dwarnings", **driver)
 
 
 @task("15 to 25 minutes, then about 12")
@@ -551,17 +543,9 @@ def tolerances() -> None:
 @task("hours")
 def identified() -> None:
     """How often the intervals of an identification hold the truth: 200 seeds of every law, and 200 joints and sliders
-    of simulators of their own; how fast its search is, and what a camera does to it; takes hours. The intervals that
-    were counted are kept for as long as the sources are the same: a task that was ended goes on where it was."""
-    folders = ["src", "lab/fit/src/identify", "lab/fit/src/measured", "lab/fit/benches"]
-    sources = [
-        *sorted(path for folder in folders for path in (ROOT / folder).rglob("*.rs")),
-        ROOT / "lab/fit/src/rig.rs",
-    ]
-    state = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]
-    kept = ROOT / "target" / "identified" / f"{state}.csv"
-    kept.parent.mkdir(parents=True, exist_ok=True)
-    run("cargo", "bench", "--package", "stribeck-fit", "--bench", "identify", IDENTIFIED=str(kept))
+    of simulators of their own; how fast its search is, and what a camera does to it. Goes on where it was ended."""
+    need_rust()
+    run(sys.executable, "tests/identified.py")
 
 
 @task("3 to 6 minutes")
@@ -690,7 +674,6 @@ def clean() -> None:
         shutil.rmtree(folder, ignore_errors=True)
 
 
-# Description of each task, printed when it starts. The times are those of a first run on two cores.
 def main() -> int:
     lines = [textwrap.fill(described(name), 110, initial_indent="  ", subsequent_indent="      ") for name in TASKS]
     parser = argparse.ArgumentParser(
