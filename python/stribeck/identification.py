@@ -95,7 +95,7 @@ class Fit:
     values: dict[str, float]
     """The parameters of the law that were held or that the data determine, as `force` and `simulate` take them."""
     judgement: Judgement | None
-    """What the data say of values that were given."""
+    """Judgement of values that were given, by the data."""
 
 
 class Identification:

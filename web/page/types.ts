@@ -387,7 +387,7 @@ lack_of_fit: LackOfFit | null,
  */
 warnings: Array<string>, 
 /**
- * What the data say of values that were given: a reference, or values that were all held.
+ * Judgement of values that were given: a reference, or values that were all held.
  */
 judgement: Judgement | null, 
 /**
@@ -469,7 +469,7 @@ fit_rms: number | null,
  */
 outside: Array<Outside>, 
 /**
- * What is to be thought of the values.
+ * The verdict, in words.
  */
 verdict: string, 
 /**
@@ -477,7 +477,7 @@ verdict: string,
  */
 warnings: Array<string>, 
 /**
- * What was given is for another law.
+ * Note on values that are those of another law.
  */
 note: string | null, };
 

@@ -115,7 +115,7 @@ fn tell(arguments: &Arguments, facts: &Identification, data: &Data) -> Result<En
     Ok(if best.is_cancelled { Ending::Cancelled } else { Ending::Done })
 }
 
-/// What the data say of values that were given.
+/// Lines of the judgement of values that were given.
 fn judged(best: &Fit) -> String {
     let Some(judgement) = &best.judgement else { return String::new() };
     let lines = judgement.lines(best.movement.unit("N"));

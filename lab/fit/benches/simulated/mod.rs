@@ -16,7 +16,7 @@ pub use slider::Slider;
 
 /// Something simulated that has friction.
 pub trait Simulated {
-    /// What is asked of its record, which it need not name.
+    /// Question that is asked of its record, which it need not name.
     fn asked(&self) -> Inquiry;
 
     /// A record as a text.

@@ -67,7 +67,7 @@ pub struct FittedLaw {
     pub lack_of_fit: Option<LackOfFit>,
     /// Warnings.
     pub warnings: Vec<String>,
-    /// What the data say of values that were given: a reference, or values that were all held.
+    /// Judgement of values that were given: a reference, or values that were all held.
     pub judgement: Option<Judgement>,
     /// The parameters that were held or that the data determine.
     #[ts(type = "Record<string, number>")]

@@ -162,7 +162,7 @@ impl Optimum<'_> {
         if parameter.can_be_zero() { estimate.or_limit() } else { estimate }
     }
 
-    /// What is tied to an estimate, which it repeats under its own name.
+    /// Estimates of the parameters that are tied to others: the same values under their own names.
     fn tied(&self, known: &[Estimate]) -> Vec<Estimate> {
         let table = &self.problem.law.table;
         let repeated = |(column, source): &(usize, usize)| {

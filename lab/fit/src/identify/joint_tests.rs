@@ -27,7 +27,7 @@ pub(super) struct Joint {
     pub level: f64,
     pub viscous: f64,
     pub offset: f64,
-    /// What level and viscous coefficient are more when it turns backward.
+    /// Additions to level and viscous coefficient when it turns backward.
     pub backward: [f64; 2],
     /// Gravity of an arm, and the angle at which it is horizontal.
     pub gravity: [f64; 2],

@@ -31,11 +31,11 @@ pub struct Judgement {
     pub fit_rms: Option<f64>,
     /// Values outside the interval of the fit.
     pub outside: Vec<Outside>,
-    /// What is to be thought of the values.
+    /// The verdict, in words.
     pub verdict: String,
     /// Warnings of the values, as of a fit.
     pub warnings: Vec<String>,
-    /// What was given is for another law.
+    /// Note on values that are those of another law.
     pub note: Option<String>,
 }
 
@@ -59,7 +59,7 @@ impl Judgement {
             rms: judged.residuals.rms,
             fit_rms: None,
             outside: Vec::new(),
-            verdict: verdict(&[], &judged.warnings).to_owned(),
+            verdict: verdict(None, &judged.warnings).to_owned(),
             warnings: judged.warnings.clone(),
             note: None,
         }
@@ -75,7 +75,7 @@ impl Judgement {
             (!is_inside).then(|| Outside { name: one.name.clone(), value, interval })
         });
         let outside: Vec<Outside> = outside.collect();
-        let verdict = verdict(&outside, &judged.warnings).to_owned();
+        let verdict = verdict(Some(&outside), &judged.warnings).to_owned();
         let (values, fit_rms) = (given.clone(), Some(fit.residuals.rms));
         Judgement { values, fit_rms, outside, verdict, ..Judgement::alone(judged, source) }
     }
@@ -92,12 +92,13 @@ impl Judgement {
     }
 }
 
-/// What is to be thought of values that leave what is warned of.
-fn verdict(outside: &[Outside], warnings: &[String]) -> &'static str {
-    match (outside.is_empty(), warnings.is_empty()) {
-        (true, true) => "the values explain the data",
-        (true, false) => "the values do not contradict the fit, but what they leave is warned of",
-        (false, _) => "the values contradict the fit",
+/// Verdict on values with these warnings, and with those outside the intervals of a fit, if there is one.
+fn verdict(outside: Option<&[Outside]>, warnings: &[String]) -> &'static str {
+    match (outside, warnings.is_empty()) {
+        (Some([_, ..]), _) => "the values contradict the fit",
+        (_, true) => "the values explain the data",
+        (Some([]), false) => "the values do not contradict the fit, but see the warnings",
+        (None, false) => "the values are not confirmed: see the warnings",
     }
 }
 
@@ -105,7 +106,7 @@ fn verdict(outside: &[Outside], warnings: &[String]) -> &'static str {
 pub(super) struct Given<'a>(pub &'a str);
 
 impl Given<'_> {
-    /// What the preset or the file has for a law, parameters or others, by its names.
+    /// Values that the preset or the file has for a law, of parameters and others, by their names.
     fn all(&self, law: &'static ModelType) -> Result<Reference, Fault> {
         let path = Path::new(self.0);
         if path.extension().is_none() {
@@ -174,7 +175,7 @@ impl Given<'_> {
         Ok(())
     }
 
-    /// Laws at these values, nothing fitted, ranked by what they leave.
+    /// Laws at these values, nothing fitted, ranked by their residuals.
     pub fn evaluated(
         &self,
         laws: &[&'static ModelType],

@@ -49,7 +49,9 @@ fn values_are_judged_alone_without_a_fit() {
         let judged = found.best().judgement.clone().unwrap();
         assert!((judged.rms / rms - 1.0).abs() < 0.02, "{judged:?}");
         assert_eq!((judged.fit_rms, judged.source, judged.values["mu_k"]), (None, given, mu_k));
-        assert_eq!(judged.verdict == "the values explain the data", mu_k == 0.3, "{:?}", judged.warnings);
+        let expected =
+            if mu_k == 0.3 { "the values explain the data" } else { "the values are not confirmed: see the warnings" };
+        assert_eq!(judged.verdict, expected, "{:?}", judged.warnings);
         assert!(found.best().estimates.is_empty() && found.best().reference().is_none());
         let answer = Answer::of(&found, &data);
         assert_eq!(answer.laws[0].judgement.as_ref().unwrap().rms, judged.rms);

@@ -192,7 +192,7 @@ pub struct Fit {
     pub lack_of_fit: Option<LackOfFit>,
     /// Warnings for the user.
     pub warnings: Vec<String>,
-    /// What the data say of values that were given for the law.
+    /// Judgement of values that were given for the law.
     pub judgement: Option<Judgement>,
 }
 

@@ -191,7 +191,7 @@ impl Columns {
         }
     }
 
-    /// What units tell of it, with the first column that does.
+    /// The movement that the units tell, with the first column that tells it.
     fn told(&self, record: &[Sheet], motion: &[Sheet]) -> Result<Option<(Movement, String)>, MeasuredError> {
         let [record, motion] = [record, motion].map(|tables| tables.iter().collect::<Vec<_>>());
         Movement::told(&record, &motion, |quantity| !self.is_scaled(quantity))

@@ -89,7 +89,7 @@ fn estimates(page: &mut Page, best: &Fit) {
     }
 }
 
-/// What the data say of values that were given.
+/// Judgement of values that were given.
 fn judgement(page: &mut Page, best: &Fit) {
     let Some(judgement) = &best.judgement else { return };
     page.heading("Values that were given");
