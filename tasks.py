@@ -41,8 +41,8 @@ PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
 # again with fewer.
 AS_TESTED = ["--workspace", "--bench", "stribeck"]
 
-# Arguments of clippy.
-DENIED = ["--deny", "warnings"]
+# Clippy in place of the compiler, so that nothing is compiled only to be linted, and its arguments in its own form.
+LINTED = {"RUSTC_WORKSPACE_WRAPPER": "clippy-driver", "CLIPPY_ARGS": "--deny__CLIPPY_HACKERY__warnings"}
 
 # Crates that a few runs and one fit do not repay optimising further.
 FOR_A_FEW_RUNS = [
@@ -423,23 +423,23 @@ def demo() -> None:
 
 
 def check_style() -> None:
-    """Formatting and lints of all languages. `cargo fmt` does not see modules declared in a macro, rustfmt does."""
+    """Formatting of all languages, lints but Rust's. `cargo fmt` does not see modules declared in a macro, rustfmt
+    does."""
     run("rustfmt", "--check", "--edition", "2024", *files(RUST_FOLDERS, ".rs"))
     run(PYTHON, "-m", "ruff", "format", "--check", *PYTHON_FOLDERS)
     run(PYTHON, "-m", "ruff", "check", *PYTHON_FOLDERS)
     run(PROGRAMS / "clang-format", "--dry-run", "-Werror", *files(C_FOLDERS, ".c", ".cpp", ".h"))
-    run("cargo", "clippy", "--workspace", "--all-targets", "--", *DENIED)
 
 
-def document() -> None:
-    """Documentation of the crates, from what clippy has checked: by the same driver, and with the same features of all
-    crates, which `--examples` brings although there are none."""
-    sysroot = Path(subprocess.check_output(["rustc", "--print", "sysroot"], text=True).strip())
-    # In the form of cargo-clippy. In another one everything is only checked again.
-    denied = "".join(f"{word}__CLIPPY_HACKERY__" for word in DENIED)
-    driver = {"RUSTC_WORKSPACE_WRAPPER": str(sysroot / "bin" / "clippy-driver"), "CLIPPY_ARGS": denied}
-    targets = ["--workspace", "--exclude", "libstribeck", "--lib", "--bins", "--examples"]
-    run("cargo", "doc", "--no-deps", *targets, RUSTDOCFLAGS="-Dwarnings", **driver)
+def documenter() -> str:
+    """The program that writes the pages of a crate where cargo runs its examples."""
+    script = ROOT / "tests" / "rustdoc.py"
+    if not WINDOWS:
+        return str(script)
+    batch = ROOT / "out" / "rustdoc.bat"
+    batch.parent.mkdir(exist_ok=True)
+    batch.write_text(f'@"{sys.executable}" "{script}" %*\n', encoding="utf-8")
+    return str(batch)
 
 
 @task("15 to 25 minutes, then about 12")
@@ -449,17 +449,17 @@ def test() -> None:
     need_c_compiler()
     # On a new machine everything is built once: without the files of incremental builds that takes a third less time.
     os.environ.setdefault("CARGO_INCREMENTAL", "0")
-    for program in ("rustfmt", "cargo-clippy"):
+    for program in ("rustfmt", "clippy-driver"):
         need(program, "rustup component add rustfmt clippy")
     setup()
     if platform.system() == "Linux":
         install_missing(TEST_PROGRAMS)
     check_style()
-    run("cargo", "test", "--workspace")
+    run("cargo", "test", "--workspace", RUSTDOC=documenter(), **LINTED)
+    run("cargo", "test", "--workspace", "--benches", "--no-run", **LINTED)
     # Here each benchmark runs once, to check that it runs.
-    run("cargo", "test", *AS_TESTED)
-    document()
-    run("cargo", "build", "--lib", "--bin", "fmu-build", *AS_TESTED)
+    run("cargo", "test", *AS_TESTED, **LINTED)
+    run("cargo", "build", "--lib", "--bin", "fmu-build", *AS_TESTED, **LINTED)
     fmu_build = debug_folder() / "fmu-build"
     run(fmu_build, "check")
     pack(fmu_build)
@@ -468,7 +468,7 @@ def test() -> None:
     libraries = debug_folder().parent / "fmu" / "release"
     run(PYTHON, "tests/c/run.py", "--library", libraries)
     run(PYTHON, "fuzz/run.py")
-    run(PYTHON, "-m", "pytest", "tests/python", STRIBECK_LIBRARY=str(libraries))
+    run(PYTHON, "-m", "pytest", "tests/python", STRIBECK_LIBRARY=str(libraries), **LINTED)
 
 
 def setup_faults() -> None:
