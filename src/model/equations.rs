@@ -3,7 +3,7 @@
 use std::ffi::CStr;
 use std::ops::Range;
 
-use super::{Evaluate, Kernels, Visitor};
+use super::{Bonds, Evaluate, Kernels, Visitor};
 use crate::reference::References;
 use crate::table::{Fault, Ports, Table, Variable};
 
@@ -132,7 +132,7 @@ pub trait Interface<M> {
     /// Whether it is Model Exchange.
     const IS_MODEL_EXCHANGE: bool;
 
-    /// Whether a solver that keeps the past of a model finds the rates of all its states.
+    /// Whether a solver that keeps the past of a model, and follows its bonds, finds the rates of all its states.
     const HAS_RATES: bool;
 
     /// Writes the time derivatives of the continuous states into their columns of `rate`, if there are any.
@@ -158,6 +158,20 @@ impl<M: Derivatives> Interface<M> for ModelExchange {
 pub enum WithPast {}
 
 impl<M: Derivatives> Interface<M> for WithPast {
+    const IS_MODEL_EXCHANGE: bool = false;
+    const HAS_RATES: bool = true;
+
+    #[inline(always)]
+    fn rates(model: &M, rate: &mut M) {
+        model.derivatives(rate);
+    }
+}
+
+/// A model as for [`ModelExchange`], but for [`Bonds`] that snap too often for the events of an importer: for
+/// co-simulation, and for solvers that follow the bonds.
+pub enum WithBonds {}
+
+impl<M: Derivatives> Interface<M> for WithBonds {
     const IS_MODEL_EXCHANGE: bool = false;
     const HAS_RATES: bool = true;
 
@@ -289,6 +303,15 @@ pub trait Model: Described + Law<Number = f64> {
     fn past(&self) -> Option<Past> {
         None
     }
+
+    /// The bonds of the contact, if it has some: their [strains](crate::table::Meaning::Strain) and the energy change where
+    /// one snaps. Whoever integrates the rates has to follow them.
+    fn bonds(&self) -> Option<Bonds> {
+        None
+    }
+
+    /// Takes the bonds over after a displacement in which none has snapped, and the energy dissipated before.
+    fn put_bonds(&mut self, _bonds: &Bonds, _displacement: f64) {}
 
     /// Shows the model to a visitor, as one that runs in lanes if it does.
     fn accept(visitor: &mut impl Visitor) {

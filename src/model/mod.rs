@@ -4,6 +4,7 @@
 //! does not list. FMI and C identify a variable by a number that follows from its name: see
 //! [`reference`](crate::reference).
 
+mod bonds;
 mod declare;
 mod equations;
 mod evaluate;
@@ -15,10 +16,11 @@ mod row;
 mod steps;
 
 pub use crate::table::*;
+pub use bonds::{Bond, Bonds, MOST_BONDS, Surface};
 pub use declare::{list, start};
 pub use equations::{
     CoSimulation, Columns, Derivatives, Described, Interface, Law, Model, ModelExchange, Numbers, Past, Preset, Width,
-    WithPast,
+    WithBonds, WithPast,
 };
 pub(crate) use equations::{is_for_exchange, rests_at_events};
 pub use evaluate::{Evaluate, advise_in, memory_in, output_and_rate_in, output_in, rate_in};

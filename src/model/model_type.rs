@@ -4,7 +4,7 @@ use std::ffi::CStr;
 use std::fmt;
 
 use super::row::{Room, commit, view, view_mut};
-use super::{Interface, Kernels, Law, Model, Past, Preset, is_for_exchange};
+use super::{Bonds, Interface, Kernels, Law, Model, Past, Preset, is_for_exchange};
 use crate::guid::{self, GuidText};
 use crate::number::Dual;
 use crate::reference::{self, Place, Reference, References};
@@ -33,7 +33,8 @@ pub struct ModelType {
     pub presets: &'static [Preset],
     /// Whether it supports Model Exchange.
     pub model_exchange: bool,
-    /// Whether a solver that keeps its [past](ModelType::past) finds the rates of all its states.
+    /// Whether a solver that keeps its [past](ModelType::past), and follows its [bonds](ModelType::bonds), finds the rates
+    /// of all its states.
     pub has_rates: bool,
     /// Number of its event indicators.
     pub event_indicators: usize,
@@ -67,6 +68,8 @@ pub struct ModelType {
     indicate: fn(&[f64], &mut [f64]),
     is_linear: fn(&[f64]) -> bool,
     past: fn(&[f64]) -> Option<Past>,
+    bonds: fn(&[f64]) -> Option<Bonds>,
+    put_bonds: fn(&mut [f64], &Bonds, f64),
 }
 
 impl ModelType {
@@ -111,6 +114,8 @@ impl ModelType {
             indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
             is_linear: |row| view::<M, f64>(row).is_linear(),
             past: |row| view::<M, f64>(row).past(),
+            bonds: |row| view::<M, f64>(row).bonds(),
+            put_bonds: |row, bonds, displacement| view_mut::<M, f64>(row).put_bonds(bonds, displacement),
             try_at_event: |row, memory, room| commit::<M>(row, memory, room, 0, |model, _| model.at_event()),
         }
     }
@@ -265,6 +270,16 @@ impl ModelType {
     /// The past that the rates need with these parameters.
     pub fn past(&self, row: &[f64]) -> Option<Past> {
         (self.past)(row)
+    }
+
+    /// The bonds of the contact, if it has some.
+    pub fn bonds(&self, row: &[f64]) -> Option<Bonds> {
+        (self.bonds)(row)
+    }
+
+    /// Takes the bonds over after a displacement in which none has snapped.
+    pub fn put_bonds(&self, row: &mut [f64], bonds: &Bonds, displacement: f64) {
+        (self.put_bonds)(row, bonds, displacement);
     }
 
     /// Changes whatever changes at events only. False if a result is not finite; the row must not be used then.

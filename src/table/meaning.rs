@@ -54,6 +54,8 @@ pub enum Meaning {
 
     /// State: mean elastic deflection of the contact, whose force is carried.
     Deflection,
+    /// State: strain of one of many bonds, which the motion strains alike.
+    Strain,
     /// State: energy taken out of the motion.
     Energy,
     /// State: value of a quantity a time lag ago, or filtered.

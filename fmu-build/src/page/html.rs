@@ -150,6 +150,10 @@ fn meaning(capability: &str) -> &'static str {
 
 /// Capabilities in Model Exchange.
 fn exchange(model: &ModelType) -> String {
+    let start: Vec<f64> = model.table.iter().map(|variable| variable.start).collect();
+    if model.bonds(&start).is_some() {
+        return "Co-simulation only: its bonds snap far too often for the events of an importer.".to_owned();
+    }
     if model.has_rates && !model.model_exchange {
         return "Co-simulation only: its rates need the past, which an importer does not give.".to_owned();
     }

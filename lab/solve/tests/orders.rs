@@ -291,14 +291,16 @@ fn belt(law: &str, solver: Solver, tolerance: f64) -> Vec<f64> {
     run(solver, &mut motion, &mut states, &options).1.states.swap_remove(position)
 }
 
-/// A law that follows the past needs a solver that keeps it.
+/// A law that follows the past needs a solver that keeps it, and one with bonds a solver that follows them.
 #[test]
-fn solvers_of_other_crates_refuse_laws_that_follow_the_past() {
-    for law in ["FrictionalLag", "Armstrong"] {
+fn solvers_of_other_crates_refuse_laws_that_need_more_than_rates() {
+    let past = "keeps no past, which a law follows";
+    let bonds = "follows no bonds that snap one by one";
+    for (law, reason) in [("FrictionalLag", past), ("Armstrong", past), ("Bristle", bonds)] {
         let system = System::assemble(&Source::open("motion").unwrap(), Some(law), &[]).unwrap();
         let settings = |solver| Settings { solver, until: 0.1, ..Settings::of(&system) };
         let fault = stribeck_solve::run::run(&system, &settings(Name::Dopri5), &[]).unwrap_err().to_string();
-        assert_eq!(fault, "solver dopri5: keeps no past, which a law follows");
+        assert_eq!(fault, format!("solver dopri5: {reason}"));
         assert!(stribeck_solve::run::run(&system, &settings(Name::Rosenbrock23), &[]).unwrap().is_reached());
     }
 }

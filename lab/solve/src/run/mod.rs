@@ -159,6 +159,9 @@ fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSo
                 if motion.has_past() {
                     return Err(Fault::value(format_args!("solver {solver}: keeps no past, which a law follows")));
                 }
+                if motion.has_bonds() {
+                    return Err(Fault::value(format_args!("solver {solver}: follows no bonds that snap one by one")));
+                }
                 let locates = settings.events && motion.indicators() > 0;
                 check_foreign(solver, !locates || foreign.has_events(), states)?;
                 Ok(solve_foreign(foreign, motion, states, &options, recorder))

@@ -10,7 +10,7 @@ use crate::system::{Motion, System};
 /// A solver, with the class of MATLAB's solvers that it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Solver {
-    /// Rodas5P, or steps for systems with a law that has no rates.
+    /// Rodas5P, or steps for systems with a part that has no rates.
     Auto,
     /// Rosenbrock method of order 5 with located events; exact for laws made of straight lines.
     #[value(name = "rodas5p")]

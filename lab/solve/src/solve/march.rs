@@ -112,10 +112,7 @@ pub(super) fn run<S: Step<N>, const N: usize>(
 impl<S: Step<N>, const N: usize> March<'_, S, N> {
     fn go(&mut self) -> Result<End, String> {
         self.settle()?;
-        while self.recorder.is_due(self.begin.time) {
-            let states = self.begin.states;
-            self.recorder.point(self.equations, &states)?;
-        }
+        self.record(self.begin.time, self.begin.states)?;
         let mut h = self.first_step();
         let end = self.options.end;
         while self.begin.time < end {
@@ -195,6 +192,10 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
     /// A step in which the states change by a hundredth of their size; see E. Hairer, S. P. Norsett, G. Wanner, Solving
     /// Ordinary Differential Equations I, section II.4.
     fn first_step(&self) -> f64 {
+        if self.step.ends_at_results() {
+            // Such a step costs what happens in it, however long it is.
+            return self.wall() - self.begin.time;
+        }
         let Beginning { states, rates, .. } = &self.begin;
         let (size, pace) = (self.norm(states, states), self.norm(rates, states));
         let span = self.options.end - self.begin.time;
@@ -222,9 +223,15 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
         *self.course.get_or_insert_with(|| self.step.course(&self.begin))
     }
 
+    /// The time at which the next step must end at the latest.
+    fn wall(&self) -> f64 {
+        let result = self.recorder.next().filter(|_| self.step.ends_at_results()).unwrap_or(f64::INFINITY);
+        self.equations.next_break(self.begin.time).min(self.options.end).min(result)
+    }
+
     /// Makes the next step, of length h or shorter.
     fn advance(&mut self, h: f64) -> Result<Made, String> {
-        let wall = self.equations.next_break(self.begin.time).min(self.options.end);
+        let wall = self.wall();
         let mut h = h.min(self.options.longest);
         loop {
             if self.statistics.steps + self.statistics.rejected >= self.options.most_steps {
@@ -376,8 +383,13 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
     fn accept(&mut self, made: &Made) -> Result<(), String> {
         let course = self.course();
         let length = made.end - self.begin.time;
-        let piece = Piece { begin: self.begin.time, length, course: &course, precision: PRECISION };
-        self.recorder.piece(self.equations, &piece)?;
+        if self.step.ends_at_results() {
+            self.record(made.end, *self.step.end())?;
+        } else {
+            let piece = Piece { begin: self.begin.time, length, course: &course, precision: PRECISION };
+            self.recorder.piece(self.equations, &piece)?;
+        }
+        self.step.accept(self.equations);
         self.equations.accept(self.begin.time, made.end, &|fraction, states| course.at(fraction, states));
         self.begin.time = made.end;
         self.begin.states = *self.step.end();
@@ -398,6 +410,14 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
                 }
             }
         }
+    }
+
+    /// Records the states at a time, if it is an output time.
+    fn record(&mut self, time: f64, states: [f64; N]) -> Result<(), String> {
+        while self.recorder.is_due(time) {
+            self.recorder.point(self.equations, &states)?;
+        }
+        Ok(())
     }
 
     /// Makes an event.

@@ -3,7 +3,8 @@
 use super::piecewise::Piecewise;
 use super::rodas5p::Rodas5P;
 use super::rosenbrock23::Rosenbrock23;
-use super::{End, Equations, Options, Recorder, Statistics, march};
+use super::snapping::Snapping;
+use super::{End, Equations, Options, Recorder, Statistics, Track, march};
 
 /// A one-step method with exact Jacobian, dense output and located events.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,9 +15,26 @@ pub enum Method {
     Rosenbrock23,
 }
 
+/// Runs a method with as many states as the equations have, or the next larger number that has code of its own; the
+/// workspace is on the stack, and the loops over few states are unrolled.
+macro_rules! run_in {
+    ($equations:ident, $states:ident, $options:ident, $recorder:ident: $($n:literal => $Step:ty,)+) => {
+        match $states.len() {
+            $($n => march::run::<$Step, $n>($equations, $states, $options, $recorder),)+
+            $(count if count < $n => {
+                march::run::<$Step, $n>(&mut Padded::new($equations, $n), $states, $options, $recorder)
+            })+
+            count => {
+                let most = [$($n),+].into_iter().max().unwrap_or_default();
+                let reason = format!("{count} states; the limit is {most}");
+                (End::Failed { time: $options.begin, reason }, Statistics::default())
+            }
+        }
+    };
+}
+
 impl Method {
-    /// Runs a method with as many states as the equations have, or the next larger number that has code of its own; the
-    /// workspace is on the stack, and the loops over few states are unrolled.
+    /// Runs the method, or steps in which bonds snap if the equations have some.
     pub(super) fn run(
         self,
         equations: &mut dyn Equations,
@@ -24,24 +42,19 @@ impl Method {
         options: &Options,
         recorder: &mut Recorder,
     ) -> (End, Statistics) {
-        let count = states.len();
-        macro_rules! sizes {
-            ($($n:literal => $Step:ty,)+) => {
-                match count {
-                    $($n => march::run::<$Step, $n>(equations, states, options, recorder),)+
-                    $(_ if count < $n => {
-                        march::run::<$Step, $n>(&mut Padded::new(equations, $n), states, options, recorder)
-                    })+
-                    _ => {
-                        let most = [$($n),+].into_iter().max().unwrap_or_default();
-                        let reason = format!("{count} states; the limit is {most}");
-                        (End::Failed { time: options.begin, reason }, Statistics::default())
-                    }
-                }
+        if !equations.tracks().is_empty() {
+            return run_in! { equations, states, options, recorder:
+                1 => Snapping<1>,
+                2 => Snapping<2>,
+                3 => Snapping<3>,
+                4 => Snapping<4>,
+                6 => Snapping<6>,
+                16 => Snapping<16>,
+                72 => Snapping<72>,
             };
         }
         match self {
-            Method::Rodas5P => sizes! {
+            Method::Rodas5P => run_in! { equations, states, options, recorder:
                 1 => Piecewise<Rodas5P<1>, 1>,
                 2 => Piecewise<Rodas5P<2>, 2>,
                 3 => Piecewise<Rodas5P<3>, 3>,
@@ -50,7 +63,7 @@ impl Method {
                 16 => Rodas5P<16>,
                 72 => Rodas5P<72>,
             },
-            Method::Rosenbrock23 => sizes! {
+            Method::Rosenbrock23 => run_in! { equations, states, options, recorder:
                 4 => Rosenbrock23<4>,
                 16 => Rosenbrock23<16>,
                 72 => Rosenbrock23<72>,
@@ -151,6 +164,14 @@ impl Equations for Padded<'_> {
 
     fn is_due(&self, time: f64) -> bool {
         self.inner.is_due(time)
+    }
+
+    fn tracks(&mut self) -> &mut [Track] {
+        self.inner.tracks()
+    }
+
+    fn renew_tracks(&mut self) {
+        self.inner.renew_tracks();
     }
 
     fn recorded(&self) -> usize {

@@ -15,10 +15,13 @@ mod piecewise;
 mod recorder;
 mod rodas5p;
 mod rosenbrock23;
+mod snapping;
 mod statistics;
 mod step;
 
 use std::sync::atomic::{AtomicBool, Ordering};
+
+use stribeck::model::Bonds;
 
 #[cfg(feature = "foreign")]
 pub use foreign::{Foreign, solve_foreign};
@@ -79,6 +82,15 @@ pub trait Equations {
         false
     }
 
+    /// Bonds that snap as a step goes on, where the step has come to. The rates depend on their mean strain, as if it were
+    /// the state.
+    fn tracks(&mut self) -> &mut [Track] {
+        &mut []
+    }
+
+    /// Takes the work of the bonds in a step as energy, after the rates at the end of the step were evaluated.
+    fn renew_tracks(&mut self) {}
+
     /// Number of further values to be recorded.
     fn recorded(&self) -> usize {
         0
@@ -88,6 +100,15 @@ pub trait Equations {
     fn record(&mut self, _time: f64, _states: &[f64], _values: &mut [f64]) -> Result<(), String> {
         Ok(())
     }
+}
+
+/// Bonds that snap within steps.
+#[derive(Clone, Copy, Debug)]
+pub struct Track {
+    /// The state that is the strain of the first bond.
+    pub state: usize,
+    /// The bonds.
+    pub bonds: Bonds,
 }
 
 /// Accuracy and limits of a run.

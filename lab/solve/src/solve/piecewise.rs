@@ -74,7 +74,7 @@ impl<S: Step<N>, const N: usize> Step<N> for Piecewise<S, N> {
     const GAMMA: f64 = S::GAMMA;
     const DEFECT: f64 = S::DEFECT;
 
-    fn begin(&mut self, equations: &dyn Equations, options: &Options) {
+    fn begin(&mut self, equations: &mut dyn Equations, options: &Options) {
         self.flow = None;
         self.least = std::array::from_fn(|i| LEAST * equations.scales()[i]);
         self.is_linear = options.events && equations.is_piecewise_linear();

@@ -18,7 +18,10 @@ pub(super) trait Step<const N: usize>: Default {
     const DEFECT: f64;
 
     /// Takes note of an event, such as the beginning of a run.
-    fn begin(&mut self, _equations: &dyn Equations, _options: &Options) {}
+    fn begin(&mut self, _equations: &mut dyn Equations, _options: &Options) {}
+
+    /// Takes note of the step made last: it counts.
+    fn accept(&mut self, _equations: &mut dyn Equations) {}
 
     /// Makes a step of length h. False if it is impossible, because a matrix is singular or a number not finite.
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool;
@@ -40,6 +43,11 @@ pub(super) trait Step<const N: usize>: Default {
 
     /// Whether the motion in the attempt made last is as exact as numbers are, if it is confirmed.
     fn is_exact(&self) -> bool {
+        false
+    }
+
+    /// Whether steps end at output times, because the motion within them is not known as a course.
+    fn ends_at_results(&self) -> bool {
         false
     }
 

@@ -3,6 +3,7 @@
 //! A system comes from a TOML file or is built in; [`System::assemble`] checks it and joins the parts. [`Motion`] is its
 //! equations of motion, for the solvers.
 
+mod bonds;
 mod error;
 mod file;
 mod influence;
@@ -22,6 +23,8 @@ pub use part::{Part, Place, System, Wire, WireSource};
 pub use signal::Signal;
 pub use values::{Setting, closest, spelled};
 
+#[cfg(test)]
+mod bonds_tests;
 #[cfg(test)]
 mod event_tests;
 #[cfg(test)]

@@ -4,12 +4,13 @@ use stribeck::model::Past;
 use stribeck::number::DIRECTIONS;
 use stribeck::table::{Meaning, Variable};
 
+use super::bonds::{Bundle, bundles};
 use super::mover::Mover;
 use super::order::{Task, moving, tasks};
 use super::part::{Part, System, Wire, WireSource};
 use super::past::{Breaks, Line};
 use super::{Fault, Place, Signal};
-use crate::solve::Equations;
+use crate::solve::{Equations, Track};
 
 /// The equations of motion of a system.
 pub struct Motion {
@@ -29,6 +30,9 @@ pub struct Motion {
     /// Those of the tasks that their parts need.
     tasks_of_lines: Vec<Task>,
     breaks: Breaks,
+    /// Bonds that snap within steps, and where a step has brought them.
+    bundles: Vec<Bundle>,
+    tracks: Vec<Track>,
     /// Columns of what laws follow at once, because their lag is 0.
     present: Vec<Place>,
     recorded: Vec<WireSource>,
@@ -144,7 +148,9 @@ impl Motion {
         let scales = scales(system, &states);
         let (lines, present) = lines(system);
         let lagged = lines.iter().map(|line| Place { part: line.part, column: line.column });
-        let changing: Vec<Place> = states.iter().copied().chain(lagged).collect();
+        let (bundles, tracks): (Vec<Bundle>, Vec<Track>) = bundles(system, &states).into_iter().unzip();
+        let strains = bundles.iter().flat_map(Bundle::places);
+        let changing: Vec<Place> = states.iter().copied().chain(lagged).chain(strains).collect();
         let moving = moving(system, system.influences(), &changing);
         let mover = |(number, moving): (usize, &Vec<usize>)| Mover::new(system, number, &states, moving);
         let movers: Vec<Mover> = moving.iter().enumerate().map(mover).collect();
@@ -156,6 +162,8 @@ impl Motion {
             tasks_of_lines: needed(&used, |part| lines.iter().any(|line| line.part == part)),
             lines,
             breaks: Breaks::default(),
+            bundles,
+            tracks,
             present,
             movers,
             runs: runs(&states),
@@ -189,6 +197,11 @@ impl Motion {
         !self.lines.is_empty()
     }
 
+    /// Whether laws have bonds that snap, which only our own methods follow.
+    pub fn has_bonds(&self) -> bool {
+        !self.bundles.is_empty()
+    }
+
     /// What the law of a line remembers.
     fn past(&self, line: &Line) -> Option<Past> {
         let mover = &self.movers[line.part];
@@ -215,6 +228,9 @@ impl Motion {
     fn put_states(&mut self, time: f64, states: &[f64]) {
         for Run { part, column, first, count } in &self.runs {
             copy(&states[*first..], &mut self.movers[*part].row[*column..], *count);
+        }
+        for (bundle, track) in self.bundles.iter().zip(&self.tracks) {
+            bundle.put(track, states[track.state], &mut self.movers[bundle.part]);
         }
         if self.moving_signals {
             for (place, signal) in &self.signals {
@@ -245,6 +261,17 @@ impl Motion {
                     let value = self.movers[from.part].inclined[from.column];
                     self.movers[to.part].take(to.column, value);
                 }
+            }
+        }
+    }
+
+    /// Gives a state a slope, and the strains that follow it.
+    fn incline_state(&mut self, number: usize, direction: usize) {
+        let Place { part, column } = self.states[number];
+        self.movers[part].incline(column, direction, 1.0);
+        for (bundle, track) in self.bundles.iter().zip(&self.tracks) {
+            if track.state == number {
+                bundle.places().for_each(|place| self.movers[place.part].incline(place.column, direction, 1.0));
             }
         }
     }
@@ -344,7 +371,8 @@ fn states(system: &System, recorded: &[WireSource]) -> Vec<Place> {
         for column in made.model.states_in_use(&made.row) {
             let place = Place { part, column };
             let meaning = made.model.table.at(column).meaning;
-            if meaning == Meaning::History || follows && meaning == Meaning::Lagged {
+            let is_carried = Bundle::carries(made.model, &made.row, column);
+            if is_carried || meaning == Meaning::History || follows && meaning == Meaning::Lagged {
                 continue;
             }
             if meaning != Meaning::Energy || is_read(place) {
@@ -428,9 +456,10 @@ impl Equations for Motion {
             let directions = first..past.min(first + DIRECTIONS);
             self.movers.iter_mut().for_each(Mover::spread_changing);
             for (direction, number) in directions.clone().enumerate() {
-                match self.states.get(number) {
-                    Some(place) => self.movers[place.part].incline(place.column, direction, 1.0),
-                    None => self.incline_by_time(time, direction),
+                if number < count {
+                    self.incline_state(number, direction);
+                } else {
+                    self.incline_by_time(time, direction);
                 }
             }
             self.incline();
@@ -489,6 +518,9 @@ impl Equations for Motion {
             for (value, place) in states.iter_mut().zip(&self.states) {
                 *value = self.movers[place.part].row[place.column];
             }
+            for (bundle, track) in self.bundles.iter().zip(&mut self.tracks) {
+                bundle.take(track, &self.movers[bundle.part]);
+            }
             if self.movers.iter().zip(&before).all(|(mover, before)| mover.row == *before) {
                 break;
             }
@@ -528,6 +560,16 @@ impl Equations for Motion {
 
     fn is_due(&self, time: f64) -> bool {
         self.lines.iter().any(|line| line.is_due(time))
+    }
+
+    fn tracks(&mut self) -> &mut [Track] {
+        &mut self.tracks
+    }
+
+    fn renew_tracks(&mut self) {
+        for (bundle, track) in self.bundles.iter().zip(&mut self.tracks) {
+            bundle.renew(track, &self.movers[bundle.part]);
+        }
     }
 
     fn recorded(&self) -> usize {
