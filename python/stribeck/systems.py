@@ -31,7 +31,7 @@ class Difference:
 
 @dataclass(frozen=True)
 class Check:
-    """The difference of a run from one at a tenth of its tolerance, or of its communication step."""
+    """The difference of a run from one at a tenth of its steps' tolerance, or of its communication step."""
 
     of: str
     """What was made finer: `tolerance` or `step`."""
@@ -183,7 +183,7 @@ def solve(system: str = "belt", law: str | Description | None = None, **options:
     Options, as of `stribeck run`: `set`, a dictionary of values such as `{"rig.mass": 2.0, "mu_s": 0.2}`; `solver`, one
     of `stribeck.solvers()`; `tol`, relative and absolute tolerance; `until` and `every`, end and interval of the
     results in s; `record`, names of results such as `rig.position` or `der(rig.block_velocity)`; `events`, whether they
-    are located; `check`, whether the run is repeated at a tenth of the tolerance, see `Solution.check`; for
+    are located; `check`, whether the run is repeated at a tenth of its steps' tolerance, see `Solution.check`; for
     co-simulation `step` in s, `jitter` as a part of it, and `exchange`.
 
     Raises `stribeck.Refused`, a ValueError, for what cannot be run, and `stribeck.NotConverged` for a run that ends

@@ -119,7 +119,7 @@ jitter?: number,
  */
 "no-events": boolean, 
 /**
- * Repeat the run at a tenth of the tolerance (of the step in co-simulation), and report the difference
+ * Repeat the run at a tenth of its steps' tolerance (in co-simulation, of its step), and report the difference
  */
 check: boolean, 
 /**

@@ -35,7 +35,7 @@ test("a check by a finer run is told beside the cost", async () => {
   await page.locator("#check-bench").check();
   await computed(page, seen + 1);
   assert.ok(page.url().endsWith("&check=true"), page.url());
-  for (const text of await cells()) assert.match(text, /^tolerance 1e-7: .*rig\.position \S+, .* of the range$/);
+  for (const text of await cells()) assert.match(text, /^tolerance 6.3e-9: .*rig\.position \S+, .* of the range$/);
   assert.deepEqual(wrong, []);
 });
 

@@ -116,7 +116,7 @@ fn a_check_says_what_a_finer_run_says() {
         (output.status.code(), told["runs"][0].clone())
     };
     let (code, checked) = runs(&["--tol", "1e-5", "--check"]);
-    let [(_, coarse), (_, fine)] = ["1e-5", "1e-6"].map(|tolerance| runs(&["--tol", tolerance]));
+    let [(_, coarse), (_, fine)] = ["1e-5", "3.2e-8"].map(|tolerance| runs(&["--tol", tolerance]));
     assert!(code == Some(0) && coarse["check"].is_null() && checked["results"] == coarse["results"]);
     let values = |run: &serde_json::Value| -> Vec<f64> {
         let all = run["results"]["rig.position"]["values"].as_array().expect("an array").iter();

@@ -9,28 +9,25 @@ use drawn::{Case, Tally, laws, tallies};
 /// Sets of parameters for each law: the defaults and two drawn ones.
 const DRAWS: usize = 3;
 
-/// Law whose motion, with some parameters, amplifies every error: see docs/benchmark.md.
-const AMPLIFIES: &str = "BlimanSorine";
-
 fn check(solver: Solver, tolerances: &[f64]) {
     for case in [Case { system: "belt", until: 20.0 }, Case { system: "pulled-mass", until: 5.0 }] {
         let mut all = Tally::default();
-        for law in laws().filter(|law| *law != AMPLIFIES) {
+        for law in laws() {
             let found = tallies(case, law, DRAWS, solver, tolerances, |wrong| panic!("{wrong}"));
             found.into_iter().flatten().for_each(|tally| all += tally);
         }
-        println!("{}: {} runs, {} not reached", case.system, all.runs, all.refused);
+        println!("{}: {} runs, {} not reached, {} off", case.system, all.runs, all.refused, all.off);
         assert!(all.runs > 40 * tolerances.len() && all.refused * 20 < all.runs, "{}", all.runs);
+        assert!(all.off * 100 <= all.runs, "{} of {}", all.off, all.runs);
     }
 }
 
 #[test]
 fn rodas5p_is_right_at_every_tolerance() {
-    check(Solver::Rodas5P, &[1e-3, 1e-4, 1e-5, 1e-7]);
+    check(Solver::Rodas5P, &[1e-3, 1e-5, 1e-7]);
 }
 
-/// At 1e-3 the errors of its many steps add up to as much as a tenth of the amplitude.
 #[test]
-fn rosenbrock23_is_right_from_1e_4_on() {
-    check(Solver::Rosenbrock23, &[1e-4, 1e-6]);
+fn rosenbrock23_is_right_at_loose_tolerances() {
+    check(Solver::Rosenbrock23, &[1e-3, 1e-5]);
 }

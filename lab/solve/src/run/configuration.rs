@@ -55,7 +55,7 @@ pub struct Configuration {
     #[arg(long)]
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub no_events: bool,
-    /// Repeat the run at a tenth of the tolerance (of the step in co-simulation), and report the difference
+    /// Repeat the run at a tenth of its steps' tolerance (in co-simulation, of its step), and report the difference
     #[arg(long)]
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub check: bool,

@@ -12,6 +12,7 @@ mod step;
 use std::time::{Duration, Instant};
 
 use stribeck::model::Brief;
+use stribeck::number::elementary::pow;
 
 pub use communication_step::{CommunicationSteps, Order, Search, Trial, communication_steps};
 pub use configuration::{Configuration, Vary, words};
@@ -41,7 +42,7 @@ pub struct Settings<'a> {
     pub events: bool,
     /// The master, for co-simulation.
     pub master: Master,
-    /// Whether the run is repeated at a tenth of its tolerance, or of the master's step.
+    /// Whether the run is repeated at a tenth of its steps' tolerance, or of the master's step.
     pub is_checked: bool,
     /// Set from outside to end the run early.
     pub cancel: Option<&'a std::sync::atomic::AtomicBool>,
@@ -51,6 +52,12 @@ pub struct Settings<'a> {
 
 /// Largest number of output times (chosen): a table of a gigabyte.
 const MOST_ROWS: f64 = 2e7;
+
+/// Tolerance up to which that of the steps is the same.
+const FINE: f64 = 1e-8;
+
+/// Power of a larger tolerance with which that of the steps grows (chosen): 1e-6 at 1e-3.
+const GROWTH: f64 = 0.4;
 
 /// Least tolerance: a few roundings of a number.
 const LEAST_TOLERANCE: f64 = 1e-14;
@@ -97,14 +104,23 @@ impl Settings<'_> {
 
     fn options(&self) -> Options<'_> {
         Options {
-            relative: self.tolerance,
-            absolute: self.tolerance,
             events: self.events,
             cancel: self.cancel,
             progress: self.progress,
             ..Options::new(self.until, self.tolerance)
         }
     }
+}
+
+/// The tolerance of a step of our methods by which the motion keeps that of the run: friction that falls with speed
+/// amplifies an error made before breakaway a thousandfold, so that a loose step may change the whole motion.
+fn of_steps(tolerance: f64) -> f64 {
+    tolerance.min(FINE) * pow((tolerance / FINE).max(1.0), GROWTH)
+}
+
+/// The tolerance of a run whose steps have this one.
+fn of_run(steps: f64) -> f64 {
+    steps.min(FINE) * pow((steps / FINE).max(1.0), 1.0 / GROWTH)
 }
 
 /// Runs a system and records the named results: variables such as `rig.position`, or `der(rig.block_velocity)`.
@@ -149,6 +165,8 @@ fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSo
     }
     let (end, statistics, (time, values)) = match kind {
         Kind::Own(method) => {
+            let tolerance = of_steps(settings.tolerance);
+            let options = Options { relative: tolerance, absolute: tolerance, ..options };
             return of_motion(system, sources, grid, |motion, states, recorder| {
                 Ok(solve(method, motion, states, &options, recorder))
             });

@@ -31,7 +31,7 @@ pub struct Passed {
     pub part: String,
 }
 
-/// The difference of a run from one at a tenth of its tolerance, or of its communication step.
+/// The difference of a run from one at a tenth of its steps' tolerance, or of its communication step.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct Check {
     /// What was made finer.
