@@ -3,7 +3,7 @@
 use stribeck::model::Meaning;
 
 use super::progress::Share;
-use super::{Check, Difference, Finer, Kind, LEAST_TOLERANCE, Outcome, Settings, of_run, of_steps, once};
+use super::{Check, Difference, FINE, Finer, Kind, LEAST_TOLERANCE, Outcome, Settings, of_run, of_steps, once};
 use crate::couple::is_host;
 use crate::solve::{End, Progress};
 use crate::system::{Fault, Place, System};
@@ -86,9 +86,12 @@ fn finer<'a>(run: &Outcome, settings: &Settings<'a>) -> Settings<'a> {
 
 /// A tenth of a tolerance; for methods of ours that with which their steps have a tenth of theirs.
 fn finer_tolerance(kind: Kind, tolerance: f64) -> f64 {
-    let finer = if matches!(kind, Kind::Own(_)) { of_run(of_steps(tolerance) / FACTOR) } else { tolerance / FACTOR };
-    // As a user would write it.
-    format!("{finer:.1e}").parse().unwrap_or(finer).max(LEAST_TOLERANCE)
+    if !matches!(kind, Kind::Own(_)) || tolerance <= FINE {
+        return tenth(tolerance).max(LEAST_TOLERANCE);
+    }
+    let finer = of_run(of_steps(tolerance) / FACTOR);
+    // Two digits are enough to repeat the run by hand.
+    format!("{finer:.1e}").parse().unwrap_or(finer)
 }
 
 /// A tenth as a user would write it: of 1e-5 it is 1e-6, and not that with a last digit.
