@@ -24,10 +24,10 @@ fn check(solver: Solver, tolerances: &[f64]) {
 
 #[test]
 fn rodas5p_is_right_at_every_tolerance() {
-    check(Solver::Rodas5P, &[1e-3, 1e-5, 1e-7]);
+    check(Solver::Rodas5P, &[1e-3, 1e-4, 1e-5, 1e-7]);
 }
 
 #[test]
 fn rosenbrock23_is_right_at_loose_tolerances() {
-    check(Solver::Rosenbrock23, &[1e-3, 1e-5]);
+    check(Solver::Rosenbrock23, &[1e-3, 1e-4, 1e-5, 1e-6]);
 }
