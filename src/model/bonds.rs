@@ -8,7 +8,7 @@ use crate::numerics::random::uniform;
 /// Largest number of bonds in a contact. Haessig and Friedland find fewer than 50 sufficient.
 pub const MOST_BONDS: usize = 64;
 
-/// What all bonds of a contact share.
+/// Parameters that all bonds of a contact share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
     /// Strain at which a bond snaps.

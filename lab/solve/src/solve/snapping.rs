@@ -119,7 +119,7 @@ impl<const N: usize> Run<'_, N> {
 #[derive(Clone, Copy)]
 struct Path([f64; TERMS]);
 
-/// What a displacement does within a time.
+/// Course of a displacement within a given time.
 enum Reach {
     /// It goes no further than there is room.
     Within,
@@ -130,7 +130,7 @@ enum Reach {
 }
 
 impl Path {
-    /// Whether the motion begins forwards; none if there is no motion.
+    /// Tells whether the motion begins forwards; none if there is no motion.
     fn is_forwards(&self) -> Option<bool> {
         self.0.iter().find(|c| **c != 0.0).map(|c| *c > 0.0)
     }
