@@ -4,7 +4,7 @@ use crate::contact::quantities::*;
 use crate::contact::time_stepping::{MOVED, NO_EVENT, PASSED, Phase, PhaseColumn, REACHED};
 use crate::contact::unloading;
 use crate::model::ramp;
-use crate::model::{Derivatives, Fault, Law, Meaning, Model, Past, Preset, WithPast, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, Past, Preset, WithHistory, real};
 use crate::number::{Mask, Real, choose};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::root::first_rise;
@@ -248,7 +248,7 @@ impl<T: Real> Armstrong<T> {
 }
 
 impl<T: Real> Law for Armstrong<T> {
-    type Interface = WithPast;
+    type Interface = WithHistory;
 
     fn output(&mut self) {
         self.friction_force = self.force();

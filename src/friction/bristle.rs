@@ -2,7 +2,7 @@ use crate::contact::quantities::*;
 use crate::contact::unloading;
 use crate::model::ramp;
 use crate::model::{
-    self, Bonds, Derivatives, Fault, Law, MOST_BONDS, Meaning, Model, Preset, Surface, WithBonds, integer, real,
+    self, Bonds, Derivatives, Fault, Law, MOST_BONDS, Meaning, Model, Preset, Surface, WithHistory, integer, real,
 };
 use crate::number::{Mask, Real, Scalar};
 
@@ -172,7 +172,7 @@ impl<T: Scalar> Bristle<T> {
 }
 
 impl<T: Scalar> Law for Bristle<T> {
-    type Interface = WithBonds;
+    type Interface = WithHistory;
 
     fn output(&mut self) {
         self.friction_force = self.force();

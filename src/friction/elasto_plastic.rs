@@ -177,11 +177,9 @@ impl<T: Scalar> ElastoPlastic<T> {
     }
 }
 
-impl<T: Scalar> Law for ElastoPlastic<T> {
-    type Interface = ModelExchange;
-
-    fn output(&mut self) {
-        let rate = self.deflection_rate();
+impl<T: Scalar> ElastoPlastic<T> {
+    /// The outputs at dz/dt.
+    fn respond(&mut self, rate: T) {
         self.friction_force = self.force(rate);
         self.dissipated_power = self.friction_force * self.velocity;
         let elastic = is_elastic(rate, self.velocity);
@@ -189,10 +187,24 @@ impl<T: Scalar> Law for ElastoPlastic<T> {
     }
 }
 
+impl<T: Scalar> Law for ElastoPlastic<T> {
+    type Interface = ModelExchange;
+
+    fn output(&mut self) {
+        self.respond(self.deflection_rate());
+    }
+}
+
 impl<T: Scalar> Derivatives for ElastoPlastic<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.bristle_deflection = self.deflection_rate();
         rate.dissipated_energy = self.force(rate.bristle_deflection) * self.velocity;
+    }
+
+    fn output_and_derivatives(&mut self, rate: &mut Self) {
+        rate.bristle_deflection = self.deflection_rate();
+        self.respond(rate.bristle_deflection);
+        rate.dissipated_energy = self.dissipated_power;
     }
 }
 

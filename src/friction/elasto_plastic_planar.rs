@@ -167,11 +167,9 @@ impl<T: Component> ElastoPlasticPlanar<T> {
     }
 }
 
-impl<T: Component> Law for ElastoPlasticPlanar<T> {
-    type Interface = ModelExchange;
-
-    fn output(&mut self) {
-        let rate = self.deflection_rate(self.level());
+impl<T: Component> ElastoPlasticPlanar<T> {
+    /// The outputs at dz/dt.
+    fn respond(&mut self, rate: Vector2<T>) {
         let force = self.force(rate);
         [self.friction_force_x, self.friction_force_y] = force.into();
         self.dissipated_power = force.dot(&self.velocity());
@@ -182,11 +180,26 @@ impl<T: Component> Law for ElastoPlasticPlanar<T> {
     }
 }
 
+impl<T: Component> Law for ElastoPlasticPlanar<T> {
+    type Interface = ModelExchange;
+
+    fn output(&mut self) {
+        self.respond(self.deflection_rate(self.level()));
+    }
+}
+
 impl<T: Component> Derivatives for ElastoPlasticPlanar<T> {
     fn derivatives(&self, rate: &mut Self) {
         let change = self.deflection_rate(self.level());
         [rate.bristle_deflection_x, rate.bristle_deflection_y] = change.into();
         rate.dissipated_energy = self.force(change).dot(&self.velocity());
+    }
+
+    fn output_and_derivatives(&mut self, rate: &mut Self) {
+        let change = self.deflection_rate(self.level());
+        [rate.bristle_deflection_x, rate.bristle_deflection_y] = change.into();
+        self.respond(change);
+        rate.dissipated_energy = self.dissipated_power;
     }
 }
 

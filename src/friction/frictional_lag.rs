@@ -5,7 +5,7 @@ use crate::contact::time_stepping::{Curve, EVENTS_ON_CURVE, OnCurve, Phase, Phas
 use crate::contact::unloading;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{Derivatives, Fault, Law, Meaning, Model, Past, Preset, WithPast, boolean};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, Past, Preset, WithHistory, boolean};
 use crate::number::elementary::{exp_m1, ln_1p, pow};
 use crate::number::{Mask, Real, choose};
 use crate::numerics::quadrature::integral_past_peak;
@@ -209,7 +209,7 @@ impl<T: Real> Curve<T> for FrictionalLag<T> {
 }
 
 impl<T: Real> Law for FrictionalLag<T> {
-    type Interface = WithPast;
+    type Interface = WithHistory;
 
     fn output(&mut self) {
         self.friction_force = self.force();

@@ -138,16 +138,15 @@ impl<T: Real> Gonthier<T> {
         u.abs().at_least(T::from(1.0)).choose(|| u.sign(), || u * (T::from(1.5) - T::from(0.5) * u * u))
     }
 
-    /// dz/dt.
-    fn deflection_rate(&self) -> T {
-        let s = self.stick_share();
+    /// dz/dt at s.
+    fn deflection_rate(&self, s: T) -> T {
         let missing = self.coulomb() * self.direction() - self.sigma_0 * self.bristle_deflection;
         s * self.velocity + (T::from(1.0) - s) * missing / self.sigma_1
     }
 
-    /// f_br.
-    fn bristle_force(&self) -> T {
-        self.sigma_0 * self.bristle_deflection + self.sigma_1 * self.deflection_rate()
+    /// f_br at dz/dt.
+    fn bristle_force(&self, deflection_rate: T) -> T {
+        self.sigma_0 * self.bristle_deflection + self.sigma_1 * deflection_rate
     }
 
     /// f_max.
@@ -156,14 +155,31 @@ impl<T: Real> Gonthier<T> {
     }
 
     /// Rate at which s_d approaches s.
-    fn dwell_rate(&self) -> T {
-        let rises = self.stick_share().at_least(self.dwell);
+    fn dwell_rate(&self, s: T) -> T {
+        let rises = s.at_least(self.dwell);
         rises.choose(|| T::from(1.0) / self.dwell_time_constant, || self.sigma_0 / self.sigma_1)
     }
 
-    fn force(&self) -> T {
-        let loaded = || self.bristle_force().limited(self.limit()) + self.viscous_coefficient * self.velocity;
+    fn force(&self, bristle_force: T) -> T {
+        let loaded = || bristle_force.limited(self.limit()) + self.viscous_coefficient * self.velocity;
         self.normal_force.vanishes().choose(|| T::zero(), loaded)
+    }
+
+    /// The outputs at dz/dt.
+    fn respond(&mut self, deflection_rate: T) {
+        let bristle_force = self.bristle_force(deflection_rate);
+        self.friction_force = self.force(bristle_force);
+        self.dissipated_power = self.friction_force * self.velocity;
+        let within = bristle_force.abs().at_most(self.limit());
+        let elastic = self.velocity.vanishes() | within & is_elastic(deflection_rate, self.velocity);
+        self.sticking = T::truth(elastic & self.normal_force.is_positive());
+    }
+
+    /// The rates of the states at s and dz/dt.
+    fn move_on(&self, s: T, deflection_rate: T, rate: &mut Self) {
+        let is_loaded = self.normal_force.is_positive();
+        rate.bristle_deflection = is_loaded.choose(|| deflection_rate, || T::zero());
+        rate.dwell = is_loaded.choose(|| self.dwell_rate(s) * (s - self.dwell), || T::zero());
     }
 }
 
@@ -171,34 +187,38 @@ impl<T: Real> Law for Gonthier<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
-        self.friction_force = self.force();
-        self.dissipated_power = self.friction_force * self.velocity;
-        let within = self.bristle_force().abs().at_most(self.limit());
-        let elastic = self.velocity.vanishes() | within & is_elastic(self.deflection_rate(), self.velocity);
-        self.sticking = T::truth(elastic & self.normal_force.is_positive());
+        self.respond(self.deflection_rate(self.stick_share()));
     }
 }
 
 impl<T: Real> Derivatives for Gonthier<T> {
     fn derivatives(&self, rate: &mut Self) {
-        let is_loaded = self.normal_force.is_positive();
-        rate.bristle_deflection = is_loaded.choose(|| self.deflection_rate(), || T::zero());
-        rate.dwell = is_loaded.choose(|| self.dwell_rate() * (self.stick_share() - self.dwell), || T::zero());
-        rate.dissipated_energy = self.force() * self.velocity;
+        let s = self.stick_share();
+        let deflection_rate = self.deflection_rate(s);
+        self.move_on(s, deflection_rate, rate);
+        rate.dissipated_energy = self.force(self.bristle_force(deflection_rate)) * self.velocity;
+    }
+
+    fn output_and_derivatives(&mut self, rate: &mut Self) {
+        let s = self.stick_share();
+        let deflection_rate = self.deflection_rate(s);
+        self.move_on(s, deflection_rate, rate);
+        self.respond(deflection_rate);
+        rate.dissipated_energy = self.dissipated_power;
     }
 }
 
 impl Gonthier {
     /// The motion of the states from now on, with held inputs.
     fn course(&self) -> Course {
-        let u = self.velocity / self.stribeck_velocity;
+        let (u, s) = (self.velocity / self.stribeck_velocity, self.stick_share());
         Course {
             law: *self,
             // (1 - s) sigma_0 / sigma_1
             rate: -exp_m1(-u * u) * self.sigma_0 / self.sigma_1,
-            deflection_rate: self.deflection_rate(),
-            dwell_rate: self.dwell_rate(),
-            dwell_missing: self.stick_share() - self.dwell,
+            deflection_rate: self.deflection_rate(s),
+            dwell_rate: self.dwell_rate(s),
+            dwell_missing: s - self.dwell,
         }
     }
 }

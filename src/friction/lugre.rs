@@ -140,14 +140,15 @@ impl<T: Real> LuGre<T> {
 }
 
 impl<T: Real> LuGre<T> {
-    /// The outputs at the level g(v) and with the damping sigma_1(v).
+    /// The outputs at the level g(v) and with the damping sigma_1(v). Returns dz/dt.
     #[inline(always)]
-    fn respond(&mut self, level: T, damping: T) {
+    fn respond(&mut self, level: T, damping: T) -> T {
         let rate = self.deflection_rate(level);
         self.friction_force = self.force(rate, damping);
         self.dissipated_power = self.friction_force * self.velocity;
         let elastic = is_elastic(rate, self.velocity);
         self.sticking = T::truth(elastic & self.normal_force.is_positive());
+        rate
     }
 }
 
@@ -165,6 +166,12 @@ impl<T: Real> Derivatives for LuGre<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.bristle_deflection = self.deflection_rate(self.level());
         rate.dissipated_energy = self.force(rate.bristle_deflection, self.damping()) * self.velocity;
+    }
+
+    #[inline(always)]
+    fn output_and_derivatives(&mut self, rate: &mut Self) {
+        rate.bristle_deflection = self.respond(self.level(), self.damping());
+        rate.dissipated_energy = self.dissipated_power;
     }
 }
 

@@ -155,12 +155,10 @@ impl<T: Component> LuGrePlanar<T> {
     }
 }
 
-impl<T: Component> Law for LuGrePlanar<T> {
-    type Interface = ModelExchange;
-
+impl<T: Component> LuGrePlanar<T> {
+    /// The outputs at dz/dt.
     #[inline(always)]
-    fn output(&mut self) {
-        let rate = self.deflection_rate();
+    fn respond(&mut self, rate: Vector2<T>) {
         let force = self.force(rate);
         [self.friction_force_x, self.friction_force_y] = force.into();
         self.dissipated_power = force.dot(&self.velocity());
@@ -171,12 +169,29 @@ impl<T: Component> Law for LuGrePlanar<T> {
     }
 }
 
+impl<T: Component> Law for LuGrePlanar<T> {
+    type Interface = ModelExchange;
+
+    #[inline(always)]
+    fn output(&mut self) {
+        self.respond(self.deflection_rate());
+    }
+}
+
 impl<T: Component> Derivatives for LuGrePlanar<T> {
     #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
         let change = self.deflection_rate();
         [rate.bristle_deflection_x, rate.bristle_deflection_y] = change.into();
         rate.dissipated_energy = self.force(change).dot(&self.velocity());
+    }
+
+    #[inline(always)]
+    fn output_and_derivatives(&mut self, rate: &mut Self) {
+        let change = self.deflection_rate();
+        [rate.bristle_deflection_x, rate.bristle_deflection_y] = change.into();
+        self.respond(change);
+        rate.dissipated_energy = self.dissipated_power;
     }
 }
 

@@ -125,6 +125,14 @@ pub trait Law: Numbers {
 pub trait Derivatives: Law {
     /// Writes the time derivatives of the continuous states into their columns of `rate`.
     fn derivatives(&self, rate: &mut Self);
+
+    /// [`Law::output`] and [`Derivatives::derivatives`], without memory. To be overridden if both need the same costly
+    /// term: compilers do not find it where a law has branches.
+    #[inline(always)]
+    fn output_and_derivatives(&mut self, rate: &mut Self) {
+        self.output_with(&[]);
+        self.derivatives(rate);
+    }
 }
 
 /// Interface type of FMI for which a model is offered beside its steps.
@@ -137,6 +145,9 @@ pub trait Interface<M> {
 
     /// Writes the time derivatives of the continuous states into their columns of `rate`, if there are any.
     fn rates(model: &M, rate: &mut M);
+
+    /// Writes the outputs, advice apart, of a model without memory, and what [`Interface::rates`] writes.
+    fn outputs_and_rates(model: &mut M, rate: &mut M);
 }
 
 /// A model whose continuous states may be integrated by an importer. They move only by their [`Derivatives`], and the
@@ -151,13 +162,18 @@ impl<M: Derivatives> Interface<M> for ModelExchange {
     fn rates(model: &M, rate: &mut M) {
         model.derivatives(rate);
     }
+
+    #[inline(always)]
+    fn outputs_and_rates(model: &mut M, rate: &mut M) {
+        model.output_and_derivatives(rate);
+    }
 }
 
-/// A model as for [`ModelExchange`], but for a [`Past`] that no importer gives: for co-simulation, and for solvers that
-/// keep the past.
-pub enum WithPast {}
+/// A model as for [`ModelExchange`], but for a [`Past`] that no importer gives, or for [`Bonds`] that snap too often for the
+/// events of an importer: for co-simulation, and for solvers that follow them.
+pub enum WithHistory {}
 
-impl<M: Derivatives> Interface<M> for WithPast {
+impl<M: Derivatives> Interface<M> for WithHistory {
     const IS_MODEL_EXCHANGE: bool = false;
     const HAS_RATES: bool = true;
 
@@ -165,19 +181,10 @@ impl<M: Derivatives> Interface<M> for WithPast {
     fn rates(model: &M, rate: &mut M) {
         model.derivatives(rate);
     }
-}
-
-/// A model as for [`ModelExchange`], but for [`Bonds`] that snap too often for the events of an importer: for
-/// co-simulation, and for solvers that follow the bonds.
-pub enum WithBonds {}
-
-impl<M: Derivatives> Interface<M> for WithBonds {
-    const IS_MODEL_EXCHANGE: bool = false;
-    const HAS_RATES: bool = true;
 
     #[inline(always)]
-    fn rates(model: &M, rate: &mut M) {
-        model.derivatives(rate);
+    fn outputs_and_rates(model: &mut M, rate: &mut M) {
+        model.output_and_derivatives(rate);
     }
 }
 
@@ -197,12 +204,17 @@ pub struct Past {
 /// A model that only its own steps advance.
 pub enum CoSimulation {}
 
-impl<M> Interface<M> for CoSimulation {
+impl<M: Law> Interface<M> for CoSimulation {
     const IS_MODEL_EXCHANGE: bool = false;
     const HAS_RATES: bool = false;
 
     #[inline(always)]
     fn rates(_model: &M, _rate: &mut M) {}
+
+    #[inline(always)]
+    fn outputs_and_rates(model: &mut M, _rate: &mut M) {
+        model.output_with(&[]);
+    }
 }
 
 /// Whether a model is offered for Model Exchange.

@@ -144,12 +144,10 @@ pub fn advise_in<M: Model, T: Evaluate>(row: &mut [T]) {
 /// Computes the outputs of a row without memory, advice apart, and the time derivatives of its continuous states, in the
 /// columns of the states; `rate` is 0 elsewhere. What both need is computed once.
 pub fn output_and_rate_in<M: Model, T: Evaluate>(row: &mut [T], rate: &mut [T]) {
-    let model = view_mut::<M::In<T>, T>(row);
-    model.output_with(&[]);
     // As long as the table, which the compiler knows.
     let rate = &mut rate[..M::TABLE.len()];
     rate.fill(T::from(0.0));
-    <M::In<T> as Law>::Interface::rates(model, view_mut(rate));
+    <M::In<T> as Law>::Interface::outputs_and_rates(view_mut(row), view_mut(rate));
 }
 
 /// Largest force of a law without its viscous part, relative to the static level.

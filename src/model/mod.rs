@@ -20,7 +20,7 @@ pub use bonds::{Bond, Bonds, MOST_BONDS, Surface};
 pub use declare::{list, start};
 pub use equations::{
     CoSimulation, Columns, Derivatives, Described, Interface, Law, Model, ModelExchange, Numbers, Past, Preset, Width,
-    WithBonds, WithPast,
+    WithHistory,
 };
 pub(crate) use equations::{is_for_exchange, rests_at_events};
 pub use evaluate::{Evaluate, advise_in, memory_in, output_and_rate_in, output_in, rate_in};
