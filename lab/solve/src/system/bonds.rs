@@ -5,6 +5,7 @@ use stribeck::model::{Meaning, ModelType};
 use super::Place;
 use super::mover::Mover;
 use super::part::System;
+use super::wiring::Rows;
 use crate::solve::Track;
 
 /// The bonds of a part as the solver follows them. One state, the strain of the first bond, stands for all strains.
@@ -27,20 +28,20 @@ impl Bundle {
     }
 
     /// Lets the strains follow the state.
-    pub fn put(&self, track: &Track, state: f64, mover: &mut Mover) {
-        mover.model.put_bonds(&mut mover.row, &track.bonds, state - track.bonds.first());
+    pub fn put(&self, track: &Track, state: f64, mover: &Mover, rows: &mut Rows) {
+        mover.model.put_bonds(rows.of_mut(mover), &track.bonds, state - track.bonds.first());
     }
 
     /// Takes the bonds from the row after an event.
-    pub fn take(&self, track: &mut Track, mover: &Mover) {
-        if let Some(bonds) = mover.model.bonds(&mover.row) {
+    pub fn take(&self, track: &mut Track, mover: &Mover, rows: &Rows) {
+        if let Some(bonds) = mover.model.bonds(rows.of(mover)) {
             track.bonds = bonds;
         }
     }
 
     /// Takes the bonds from the row after a step, and its work as energy.
-    pub fn renew(&self, track: &mut Track, mover: &Mover) {
-        if let Some(bonds) = mover.model.bonds(&mover.row) {
+    pub fn renew(&self, track: &mut Track, mover: &Mover, rows: &Rows) {
+        if let Some(bonds) = mover.model.bonds(rows.of(mover)) {
             track.bonds = track.bonds.renewed(bonds);
         }
     }

@@ -15,6 +15,7 @@ mod past;
 mod signal;
 mod slot;
 mod values;
+mod wiring;
 
 pub use error::Fault;
 pub use file::{BUILT_IN, Description, Source, read};
@@ -33,3 +34,5 @@ mod past_tests;
 mod strut_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod wiring_tests;

@@ -6,92 +6,71 @@ use stribeck::table::{Meaning, Variable};
 
 use super::bonds::{Bundle, bundles};
 use super::mover::Mover;
-use super::order::{Task, moving, tasks};
+use super::order::{Task, moving, moving_parts, tasks};
 use super::part::{Part, System, Wire, WireSource};
 use super::past::{Breaks, Line};
+use super::wiring::{Plan, Rows, column_of};
 use super::{Fault, Place, Signal};
 use crate::solve::{Equations, Track};
 
 /// The equations of motion of a system.
 pub struct Motion {
     movers: Vec<Mover>,
+    rows: Rows,
     states: Vec<Place>,
+    /// Parts and columns of the states.
+    columns: Vec<(usize, usize)>,
     runs: Vec<Run>,
     scales: Vec<f64>,
-    tasks: Vec<Task>,
-    /// Steps that find all rates.
-    acts: Vec<Act>,
-    /// Those of the tasks that event indicators need, which depend on inputs and states.
-    tasks_of_indicators: Vec<Task>,
+    /// What gives all inputs their values.
+    all: Plan,
+    /// What finds all rates.
+    of_rates: Plan,
+    /// What event indicators need that depend on inputs and states.
+    of_indicators: Plan,
+    /// What is the same from event to event: it belongs to parts that do not move.
+    at_rest: Plan,
     signals: Vec<(Place, Signal)>,
     moving_signals: bool,
+    /// Time at which the signals have been looked at.
+    time_of_signals: f64,
     /// What laws follow a time lag later.
     lines: Vec<Line>,
-    /// Those of the tasks that their parts need.
-    tasks_of_lines: Vec<Task>,
+    /// What these laws need.
+    of_lines: Plan,
     breaks: Breaks,
     /// Bonds that snap within steps, and where a step has brought them.
     bundles: Vec<Bundle>,
     tracks: Vec<Track>,
+    /// Whether evaluations need more than the states.
+    has_more: bool,
     /// Columns of what laws follow at once, because their lag is 0.
     present: Vec<Place>,
     recorded: Vec<WireSource>,
-    /// Whether columns that are not [`Mover::changing`] may have changed since they were taken over with slopes.
+    /// Columns that change in time and are not given by another part.
+    changing: Vec<usize>,
+    /// Whether other columns may have changed since they were taken over with slopes.
     stale: bool,
-}
-
-/// A step of finding all rates.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Act {
-    /// Computes the outputs of a part.
-    Output(usize),
-    /// Computes the rates of a part, and its outputs with them.
-    Respond(usize),
-    /// Computes the rates of a part whose outputs were needed before it had all inputs.
-    Rate(usize),
-    /// Passes a value on.
-    Pass { from: Place, to: Place },
-}
-
-/// The tasks, and then the rates of all parts that move; those of a part whose outputs are computed when all its inputs
-/// are known are found with them.
-fn acts(tasks: &[Task], movers: &[Mover]) -> Vec<Act> {
-    let is_ready = |part: usize, rest: &[Task]| {
-        rest.iter().all(|task| match task {
-            Task::Output(other) => *other != part,
-            Task::Pass { to, .. } => to.part != part,
-        })
-    };
-    let act = |(number, task): (usize, &Task)| match *task {
-        Task::Output(part) if movers[part].moves && is_ready(part, &tasks[number + 1..]) => Act::Respond(part),
-        Task::Output(part) => Act::Output(part),
-        Task::Pass { from, to } => Act::Pass { from, to },
-    };
-    let mut acts: Vec<Act> = tasks.iter().enumerate().map(act).collect();
-    for (part, mover) in movers.iter().enumerate() {
-        if mover.moves && !acts.contains(&Act::Respond(part)) {
-            acts.push(if acts.contains(&Act::Output(part)) { Act::Rate(part) } else { Act::Respond(part) });
-        }
-    }
-    acts
 }
 
 /// States that are neighbours in the row of a part as well.
 #[derive(Clone, Copy, Debug)]
 struct Run {
-    part: usize,
     column: usize,
     first: usize,
     count: usize,
 }
 
-fn runs(states: &[Place]) -> Vec<Run> {
+/// Runs of states with these parts and columns.
+fn runs(states: &[(usize, usize)]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
-    for (first, Place { part, column }) in states.iter().copied().enumerate() {
+    let mut before = None;
+    for (first, (part, column)) in states.iter().copied().enumerate() {
         match runs.last_mut() {
-            Some(run) if run.part == part && run.column + run.count == column => run.count += 1,
-            _ => runs.push(Run { part, column, first, count: 1 }),
+            Some(run) if before == Some(part) && run.column + run.count == column => run.count += 1,
+            _ => runs.push(Run { column, first, count: 1 }),
         }
+        before = Some(part);
     }
     runs
 }
@@ -152,29 +131,40 @@ impl Motion {
         let strains = bundles.iter().flat_map(Bundle::places);
         let changing: Vec<Place> = states.iter().copied().chain(lagged).chain(strains).collect();
         let moving = moving(system, system.influences(), &changing);
-        let mover = |(number, moving): (usize, &Vec<usize>)| Mover::new(system, number, &states, moving);
-        let movers: Vec<Mover> = moving.iter().enumerate().map(mover).collect();
-        let moving_signals = system.signals.iter().any(|(_, signal)| !matches!(signal, Signal::Constant(_)));
-        let used = used(&tasks, system);
-        Ok(Motion {
-            acts: acts(&used, &movers),
-            tasks_of_indicators: needed(&used, |part| movers[part].indicators > 0),
-            tasks_of_lines: needed(&used, |part| lines.iter().any(|line| line.part == part)),
+        let movers = Mover::all(system, &states, &moving);
+        let moving_parts = moving_parts(system, &changing);
+        let is_moving = |task: &Task| moving_parts[task.giver()];
+        let (used, at_rest): (Vec<Task>, Vec<Task>) = used(&tasks, system).into_iter().partition(is_moving);
+        let moving_signals: Vec<Place> = system.moving_signals().collect();
+        let columns: Vec<(usize, usize)> =
+            states.iter().map(|place| (place.part, column_of(&movers, *place))).collect();
+        let mut motion = Motion {
+            rows: Rows::new(system.parts.iter().map(|part| part.row.clone())),
+            all: Plan::of_inputs(&tasks, &movers),
+            of_rates: Plan::of_rates(&used, &movers),
+            of_indicators: Plan::of_inputs(&needed(&used, |part| movers[part].indicators > 0), &movers),
+            of_lines: Plan::of_inputs(&needed(&used, |part| lines.iter().any(|line| line.part == part)), &movers),
+            at_rest: Plan::of_inputs(&at_rest, &movers),
+            changing: changing.iter().chain(&moving_signals).map(|place| column_of(&movers, *place)).collect(),
+            has_more: !(moving_signals.is_empty() && lines.is_empty() && bundles.is_empty()),
             lines,
             breaks: Breaks::default(),
             bundles,
             tracks,
             present,
             movers,
-            runs: runs(&states),
+            runs: runs(&columns),
+            columns,
             states,
             scales,
-            tasks,
             signals: system.signals.clone(),
-            moving_signals,
+            moving_signals: !moving_signals.is_empty(),
+            time_of_signals: f64::NAN,
             recorded: recorded.to_vec(),
             stale: true,
-        })
+        };
+        motion.rows.perform(&motion.at_rest);
+        Ok(motion)
     }
 
     /// Records these results and no others.
@@ -184,7 +174,7 @@ impl Motion {
 
     /// The states at the start.
     pub fn start(&self) -> Vec<f64> {
-        self.states.iter().map(|place| self.movers[place.part].row[place.column]).collect()
+        self.columns.iter().map(|(_, column)| self.rows.values[*column]).collect()
     }
 
     /// The variables that are states.
@@ -205,7 +195,7 @@ impl Motion {
     /// What the law of a line remembers.
     fn past(&self, line: &Line) -> Option<Past> {
         let mover = &self.movers[line.part];
-        mover.model.past(&mover.row)
+        mover.model.past(self.rows.of(mover))
     }
 
     /// Reads and writes the past on from an event, before which laws have remembered these values.
@@ -226,20 +216,29 @@ impl Motion {
 
     /// States, signals and what laws follow of the past, at a time.
     fn put_states(&mut self, time: f64, states: &[f64]) {
-        for Run { part, column, first, count } in &self.runs {
-            copy(&states[*first..], &mut self.movers[*part].row[*column..], *count);
+        for Run { column, first, count } in &self.runs {
+            copy(&states[*first..], &mut self.rows.values[*column..], *count);
         }
+        if self.has_more {
+            self.put_more(time, states);
+        }
+    }
+
+    /// Bonds, signals and what laws follow of the past, at a time.
+    fn put_more(&mut self, time: f64, states: &[f64]) {
         for (bundle, track) in self.bundles.iter().zip(&self.tracks) {
-            bundle.put(track, states[track.state], &mut self.movers[bundle.part]);
+            bundle.put(track, states[track.state], &self.movers[bundle.part], &mut self.rows);
         }
-        if self.moving_signals {
+        if self.moving_signals && time != self.time_of_signals {
+            self.time_of_signals = time;
             for (place, signal) in &self.signals {
-                self.movers[place.part].row[place.column] = signal.at(time).0;
+                self.rows.values[column_of(&self.movers, *place)] = signal.at(time).0;
             }
         }
         for line in &self.lines {
             if let Some((value, _)) = line.at(time) {
-                self.movers[line.part].row[line.column] = value;
+                let place = Place { part: line.part, column: line.column };
+                self.rows.values[column_of(&self.movers, place)] = value;
             }
         }
     }
@@ -247,43 +246,31 @@ impl Motion {
     /// All inputs at a time, for given states.
     fn put(&mut self, time: f64, states: &[f64]) {
         self.put_states(time, states);
-        perform(&self.tasks, &mut self.movers);
-    }
-
-    /// Finds all rates with the slopes that states and signals have.
-    fn incline(&mut self) {
-        for act in &self.acts {
-            match act {
-                Act::Output(part) => self.movers[*part].incline_outputs(),
-                Act::Respond(part) => self.movers[*part].incline_response(),
-                Act::Rate(part) => self.movers[*part].incline_rates(),
-                Act::Pass { from, to } => {
-                    let value = self.movers[from.part].inclined[from.column];
-                    self.movers[to.part].take(to.column, value);
-                }
-            }
-        }
+        self.rows.perform(&self.all);
     }
 
     /// Gives a state a slope, and the strains that follow it.
     fn incline_state(&mut self, number: usize, direction: usize) {
-        let Place { part, column } = self.states[number];
-        self.movers[part].incline(column, direction, 1.0);
+        let (part, column) = self.columns[number];
+        self.rows.incline(part, column, direction, 1.0);
         for (bundle, track) in self.bundles.iter().zip(&self.tracks) {
             if track.state == number {
-                bundle.places().for_each(|place| self.movers[place.part].incline(place.column, direction, 1.0));
+                let columns = bundle.places().map(|place| column_of(&self.movers, place));
+                columns.for_each(|column| self.rows.incline(bundle.part, column, direction, 1.0));
             }
         }
     }
 
     /// Gives signals and what laws follow of the past their slopes.
     fn incline_by_time(&mut self, time: f64, direction: usize) {
+        let Motion { rows, movers, .. } = self;
+        let mut incline = |place: Place, slope| rows.incline(place.part, column_of(movers, place), direction, slope);
         for (place, signal) in &self.signals {
-            self.movers[place.part].incline(place.column, direction, signal.at(time).1);
+            incline(*place, signal.at(time).1);
         }
         for line in &self.lines {
             let slope = line.at(time).map_or(0.0, |(_, slope)| slope);
-            self.movers[line.part].incline(line.column, direction, slope);
+            incline(Place { part: line.part, column: line.column }, slope);
         }
     }
 
@@ -293,12 +280,15 @@ impl Motion {
     }
 
     fn find_rates(&mut self) {
-        self.movers.iter_mut().filter(|mover| mover.moves).for_each(Mover::find_rates);
+        let Rows { values, rates, .. } = &mut self.rows;
+        for mover in self.movers.iter().filter(|mover| mover.moves) {
+            (mover.level.rate)(&values[mover.columns.clone()], &mut rates[mover.columns.clone()]);
+        }
     }
 
     fn outputs(&mut self) -> Result<(), String> {
-        for mover in &mut self.movers {
-            if !mover.model.output(&mut mover.row) {
+        for mover in &self.movers {
+            if !mover.model.output(self.rows.of_mut(mover)) {
                 return Err(format!("an output of {} is not finite", mover.name));
             }
         }
@@ -318,16 +308,6 @@ fn lines(system: &System) -> (Vec<Line>, Vec<Place>) {
         }
     }
     (lines, present)
-}
-
-/// Computes outputs and passes them on.
-fn perform(tasks: &[Task], movers: &mut [Mover]) {
-    for task in tasks {
-        match task {
-            Task::Output(part) => movers[*part].output(),
-            Task::Pass { from, to } => movers[to.part].row[to.column] = movers[from.part].row[from.column],
-        }
-    }
 }
 
 /// The tasks without those that only give an external force to a law that needs none: they would cost each evaluation the
@@ -420,16 +400,9 @@ impl Equations for Motion {
 
     fn rates(&mut self, time: f64, states: &[f64], rates: &mut [f64]) {
         self.put_states(time, states);
-        for act in &self.acts {
-            match act {
-                Act::Output(part) => self.movers[*part].output(),
-                Act::Respond(part) => self.movers[*part].respond(),
-                Act::Rate(part) => self.movers[*part].find_rates(),
-                Act::Pass { from, to } => self.movers[to.part].row[to.column] = self.movers[from.part].row[from.column],
-            }
-        }
-        for Run { part, column, first, count } in &self.runs {
-            let (found, rates) = (&self.movers[*part].rate[*column..], &mut rates[*first..]);
+        self.rows.perform(&self.of_rates);
+        for Run { column, first, count } in &self.runs {
+            let (found, rates) = (&self.rows.rates[*column..], &mut rates[*first..]);
             match *count {
                 1 => rates[0] = found[0],
                 // One by one, as the model has written them.
@@ -446,7 +419,7 @@ impl Equations for Motion {
     fn linearise(&mut self, time: f64, states: &[f64], rates: &mut [f64], jacobian: &mut [f64], by_time: &mut [f64]) {
         self.put_states(time, states);
         if std::mem::take(&mut self.stale) {
-            self.movers.iter_mut().for_each(Mover::spread);
+            self.rows.spread();
         }
         let count = self.states.len();
         by_time.fill(0.0);
@@ -454,7 +427,7 @@ impl Equations for Motion {
         let past = count + usize::from(self.moving_signals || !self.lines.is_empty());
         for first in (0..past).step_by(DIRECTIONS) {
             let directions = first..past.min(first + DIRECTIONS);
-            self.movers.iter_mut().for_each(Mover::spread_changing);
+            self.rows.level(&self.changing);
             for (direction, number) in directions.clone().enumerate() {
                 if number < count {
                     self.incline_state(number, direction);
@@ -462,13 +435,15 @@ impl Equations for Motion {
                     self.incline_by_time(time, direction);
                 }
             }
-            self.incline();
-            for (row, place) in self.states.iter().enumerate() {
-                let rate = self.movers[place.part].inclined_rate(place.column);
+            self.rows.perform_inclined(&self.of_rates, &self.movers);
+            let of_states = count.min(directions.end) - first;
+            for (row, (part, column)) in self.columns.iter().enumerate() {
+                let rate = self.rows.inclined_rate(*part, *column);
                 rates[row] = rate.value;
-                for (number, slope) in directions.clone().zip(rate.slopes) {
-                    let to = if number < count { &mut jacobian[row * count + number] } else { &mut by_time[row] };
-                    *to = slope;
+                let (of_states, of_time) = rate.slopes[..directions.len()].split_at(of_states);
+                jacobian[row * count + first..][..of_states.len()].copy_from_slice(of_states);
+                if let [slope] = of_time {
+                    by_time[row] = *slope;
                 }
             }
         }
@@ -491,12 +466,12 @@ impl Equations for Motion {
 
     fn indicate(&mut self, time: f64, states: &[f64], indicators: &mut [f64]) {
         self.put_states(time, states);
-        perform(&self.tasks_of_indicators, &mut self.movers);
+        self.rows.perform(&self.of_indicators);
         let mut rest = indicators;
         for mover in &self.movers {
             let (own, others) = rest.split_at_mut(mover.indicators);
             if !own.is_empty() {
-                mover.model.indicate(&mover.row, own);
+                mover.model.indicate(self.rows.of(mover), own);
             }
             rest = others;
         }
@@ -509,28 +484,29 @@ impl Equations for Motion {
         let past: Vec<Option<Past>> = self.lines.iter().map(|line| self.past(line)).collect();
         for _ in 0..PASSES {
             self.put(time, states);
-            let before: Vec<Vec<f64>> = self.movers.iter().map(|mover| mover.row.clone()).collect();
-            for mover in &mut self.movers {
-                if !mover.model.at_event(&mut mover.row) {
+            let before = self.rows.values.clone();
+            for mover in &self.movers {
+                if !mover.model.at_event(self.rows.of_mut(mover)) {
                     return Err(format!("the states of {} after an event are not finite", mover.name));
                 }
             }
-            for (value, place) in states.iter_mut().zip(&self.states) {
-                *value = self.movers[place.part].row[place.column];
+            for (value, (_, column)) in states.iter_mut().zip(&self.columns) {
+                *value = self.rows.values[*column];
             }
             for (bundle, track) in self.bundles.iter().zip(&mut self.tracks) {
-                bundle.take(track, &self.movers[bundle.part]);
+                bundle.take(track, &self.movers[bundle.part], &self.rows);
             }
-            if self.movers.iter().zip(&before).all(|(mover, before)| mover.row == *before) {
+            if self.rows.values == before {
                 break;
             }
         }
+        self.rows.perform(&self.at_rest);
         self.pass_lines(time, &past);
         Ok(())
     }
 
     fn is_piecewise_linear(&self) -> bool {
-        !self.moving_signals && self.movers.iter().all(|mover| mover.model.is_linear(&mover.row))
+        !self.moving_signals && self.movers.iter().all(|mover| mover.model.is_linear(self.rows.of(mover)))
     }
 
     fn next_break(&self, time: f64) -> f64 {
@@ -548,8 +524,9 @@ impl Equations for Motion {
             line.keep(begin, end, &mut |time| {
                 states_at((time - begin) / (end - begin), &mut states);
                 self.put_states(time, &states);
-                perform(&self.tasks_of_lines, &mut self.movers);
-                self.movers[part].model.past(&self.movers[part].row).map_or(0.0, |past| past.now)
+                self.rows.perform(&self.of_lines);
+                let mover = &self.movers[part];
+                mover.model.past(self.rows.of(mover)).map_or(0.0, |past| past.now)
             });
         }
         if self.next_kink(begin) <= end {
@@ -568,7 +545,7 @@ impl Equations for Motion {
 
     fn renew_tracks(&mut self) {
         for (bundle, track) in self.bundles.iter().zip(&mut self.tracks) {
-            bundle.renew(track, &self.movers[bundle.part]);
+            bundle.renew(track, &self.movers[bundle.part], &self.rows);
         }
     }
 
@@ -579,15 +556,16 @@ impl Equations for Motion {
     fn record(&mut self, time: f64, states: &[f64], values: &mut [f64]) -> Result<(), String> {
         self.put(time, states);
         for Place { part, column } in &self.present {
-            let Mover { model, row, .. } = &mut self.movers[*part];
-            row[*column] = model.past(row).map_or(row[*column], |past| past.now);
+            let mover = &self.movers[*part];
+            let row = self.rows.of_mut(mover);
+            row[*column] = mover.model.past(row).map_or(row[*column], |past| past.now);
         }
         self.outputs()?;
         self.find_rates();
         for (value, source) in values.iter_mut().zip(&self.recorded) {
             *value = match source {
-                WireSource::Variable(place) => self.movers[place.part].row[place.column],
-                WireSource::Derivative(place) => self.movers[place.part].rate[place.column],
+                WireSource::Variable(place) => self.rows.values[column_of(&self.movers, *place)],
+                WireSource::Derivative(place) => self.rows.rates[column_of(&self.movers, *place)],
             };
         }
         Ok(())

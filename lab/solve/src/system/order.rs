@@ -4,7 +4,7 @@ use stribeck::catalogue::{Family, documented};
 
 use super::influence::{Draw, Influence, TRIALS};
 use super::part::{Part, System, Wire, WireSource};
-use super::{Fault, Place, Signal};
+use super::{Fault, Place};
 
 /// A step of evaluating a system.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +13,16 @@ pub(super) enum Task {
     Output(usize),
     /// Passes a value on.
     Pass { from: Place, to: Place },
+}
+
+impl Task {
+    /// The part that computes or gives something.
+    pub fn giver(self) -> usize {
+        match self {
+            Task::Output(part) => part,
+            Task::Pass { from, .. } => from.part,
+        }
+    }
 }
 
 /// The tasks that give every connected input its value.
@@ -54,9 +64,8 @@ pub(super) fn tasks(system: &System, influences: &[Influence]) -> Result<Vec<Tas
 /// The columns of each part that change in time: integrated states, inputs that are given as signals, and what they
 /// change through the parts.
 pub(super) fn moving(system: &System, influences: &[Influence], states: &[Place]) -> Vec<Vec<usize>> {
-    let signals = system.signals.iter().filter(|(_, signal)| !matches!(signal, Signal::Constant(_)));
     let mut moving = vec![Vec::new(); system.parts.len()];
-    for Place { part, column } in states.iter().copied().chain(signals.map(|(place, _)| *place)) {
+    for Place { part, column } in states.iter().copied().chain(system.moving_signals()) {
         moving[part].push(column);
     }
     loop {
@@ -70,6 +79,21 @@ pub(super) fn moving(system: &System, influences: &[Influence], states: &[Place]
         let is_new = |wire: &&Wire| !moving[wire.to.part].contains(&wire.to.column) && moves(wire.from);
         let Some(to) = system.wires.iter().find(is_new).map(|wire| wire.to) else { return moving };
         moving[to.part].push(to.column);
+    }
+}
+
+/// Whether each part moves between events: it has a column that changes, or an input from a part that moves.
+pub(super) fn moving_parts(system: &System, changing: &[Place]) -> Vec<bool> {
+    let mut moving = vec![false; system.parts.len()];
+    changing.iter().copied().chain(system.moving_signals()).for_each(|place| moving[place.part] = true);
+    loop {
+        let moves = |from: WireSource| match from {
+            WireSource::Variable(place) => moving[place.part],
+            WireSource::Derivative(_) => true,
+        };
+        let is_new = |wire: &&Wire| !moving[wire.to.part] && moves(wire.from);
+        let Some(to) = system.wires.iter().find(is_new).map(|wire| wire.to) else { return moving };
+        moving[to.part] = true;
     }
 }
 

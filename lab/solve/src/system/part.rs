@@ -110,6 +110,12 @@ impl System {
         Ok(system)
     }
 
+    /// Inputs with signals that move.
+    pub(super) fn moving_signals(&self) -> impl Iterator<Item = Place> + '_ {
+        let moving = self.signals.iter().filter(|(_, signal)| !matches!(signal, Signal::Constant(_)));
+        moving.map(|(place, _)| *place)
+    }
+
     /// Dependencies of each part's outputs.
     pub(super) fn influences(&self) -> &[Influence] {
         self.influences.get_or_init(|| self.parts.iter().map(|part| Influence::of(part.model, &part.row)).collect())
