@@ -100,7 +100,14 @@ impl<const N: usize> Factors<N> {
         if N > SMALL {
             return self.substitute(right);
         }
-        std::array::from_fn(|i| (0..N).map(|j| self.matrix[j][i] * right[j]).sum())
+        // Column by column, so that a processor works on all rows at once.
+        let mut solution = [-0.0; N];
+        for (column, right) in self.matrix.iter().zip(right) {
+            for (sum, value) in solution.iter_mut().zip(column) {
+                *sum += value * right;
+            }
+        }
+        solution
     }
 
     #[inline(always)]

@@ -107,15 +107,23 @@ const H: [[f64; STAGES]; 3] = [
 
 /// A step of the method.
 pub(super) struct Rodas5P<const N: usize> {
-    /// State by state, so that no processor is asked to read two neighbours at once that were written singly.
-    k: [[f64; STAGES]; N],
+    /// Stage by stage, so that a processor works on the states of a stage at once.
+    k: [[f64; N]; STAGES],
     end: [f64; N],
     error: [f64; N],
 }
 
 impl<const N: usize> Default for Rodas5P<N> {
     fn default() -> Self {
-        Rodas5P { k: [[0.0; STAGES]; N], end: [0.0; N], error: [0.0; N] }
+        Rodas5P { k: [[0.0; N]; STAGES], end: [0.0; N], error: [0.0; N] }
+    }
+}
+
+/// Adds a multiple. A loop, not a function of arrays: it always becomes part of the code around it.
+#[inline(always)]
+fn add<const N: usize>(sum: &mut [f64; N], factor: f64, k: &[f64; N]) {
+    for (sum, k) in sum.iter_mut().zip(k) {
+        *sum += factor * k;
     }
 }
 
@@ -123,21 +131,28 @@ impl<const N: usize> Rodas5P<N> {
     /// x + sum a_ij k_j.
     #[inline(always)]
     fn argument(&self, stage: usize, begin: &[f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| {
-            let k = &self.k[i];
-            let at = A[stage.min(5)].iter().zip(k).take(stage).fold(begin[i], |sum, (a, k)| sum + a * k);
-            k.iter().take(stage).skip(5).fold(at, |sum, k| sum + k)
-        })
+        let mut at = *begin;
+        for (a, k) in A[stage.min(5)].iter().zip(&self.k).take(stage) {
+            add(&mut at, *a, k);
+        }
+        for k in self.k.iter().take(stage).skip(5) {
+            at.iter_mut().zip(k).for_each(|(at, k)| *at += k);
+        }
+        at
     }
 
     /// sum C_ij k_j / h + h d_i df/dt.
     #[inline(always)]
     fn memory(&self, stage: usize, by_time: &[f64; N], h: f64, reciprocal: f64) -> [f64; N] {
         let slope = h * D[stage];
-        std::array::from_fn(|i| {
-            let sum = C[stage].iter().zip(&self.k[i]).take(stage).fold(0.0, |sum, (c, k)| sum + c * k);
-            sum * reciprocal + slope * by_time[i]
-        })
+        let mut sum = [0.0; N];
+        for (c, k) in C[stage].iter().zip(&self.k).take(stage) {
+            add(&mut sum, *c, k);
+        }
+        for (sum, by_time) in sum.iter_mut().zip(by_time) {
+            *sum = *sum * reciprocal + slope * by_time;
+        }
+        sum
     }
 
     /// Finds k of a stage. Where its number is known when this is compiled, no loop is left.
@@ -156,12 +171,12 @@ impl<const N: usize> Rodas5P<N> {
             equations.rates(begin.time + TIMES[stage] * h, &at, &mut rates);
         }
         let memory = self.memory(stage, &begin.by_time, h, 1.0 / h);
-        let found = factors.solve(std::array::from_fn(|i| rates[i] + memory[i]));
-        for (k, found) in self.k.iter_mut().zip(found) {
-            k[stage] = found;
-        }
+        rates.iter_mut().zip(memory).for_each(|(rate, memory)| *rate += memory);
+        let found = factors.solve(rates);
+        self.k[stage] = found;
         if stage == STAGES - 1 {
-            self.end = std::array::from_fn(|i| at[i] + found[i]);
+            self.end = at;
+            add(&mut self.end, 1.0, &found);
             self.error = found;
         }
     }
@@ -200,10 +215,16 @@ impl<const N: usize> Step<N> for Rodas5P<N> {
 
     /// x(s) = (1 - s) x_0 + s (x_1 + (1 - s) (b_1 + s (b_2 + s b_3))), b = H k.
     fn course(&self, begin: &Beginning<N>) -> Polynomials<N> {
+        // Nothing is added to -0.
+        let mut b = [[-0.0; N]; 3];
+        for (b, row) in b.iter_mut().zip(&H) {
+            for (h, k) in row.iter().zip(&self.k) {
+                add(b, *h, k);
+            }
+        }
         std::array::from_fn(|i| {
-            let b = H.map(|row| row.iter().zip(&self.k[i]).map(|(h, k)| h * k).sum::<f64>());
             let (from, to) = (begin.states[i], self.end[i]);
-            [from, to - from + b[0], b[1] - b[0], b[2] - b[1], -b[2]]
+            [from, to - from + b[0][i], b[1][i] - b[0][i], b[2][i] - b[1][i], -b[2][i]]
         })
     }
 }
