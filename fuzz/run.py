@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Builds the fuzz targets with coverage instrumentation and runs them. Needs Rust, a C++ compiler and Linux.
 
-    python3 fuzz/run.py                   replay the corpus, then a fixed number of new inputs: the same ones each time
+    python3 fuzz/run.py                   replay the corpus, then a fixed number of new inputs: the same ones each time;
+                                          without the readers of files, which take longer to build than to run
     python3 fuzz/run.py --long 300        new inputs for 300 seconds per target, also under the address sanitizer
     python3 fuzz/run.py --keep            add the findings of long runs to the corpus, with as few inputs as possible
     python3 fuzz/run.py --long 60 fmi     one target
+    python3 fuzz/run.py record            one target that reads files
 
 An input that fails is in target/fuzz/found; `cargo fuzz fmt`, or RUST_LIBFUZZER_DEBUG_PATH=FILE and the program with
 that input, prints the calls that it encodes. The layout is that of cargo-fuzz, which can also run the targets:
@@ -52,8 +54,10 @@ TARGETS = {
     "record": (3_000, 4096),
     "description": (20_000, 2048),
 }
+# Readers of files: targets for which the workbench is built.
+READERS = ["tyre_file", "damper_test", "system", "record", "description"]
 # Targets that read text, and the words of these texts.
-TEXTS = ["tyre_file", "damper_test", "parameter_set", "system", "record", "description"]
+TEXTS = ["parameter_set", *READERS]
 WORDS = FOLDER / "words.txt"
 # An input that takes longer, in seconds, or more memory, in MB, fails. This is wall-clock time: on a busy machine a
 # second of computation can take a minute.
@@ -67,13 +71,14 @@ def host():
     return subprocess.run(["rustc", "--print", "host-tuple"], capture_output=True, text=True, check=True).stdout.strip()
 
 
-def build(sanitized):
-    """Builds and lints all targets and returns the folder they are in."""
+def build(targets, sanitized):
+    """Builds and lints targets and returns the folder they are in."""
     flags = SANITIZER if sanitized else {"RUSTFLAGS": " ".join(COVERAGE)}
     settings = {**flags, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
     folder = OUT / ("sanitized" if sanitized else "plain")
     command = ["cargo", "build", "--bins", "--locked", "--release", "--manifest-path", FOLDER / "Cargo.toml"]
     command += ["--target", host(), "--target-dir", folder]
+    command += ["--features", "readers"] if set(targets) & set(READERS) else []
     if subprocess.run(command, env={**os.environ, **settings}).returncode != 0:
         sys.exit("fuzz/run.py: cargo build failed")
     return folder / host() / "release"
@@ -169,14 +174,17 @@ def main():
     # New inputs depend on the values that a program compares, including addresses. Where fixed addresses are forbidden,
     # inputs vary a little.
     ctypes.CDLL(None).personality(ADDR_NO_RANDOMIZE)
-    programs = build(sanitized=arguments.long is not None)
+    is_short = arguments.long is None and not arguments.keep
+    usual = [target for target in TARGETS if target not in READERS] if is_short else list(TARGETS)
+    targets = arguments.targets or usual
+    programs = build(targets, sanitized=arguments.long is not None)
     run = keep if arguments.keep else short
 
     def work(target):
         return long(programs, target, arguments.long) if arguments.long else run(programs, target)
 
     with ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-        results = list(pool.map(work, arguments.targets or TARGETS))
+        results = list(pool.map(work, targets))
     return 0 if all(results) else 1
 
 
