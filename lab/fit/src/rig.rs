@@ -268,7 +268,7 @@ mod tests {
         let known = Setup {
             mass: 2.0,
             normal_force: Some(20.0),
-            window: Some(0.07),
+            window: Some(0.1),
             delay: Delay::Find(0.05),
             ..Setup::default()
         };

@@ -74,9 +74,9 @@ pub struct Inquiry {
     /// Normal force in N, if the record has none
     #[arg(long)]
     pub normal_force: Option<f64>,
-    /// Window in s for smoothing and differentiating the motion, 0 for the shortest (default: 5 to 391 samples, at most a
-    /// tenth of the record, with the least error of velocity and acceleration; for an axis 9 to 191 samples, force and
-    /// motion alike)
+    /// Window in s for smoothing and differentiating the motion, 0 for the shortest of 7 samples (default: up to 391
+    /// samples, at most a tenth of the record, with the least error of velocity and acceleration; for an axis 9 to 191
+    /// samples, force and motion alike, 0 for 3)
     #[arg(long)]
     pub window: Option<f64>,
     /// Delay of the motion behind the force in s; or `find`, or `find:LONGEST` (default: 0; for an axis that of a

@@ -354,7 +354,7 @@ mod tests {
         let faults = Faults::NOISE;
         let law = by_name("Leuven").unwrap();
         let rig =
-            VirtualRig { law, values: Vec::new(), mass: 2.0, normal_force: 20.0, duration: 4.0, faults, seed: 31_031 };
+            VirtualRig { law, values: Vec::new(), mass: 2.0, normal_force: 20.0, duration: 4.0, faults, seed: 31_014 };
         let known = Setup { mass: 2.0, normal_force: Some(20.0), delay: Delay::Known(0.0), ..Setup::default() };
         let record = Record::of(&Sheet::parse(&rig.record().unwrap().force).unwrap(), None, &known).unwrap();
         let experiment = Experiment::new(law.name, &record);

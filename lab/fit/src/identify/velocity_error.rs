@@ -131,8 +131,8 @@ mod tests {
         assert_relative_eq!(level, whole, max_relative = 1e-3);
         assert!(viscous < 1e-6, "{viscous}");
         // The mean over a time T has the variance 2 / T2 int (T - t) r(t) dt over a window w, with the integrals of r and
-        // of t r over it 0 and -2/15 (w/2)2.
-        let mean = f64::sqrt(2.0 * 2.0 / 15.0 * 0.25) / 4.0;
+        // of t r over it 0 and -6/91 (w/2)2.
+        let mean = f64::sqrt(2.0 * 6.0 / 91.0 * 0.25) / 4.0;
         assert_relative_eq!(found(1.0)[0], whole * mean, max_relative = 0.02);
     }
 

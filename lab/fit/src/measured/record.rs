@@ -13,7 +13,7 @@ pub struct Setup {
     /// Normal force, N, if the file does not have it.
     pub normal_force: Option<f64>,
     /// Window of the filter of the motion, s. By default one for the velocity and one for the acceleration, each with the
-    /// least error, of 5 to 391 samples and at most a tenth of the record.
+    /// least error, of 7 or 5 to 391 samples and at most a tenth of the record.
     pub window: Option<f64>,
     /// Delay of the motion behind the force.
     pub delay: Delay,

@@ -9,7 +9,7 @@ use super::quality::{noise, quality, rounding};
 use super::record::{Delay, Direction, Quality, Record, Setup};
 use super::statistics::{extremes, median};
 use super::stencil::derivatives;
-use super::window::{Signal, shortest};
+use super::window::{Signal, degree, order, shortest};
 use super::{MeasuredError, Movement};
 use stribeck_sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, TIME, VELOCITY};
 
@@ -172,15 +172,15 @@ impl Motion {
 
     /// Displacement, velocity and acceleration at a time. A measured velocity is not smoothed.
     fn at(&self, [of_velocity, of_acceleration]: [f64; 2], time: f64) -> [f64; 3] {
-        let in_window = |values, window| Local::new(&self.time, values, window).at(time);
+        let in_window =
+            |values, window, derivative| Local::new(&self.time, values, window, degree(derivative)).at(time);
         match &self.velocity {
             None => {
-                let [x, v, a] = in_window(&self.displacement, of_velocity);
-                let is_one = of_velocity == of_acceleration;
-                [x, v, if is_one { a } else { in_window(&self.displacement, of_acceleration)[2] }]
+                let [x, v, _] = in_window(&self.displacement, of_velocity, 1);
+                [x, v, in_window(&self.displacement, of_acceleration, 2)[2]]
             }
             Some(velocity) => {
-                let [_, acceleration, _] = in_window(velocity, of_acceleration);
+                let [_, acceleration, _] = in_window(velocity, of_acceleration, 1);
                 let [x, v] =
                     [&self.displacement, velocity].map(|values| super::cycle::interpolate(&self.time, values, time));
                 [x, v, acceleration]
@@ -235,7 +235,7 @@ impl Reduction<'_> {
 
     /// Windows for velocity and acceleration: the given one, or those with the least error.
     fn windows(&self, given: Option<f64>) -> [f64; 2] {
-        let given = given.map(|window| [window.max(shortest(self.motion.interval())); 2]);
+        let given = given.map(|window| [window.max(shortest(self.motion.interval(), 1)); 2]);
         let [first, second] = given.unwrap_or_else(|| self.signal().windows());
         if self.motion.velocity.is_some() { [0.0, first] } else { [first, second] }
     }
@@ -339,21 +339,23 @@ impl Reduction<'_> {
         }
     }
 
-    /// Fraction of the acceleration that its filter attenuates, extrapolated with the square of the window from the further
+    /// Fraction of the acceleration that its filter attenuates, extrapolated with a power of the window from the further
     /// attenuation in twice the window: the noise of the difference is not correlated with that in the longer window.
     fn acceleration_lost(&self, record: &Record) -> f64 {
         let window = record.acceleration_window;
-        let (values, order) = self.motion.measured();
-        let [one, twice] = [window, 2.0 * window].map(|window| Local::new(&self.motion.time, values, window));
+        let (values, derivative) = self.motion.measured();
+        let [one, twice] =
+            [window, 2.0 * window].map(|window| Local::new(&self.motion.time, values, window, degree(derivative)));
         let [first, last] = [record.motion_ends[0] + window, record.motion_ends[1] - window];
         let (mut difference, mut square) = (0.0, 0.0);
         let inside = record.time.iter().filter(|t| (first..=last).contains(*t));
         for t in inside.step_by(record.time.len().div_ceil(COMPARED)) {
-            let [a, damped] = [one, twice].map(|local| local.at(record.clocks.of_motion(*t))[order]);
+            let [a, damped] = [one, twice].map(|local| local.at(record.clocks.of_motion(*t))[derivative]);
             difference += (a - damped) * damped;
             square += damped * damped;
         }
-        if square > 0.0 { (difference / (3.0 * square)).max(0.0) } else { 0.0 }
+        let further = 2.0_f64.powi(order(derivative)) - 1.0;
+        if square > 0.0 { (difference / (further * square)).max(0.0) } else { 0.0 }
     }
 }
 

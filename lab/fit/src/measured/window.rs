@@ -3,11 +3,11 @@
 //! # Equation
 //! A derivative in a window of length w has the variance s2 g_w by white noise of variance s2 in the samples, and the bias
 //! b_w. A least-squares estimate from more samples is not correlated with its difference from one of fewer samples, so
-//! that with the next shorter window u
+//! that with a shorter window u
 //!
 //! ```text
 //! mean (d_w - d_u)2 = s2 (g_u - g_w) + mean (b_w - b_u)2
-//! b_u = b_w (u/w)^p                                      p = 4 for the first derivative of a cubic, 2 for the second
+//! b_u = b_w (u/w)^p            p = 6 for the first derivative by the fifth degree, 2 for the second one by the third
 //! ```
 //!
 //! s2 follows from the residuals in the shortest window; it is at least that of rounding to the resolution of the samples.
@@ -22,19 +22,25 @@
 
 use std::ops::Range;
 
-use super::polynomial::Local;
+use super::polynomial::{Degree, Local};
 use super::quality::{GAP, rounding};
 
 /// Candidate windows, in samples (chosen).
-const WINDOWS: [f64; 14] = [5.0, 7.0, 9.0, 11.0, 15.0, 21.0, 31.0, 45.0, 65.0, 91.0, 131.0, 191.0, 271.0, 391.0];
+const WINDOWS: [f64; 24] = [
+    5.0, 7.0, 9.0, 11.0, 13.0, 15.0, 18.0, 21.0, 25.0, 31.0, 37.0, 45.0, 54.0, 65.0, 77.0, 91.0, 109.0, 131.0, 158.0,
+    191.0, 227.0, 271.0, 325.0, 391.0,
+];
 
 /// Weight of the squared bias against the variance (chosen): the bias is the same in all reversals and biases the
 /// parameters of a law, while noise averages out.
 const BIAS_WEIGHT: f64 = 10.0;
 
+/// Places between two windows whose estimates are compared (chosen): neighbours hardly differ by anything but noise.
+const APART: usize = 2;
+
 /// Cost, relative to the least one, above which a window is too long, and how many such windows end the search (chosen).
 const RISEN: f64 = 5.0;
-const TOO_LONG: usize = 3;
+const TOO_LONG: usize = 6;
 
 /// Most samples at which windows are compared, and most at which speeds are (chosen).
 const POINTS: usize = 4000;
@@ -46,19 +52,36 @@ const LONGEST: f64 = 0.1;
 /// Fraction of the largest speed below which a motion is near rest (chosen).
 const SLOW: f64 = 0.1;
 
-/// Power of the window with which the bias of value, first and second derivative grows; and that of the first derivative
-/// where a motion starts with a kink.
-const ORDERS: [i32; 3] = [4, 4, 2];
+/// Power of the window with which the bias of the first derivative grows where a motion starts with a kink.
 const ORDER_OF_KINK: i32 = 2;
+
+/// Degree of the polynomials that give the first or the second derivative. Where the motion turns, slopes of third degree
+/// lose so much in windows with little noise that the parameters of a law are biased.
+pub(super) fn degree(derivative: usize) -> Degree {
+    if derivative == 1 { Degree::Fifth } else { Degree::Third }
+}
+
+/// Power of the window with which the bias of the first or the second derivative grows.
+pub(super) fn order(derivative: usize) -> i32 {
+    if derivative == 1 { 6 } else { 2 }
+}
+
+/// Candidate windows for a derivative, in samples.
+fn candidates(derivative: usize) -> &'static [f64] {
+    match degree(derivative) {
+        Degree::Third => &WINDOWS,
+        Degree::Fifth => &WINDOWS[1..],
+    }
+}
 
 /// Length of a window, s, from its number of samples.
 fn length(samples: f64, interval: f64) -> f64 {
     (samples - 0.5) * interval
 }
 
-/// Length of the shortest window, s.
-pub(super) fn shortest(interval: f64) -> f64 {
-    length(WINDOWS[0], interval)
+/// Length of the shortest window for the first or the second derivative, s.
+pub(super) fn shortest(interval: f64, derivative: usize) -> f64 {
+    length(candidates(derivative)[0], interval)
 }
 
 /// A signal to differentiate.
@@ -75,17 +98,22 @@ impl Signal<'_> {
     /// Lengths of the windows for the first and for the second derivative.
     pub fn windows(&self) -> [f64; 2] {
         let duration = self.time[self.part.end - 1] - self.time[self.part.start];
-        let longest = f64::max(LONGEST * duration, length(WINDOWS[1], self.interval));
-        let mut lengths = WINDOWS.map(|samples| length(samples, self.interval)).to_vec();
-        lengths.retain(|length| *length <= longest);
-        let points = Points::new(self, self.part.clone().collect(), lengths[lengths.len() - 1]);
-        let tried: Vec<Tried> = lengths.iter().map(|length| Tried::new(self, &points, *length)).collect();
-        let noise = tried[0].noise(self, &points);
+        let longest = f64::max(LONGEST * duration, length(WINDOWS[2 * APART], self.interval));
+        let lengths_of = |derivative| {
+            let lengths = candidates(derivative).iter().map(|samples| length(*samples, self.interval));
+            lengths.filter(|length| *length <= longest).collect::<Vec<f64>>()
+        };
+        let points = Points::new(self, self.part.clone().collect(), lengths_of(2).into_iter().fold(0.0, f64::max));
+        let noise = self.noise(&points);
         [1, 2].map(|derivative| {
-            let biases = |pair: &[Tried]| pair[1].biases(&pair[0], &points, derivative, noise, ORDERS[derivative]);
-            let pairs: Vec<[f64; 2]> = tried.windows(2).map(biases).collect();
-            let all = pairs.iter().take(1).map(|[shorter, _]| shorter).chain(pairs.iter().map(|[_, longer]| longer));
-            let costs = tried.iter().zip(all).map(|(one, bias)| noise * one.gains[derivative] + BIAS_WEIGHT * bias);
+            let lengths = lengths_of(derivative);
+            let tried: Vec<Tried> =
+                lengths.iter().map(|length| Tried::new(self, &points, *length, derivative)).collect();
+            let costs = (0..tried.len()).map(|at| {
+                let (shorter, longer) = if at < APART { (at, at + APART) } else { (at - APART, at) };
+                let biases = tried[longer].biases(&tried[shorter], &points, noise, order(derivative));
+                noise * tried[at].gain + BIAS_WEIGHT * biases[usize::from(at == longer)]
+            });
             least(&lengths, costs)
         })
     }
@@ -93,27 +121,35 @@ impl Signal<'_> {
     /// RMS error of the first derivative in a window near rest: noise and bias.
     pub fn error(&self, window: f64) -> f64 {
         // The shortest window has no shorter one beside it, but a longer one.
-        let shortest = shortest(self.interval);
+        let shortest = shortest(self.interval, 1);
         let lengths = if window > 1.4 * shortest { [0.7 * window, window] } else { [window, 1.4 * shortest] };
         let points = Points::new(self, self.slow(window), lengths[1]);
-        let [shorter, longer] = lengths.map(|length| Tried::new(self, &points, length));
-        let noise = Tried::new(self, &points, shortest).noise(self, &points);
-        let biases = longer.biases(&shorter, &points, 1, noise, ORDER_OF_KINK);
+        let [shorter, longer] = lengths.map(|length| Tried::new(self, &points, length, 1));
+        let noise = self.noise(&points);
+        let biases = longer.biases(&shorter, &points, noise, ORDER_OF_KINK);
         let taken = usize::from(longer.length == window);
-        (noise * [shorter, longer][taken].gains[1] + biases[taken]).sqrt()
+        (noise * [shorter, longer][taken].gain + biases[taken]).sqrt()
     }
 
     /// RMS noise of a derivative in a window: near its zeros the acceleration has hardly any other error.
     pub fn noise_in(&self, window: f64, derivative: usize) -> f64 {
-        let shortest = shortest(self.interval);
+        let shortest = shortest(self.interval, derivative);
         let points = Points::new(self, self.part.clone().collect(), window.max(shortest));
-        let [shortest, whole] = [shortest, window].map(|length| Tried::new(self, &points, length));
-        (shortest.noise(self, &points) * whole.gains[derivative]).sqrt()
+        (self.noise(&points) * Tried::new(self, &points, window, derivative).gain).sqrt()
+    }
+
+    /// Variance of the noise of the samples.
+    fn noise(&self, points: &Points) -> f64 {
+        let local = Local::new(self.time, self.values, length(WINDOWS[0], self.interval), Degree::Third);
+        let gain = points.mean(|number| local.variances(self.time[points.at[number]])[0]);
+        let residual = |at: usize| self.values[at] - local.at(self.time[at])[0];
+        let values = &self.values[self.part.clone()];
+        rounding(values).powi(2).max(points.mean(|number| residual(points.at[number]).powi(2)) / (1.0 - gain))
     }
 
     /// Samples at which the motion is near rest; all if it never is.
     fn slow(&self, window: f64) -> Vec<usize> {
-        let local = Local::new(self.time, self.values, window);
+        let local = Local::new(self.time, self.values, window, degree(1));
         let all = some(self.part.clone().collect(), SPEEDS);
         let speeds: Vec<f64> = all.iter().map(|at| local.at(self.time[*at])[1].abs()).collect();
         let fastest = speeds.iter().fold(0.0, |most: f64, speed| most.max(*speed));
@@ -147,7 +183,7 @@ impl Points {
         let is_whole = signal.is_whole(0.5 * longest);
         let whole: Vec<usize> = all.iter().copied().filter(|at| is_whole(signal.time[*at])).collect();
         let at = some(if whole.is_empty() { all } else { whole }, POINTS);
-        let local = Local::new(signal.time, signal.values, longest);
+        let local = Local::new(signal.time, signal.values, longest, degree(2));
         let bends: Vec<f64> = at.iter().map(|at| local.at(signal.time[*at])[2].abs()).collect();
         let sum: f64 = bends.iter().sum();
         let even = 1.0 / at.len() as f64;
@@ -181,39 +217,30 @@ fn some(all: Vec<usize>, most: usize) -> Vec<usize> {
     all.into_iter().step_by(step).collect()
 }
 
-/// A window at all points of comparison.
+/// A derivative in a window at all points of comparison.
 struct Tried {
     length: f64,
-    /// Value, first and second derivative.
-    estimates: Vec<[f64; 3]>,
-    /// Means of the variances of the three by white noise of variance 1.
-    gains: [f64; 3],
+    estimates: Vec<f64>,
+    /// Mean of the variances by white noise of variance 1.
+    gain: f64,
 }
 
 impl Tried {
-    fn new(signal: &Signal, points: &Points, length: f64) -> Tried {
-        let local = Local::new(signal.time, signal.values, length);
-        let times = || points.at.iter().map(|at| signal.time[*at]);
-        let variances: Vec<[f64; 3]> = times().map(|t| local.variances(t)).collect();
-        let gains = [0, 1, 2].map(|derivative| points.mean(|number| variances[number][derivative]));
-        Tried { length, estimates: times().map(|t| local.at(t)).collect(), gains }
+    fn new(signal: &Signal, points: &Points, length: f64, derivative: usize) -> Tried {
+        let local = Local::new(signal.time, signal.values, length, degree(derivative));
+        let times: Vec<f64> = points.at.iter().map(|at| signal.time[*at]).collect();
+        let gain = points.mean(|number| local.variances(times[number])[derivative]);
+        Tried { length, estimates: times.iter().map(|t| local.at(*t)[derivative]).collect(), gain }
     }
 
-    /// Mean squared bias of a derivative in a shorter window and in this one, with noise of a variance.
-    fn biases(&self, shorter: &Tried, points: &Points, derivative: usize, noise: f64, order: i32) -> [f64; 2] {
-        let change = |number: usize| self.estimates[number][derivative] - shorter.estimates[number][derivative];
-        let by_noise = noise * (shorter.gains[derivative] - self.gains[derivative]);
-        let beyond_noise = points.mean(|number| change(number).powi(2)) - by_noise;
+    /// Mean squared bias in a shorter window and in this one, with noise of a variance.
+    fn biases(&self, shorter: &Tried, points: &Points, noise: f64, order: i32) -> [f64; 2] {
+        let by_noise = noise * (shorter.gain - self.gain);
+        let beyond_noise =
+            points.mean(|number| (self.estimates[number] - shorter.estimates[number]).powi(2)) - by_noise;
         let ratio = (shorter.length / self.length).powi(order);
         let squared_bias = beyond_noise.max(0.0) / (1.0 - ratio).powi(2);
         [squared_bias * ratio * ratio, squared_bias]
-    }
-
-    /// Variance of the noise of the samples.
-    fn noise(&self, signal: &Signal, points: &Points) -> f64 {
-        let residual = |number: usize| signal.values[points.at[number]] - self.estimates[number][0];
-        let values = &signal.values[signal.part.clone()];
-        rounding(values).powi(2).max(points.mean(|number| residual(number).powi(2)) / (1.0 - self.gains[0]))
     }
 }
 
@@ -238,7 +265,8 @@ mod tests {
             for derivative in [1, 2] {
                 // What is missed, of the sine without noise, and the noise alone.
                 let cost = |window: f64| {
-                    let [noisy, smooth] = [&values, &exact].map(|values| Local::new(&time, values, window));
+                    let [noisy, smooth] =
+                        [&values, &exact].map(|values| Local::new(&time, values, window, degree(derivative)));
                     let truth = |t: f64| [0.0, rate * 1e-3 * (rate * t).cos(), -rate * rate * clean(t)][derivative];
                     (100..5900).step_by(7).map(|at| time[at]).fold(0.0, |sum, t| {
                         let [noisy, smooth] = [&noisy, &smooth].map(|local| local.at(t)[derivative]);
@@ -247,8 +275,8 @@ mod tests {
                         sum + (square + (3e-5 * size).powi(2)) * clean(t).abs()
                     })
                 };
-                let least =
-                    WINDOWS.map(|samples| cost(length(samples, 1e-3))).into_iter().fold(f64::INFINITY, f64::min);
+                let costs = candidates(derivative).iter().map(|samples| cost(length(*samples, 1e-3)));
+                let least = costs.fold(f64::INFINITY, f64::min);
                 let taken = cost(found[derivative - 1]);
                 assert!(taken <= 2.0 * least, "{frequency} Hz, {noise} m: {taken} instead of {least}, {found:?}");
             }
@@ -258,32 +286,46 @@ mod tests {
         Signal { time, values, interval: 1e-3, part: 0..time.len() }
     }
 
-    /// To and fro by 10 mm with pauses of a length, sampled every ms for so many strokes, rounded: times and displacement.
-    fn strokes(pause: f64, count: u32, rounding: f64) -> (Vec<f64>, Vec<f64>) {
+    /// To and fro by 10 mm with pauses of a length, sampled every ms for so many strokes, rounded: times and displacement,
+    /// with the exact velocity and acceleration.
+    fn strokes(pause: f64, count: u32, rounding: f64) -> (Vec<f64>, Vec<f64>, Vec<[f64; 2]>) {
         let period = 2.0 * (0.2 + pause);
         let samples = (f64::from(count) * period * 1e3) as u32;
         let at = |t: f64| {
             let (part, back) = (t % (0.5 * period), t % period >= 0.5 * period);
             let s = (part / 0.2).min(1.0);
             let x = 0.01 * s.powi(3) * (10.0 - 15.0 * s + 6.0 * s * s);
-            if back { 0.01 - x } else { x }
+            let v = 0.05 * s * s * (30.0 - 60.0 * s + 30.0 * s * s);
+            let a = 0.25 * s * (60.0 - 180.0 * s + 120.0 * s * s);
+            if back { [0.01 - x, -v, -a] } else { [x, v, a] }
         };
         let time: Vec<f64> = (0..samples).map(|k| f64::from(k) * 1e-3).collect();
         let rounded = |x: f64| (x / rounding).round() * rounding;
-        let values = time.iter().map(|t| rounded(at(*t))).collect();
-        (time, values)
+        let (values, rates) = time.iter().map(|t| at(*t)).map(|[x, v, a]| (rounded(x), [v, a])).unzip();
+        (time, values, rates)
     }
 
-    /// Where an encoder stands still, its samples have no noise at all; windows and error are those of the strokes all the
-    /// same.
+    /// Where an encoder stands still, its samples have no noise at all; windows are those of the strokes all the same, and
+    /// the error is known within a factor of 2.5, by the exact velocity near rest where the motion turns.
     #[test]
     fn pauses_of_an_encoder_do_not_look_like_precision() {
         for rounding in [1e-5, 1e-6, 1e-7] {
             let [moving, resting] = [0.05, 4.0].map(|pause| {
-                let (time, values) = strokes(pause, 5, rounding);
+                let (time, values, rates) = strokes(pause, 5, rounding);
                 let signal = signal(&time, &values);
-                let [velocity, acceleration] = signal.windows();
-                [velocity, acceleration, signal.error(velocity)]
+                let windows = signal.windows();
+                let local = Local::new(&time, &values, windows[0], degree(1));
+                let fastest = rates.iter().fold(0.0, |most: f64, [v, _]| most.max(v.abs()));
+                let inside = time.iter().zip(&rates).skip(100).take(time.len() - 200);
+                let (squares, weights) = inside.filter(|(_, [v, _])| v.abs() < SLOW * fastest).fold(
+                    (0.0, 0.0),
+                    |(squares, weights), (t, [v, a])| {
+                        (squares + a.abs() * (local.at(*t)[1] - v).powi(2), weights + a.abs())
+                    },
+                );
+                let ratio = signal.error(windows[0]) / f64::sqrt(squares / weights);
+                assert!((0.4..1.3).contains(&ratio), "{rounding} m, {pause} s: {ratio}");
+                windows
             });
             for (moving, resting) in moving.into_iter().zip(resting) {
                 assert!((0.6..1.7).contains(&(resting / moving)), "{rounding} m: {moving} {resting}");
@@ -293,7 +335,7 @@ mod tests {
 
     #[test]
     fn a_gap_does_not_change_the_windows() {
-        let (time, values) = strokes(0.05, 20, 1e-6);
+        let (time, values, _) = strokes(0.05, 20, 1e-6);
         let whole = signal(&time, &values);
         for length in [1.0, 50.0, 100.0, 1e5] {
             let apart: Vec<f64> = time.iter().map(|t| if *t > 5.0 { t + length } else { *t }).collect();
@@ -314,7 +356,7 @@ mod tests {
             let values: Vec<f64> = time.iter().map(|t| 1e-3 * (rate * t).sin() + noise * spread()).collect();
             let signal = signal(&time, &values);
             let [_, window] = signal.windows();
-            let local = Local::new(&time, &values, window);
+            let local = Local::new(&time, &values, window, degree(2));
             let exact = |t: f64| -rate * rate * 1e-3 * (rate * t).sin();
             let near = time[400..7600].iter().filter(|t| (rate * **t).sin().abs() < SLOW);
             let squares: Vec<f64> = near.map(|t| (local.at(*t)[2] - exact(*t)).powi(2)).collect();
