@@ -18,26 +18,10 @@ fn replay(name: &str, read: fn(&[u8])) {
 }
 
 #[test]
-fn damper_tests() {
+fn readers_of_files_take_what_fuzzing_has_kept() {
     replay("damper_test", readers::damper_test::read);
-}
-
-#[test]
-fn descriptions_of_jobs() {
     replay("description", readers::description::read);
-}
-
-#[test]
-fn records() {
     replay("record", readers::record::read);
-}
-
-#[test]
-fn systems() {
     replay("system", readers::system::read);
-}
-
-#[test]
-fn tyre_files() {
     replay("tyre_file", readers::tyre_file::read);
 }

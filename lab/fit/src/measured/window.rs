@@ -63,7 +63,10 @@ pub(super) fn degree(derivative: usize) -> Degree {
 
 /// Power of the window with which the bias of the first or the second derivative grows.
 pub(super) fn order(derivative: usize) -> i32 {
-    if derivative == 1 { 6 } else { 2 }
+    match degree(derivative) {
+        Degree::Third => 2,
+        Degree::Fifth => 6,
+    }
 }
 
 /// Candidate windows for a derivative, in samples.

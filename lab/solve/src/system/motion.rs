@@ -18,17 +18,17 @@ pub struct Motion {
     movers: Vec<Mover>,
     rows: Rows,
     states: Vec<Place>,
-    /// Parts and columns of the states.
-    columns: Vec<(usize, usize)>,
+    /// Columns of the states in the rows of all parts.
+    columns: Vec<usize>,
     runs: Vec<Run>,
     scales: Vec<f64>,
-    /// What gives all inputs their values.
+    /// Evaluation that gives all inputs their values.
     all: Plan,
-    /// What finds all rates.
+    /// Evaluation that finds all rates.
     of_rates: Plan,
-    /// What event indicators need that depend on inputs and states.
+    /// Evaluation that gives the parts with event indicators their inputs.
     of_indicators: Plan,
-    /// What is the same from event to event: it belongs to parts that do not move.
+    /// Evaluation of the parts that do not move, made at events only.
     at_rest: Plan,
     signals: Vec<(Place, Signal)>,
     moving_signals: bool,
@@ -36,7 +36,7 @@ pub struct Motion {
     time_of_signals: f64,
     /// What laws follow a time lag later.
     lines: Vec<Line>,
-    /// What these laws need.
+    /// Evaluation that gives these laws their inputs.
     of_lines: Plan,
     breaks: Breaks,
     /// Bonds that snap within steps, and where a step has brought them.
@@ -53,7 +53,7 @@ pub struct Motion {
     stale: bool,
 }
 
-/// States that are neighbours in the row of a part as well.
+/// States that are neighbours in the rows of all parts as well.
 #[derive(Clone, Copy, Debug)]
 struct Run {
     column: usize,
@@ -61,16 +61,14 @@ struct Run {
     count: usize,
 }
 
-/// Runs of states with these parts and columns.
-fn runs(states: &[(usize, usize)]) -> Vec<Run> {
+/// Runs of states with these columns.
+fn runs(columns: &[usize]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
-    let mut before = None;
-    for (first, (part, column)) in states.iter().copied().enumerate() {
+    for (first, column) in columns.iter().copied().enumerate() {
         match runs.last_mut() {
-            Some(run) if before == Some(part) && run.column + run.count == column => run.count += 1,
+            Some(run) if run.column + run.count == column => run.count += 1,
             _ => runs.push(Run { column, first, count: 1 }),
         }
-        before = Some(part);
     }
     runs
 }
@@ -136,8 +134,7 @@ impl Motion {
         let is_moving = |task: &Task| moving_parts[task.giver()];
         let (used, at_rest): (Vec<Task>, Vec<Task>) = used(&tasks, system).into_iter().partition(is_moving);
         let moving_signals: Vec<Place> = system.moving_signals().collect();
-        let columns: Vec<(usize, usize)> =
-            states.iter().map(|place| (place.part, column_of(&movers, *place))).collect();
+        let columns: Vec<usize> = states.iter().map(|place| column_of(&movers, *place)).collect();
         let mut motion = Motion {
             rows: Rows::new(system.parts.iter().map(|part| part.row.clone())),
             all: Plan::of_inputs(&tasks, &movers),
@@ -174,7 +171,7 @@ impl Motion {
 
     /// The states at the start.
     pub fn start(&self) -> Vec<f64> {
-        self.columns.iter().map(|(_, column)| self.rows.values[*column]).collect()
+        self.columns.iter().map(|column| self.rows.values[*column]).collect()
     }
 
     /// The variables that are states.
@@ -251,8 +248,7 @@ impl Motion {
 
     /// Gives a state a slope, and the strains that follow it.
     fn incline_state(&mut self, number: usize, direction: usize) {
-        let (part, column) = self.columns[number];
-        self.rows.incline(part, column, direction, 1.0);
+        self.rows.incline(self.states[number].part, self.columns[number], direction, 1.0);
         for (bundle, track) in self.bundles.iter().zip(&self.tracks) {
             if track.state == number {
                 let columns = bundle.places().map(|place| column_of(&self.movers, place));
@@ -437,8 +433,8 @@ impl Equations for Motion {
             }
             self.rows.perform_inclined(&self.of_rates, &self.movers);
             let of_states = count.min(directions.end) - first;
-            for (row, (part, column)) in self.columns.iter().enumerate() {
-                let rate = self.rows.inclined_rate(*part, *column);
+            for (row, (place, column)) in self.states.iter().zip(&self.columns).enumerate() {
+                let rate = self.rows.inclined_rate(place.part, *column);
                 rates[row] = rate.value;
                 let (of_states, of_time) = rate.slopes[..directions.len()].split_at(of_states);
                 jacobian[row * count + first..][..of_states.len()].copy_from_slice(of_states);
@@ -490,7 +486,7 @@ impl Equations for Motion {
                     return Err(format!("the states of {} after an event are not finite", mover.name));
                 }
             }
-            for (value, (_, column)) in states.iter_mut().zip(&self.columns) {
+            for (value, column) in states.iter_mut().zip(&self.columns) {
                 *value = self.rows.values[*column];
             }
             for (bundle, track) in self.bundles.iter().zip(&mut self.tracks) {

@@ -34,7 +34,7 @@ impl<T> Call<T> {
     }
 }
 
-/// What is to be computed of a part.
+/// Results wanted of a part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Wanted {
     Outputs,
