@@ -289,6 +289,19 @@ mod tests {
         Signal { time, values, interval: 1e-3, part: 0..time.len() }
     }
 
+    /// What is missed of a sine, in a window and in twice that.
+    #[test]
+    fn the_bias_grows_with_its_power_of_the_window() {
+        let time: Vec<f64> = (0..4001).map(|k| f64::from(k - 2000) * 1e-4).collect();
+        for (derivative, phase) in [(1, 0.0), (2, 0.25 * TAU)] {
+            let values: Vec<f64> = time.iter().map(|t| (10.0 * t + phase).sin()).collect();
+            let exact = [0.0, 10.0, -100.0][derivative];
+            let missed = |window| Local::new(&time, &values, window, degree(derivative)).at(0.0)[derivative] - exact;
+            let power = (missed(0.08) / missed(0.04)).log2();
+            assert!((power - f64::from(order(derivative))).abs() < 0.05, "{power}");
+        }
+    }
+
     /// To and fro by 10 mm with pauses of a length, sampled every ms for so many strokes, rounded: times and displacement,
     /// with the exact velocity and acceleration.
     fn strokes(pause: f64, count: u32, rounding: f64) -> (Vec<f64>, Vec<f64>, Vec<[f64; 2]>) {

@@ -28,8 +28,6 @@ pub struct Motion {
     of_rates: Plan,
     /// Evaluation that gives the parts with event indicators their inputs.
     of_indicators: Plan,
-    /// Evaluation of the parts that do not move, made at events only.
-    at_rest: Plan,
     signals: Vec<(Place, Signal)>,
     moving_signals: bool,
     /// Time at which the signals have been looked at.
@@ -131,8 +129,9 @@ impl Motion {
         let moving = moving(system, system.influences(), &changing);
         let movers = Mover::all(system, &states, &moving);
         let moving_parts = moving_parts(system, &changing);
-        let is_moving = |task: &Task| moving_parts[task.giver()];
-        let (used, at_rest): (Vec<Task>, Vec<Task>) = used(&tasks, system).into_iter().partition(is_moving);
+        // The others keep what they give from event to event.
+        let mut used = used(&tasks, system);
+        used.retain(|task| moving_parts[task.giver()]);
         let moving_signals: Vec<Place> = system.moving_signals().collect();
         let columns: Vec<usize> = states.iter().map(|place| column_of(&movers, *place)).collect();
         let mut motion = Motion {
@@ -141,7 +140,6 @@ impl Motion {
             of_rates: Plan::of_rates(&used, &movers),
             of_indicators: Plan::of_inputs(&needed(&used, |part| movers[part].indicators > 0), &movers),
             of_lines: Plan::of_inputs(&needed(&used, |part| lines.iter().any(|line| line.part == part)), &movers),
-            at_rest: Plan::of_inputs(&at_rest, &movers),
             changing: changing.iter().chain(&moving_signals).map(|place| column_of(&movers, *place)).collect(),
             has_more: !(moving_signals.is_empty() && lines.is_empty() && bundles.is_empty()),
             lines,
@@ -160,7 +158,7 @@ impl Motion {
             recorded: recorded.to_vec(),
             stale: true,
         };
-        motion.rows.perform(&motion.at_rest);
+        motion.rows.perform(&motion.all);
         Ok(motion)
     }
 
@@ -496,7 +494,6 @@ impl Equations for Motion {
                 break;
             }
         }
-        self.rows.perform(&self.at_rest);
         self.pass_lines(time, &past);
         Ok(())
     }

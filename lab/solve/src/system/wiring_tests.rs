@@ -168,6 +168,14 @@ fn parts_that_do_not_move_keep_what_they_give() {
     let source = Source { description: Description::parse(AT_REST_TOML).unwrap(), folder: std::path::PathBuf::new() };
     let system = System::assemble(&source, None, &[]).unwrap();
     assert!(compare(&system, "at rest"));
+    // Also before the first event.
+    let mut motion = Motion::new(&system, &[]).unwrap();
+    let rows = system.parts.iter().map(|part| part.row.clone()).collect();
+    let mut apart = OneByOne { system: &system, places: motion.places().to_vec(), rows };
+    let states = motion.start();
+    let mut rates = vec![f64::NAN; states.len()];
+    motion.rates(0.2, &states, &mut rates);
+    assert_eq!(rates, apart.rates(0.2, &states));
 }
 
 /// An evaluation leaves advice out: its units are those of no input.
