@@ -121,9 +121,12 @@ pub(super) const GIVENS: usize = GIVEN.len();
 
 /// Which of the quantities of a contact the variable is, if it is one.
 pub(super) const fn given(variable: &Variable) -> Option<usize> {
+    if variable.path.segments().len() > 1 {
+        return None;
+    }
     let mut at = 0;
     while at < GIVENS {
-        if variable.path.segments().len() == 1 && variable.meaning as u8 == GIVEN[at] as u8 {
+        if variable.meaning as u8 == GIVEN[at] as u8 {
             return Some(at);
         }
         at += 1;

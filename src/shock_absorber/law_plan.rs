@@ -30,9 +30,9 @@ const fn is_exchanged(law: Declared) -> bool {
     law.model.model_exchange && continuous_states(law) <= MOST_MOVING
 }
 
-/// Whether an importer that integrates the states itself integrates this one.
-const fn is_moving(law: Declared, variable: &Variable) -> bool {
-    is_exchanged(law) && is_remembered(variable) && variable.is_continuous_state()
+/// Whether an importer that integrates the states itself integrates this one, if the law is exchanged.
+const fn is_moving(is_exchanged: bool, variable: &Variable) -> bool {
+    is_exchanged && is_remembered(variable) && variable.is_continuous_state()
 }
 
 /// Largest number of continuous states of a law in Model Exchange: they come first in the memory. A discrete state never
@@ -50,18 +50,19 @@ const MOVING: usize = {
 };
 
 /// First place for the discrete states of a law.
-const fn first_jumping(law: Declared) -> usize {
-    if is_exchanged(law) { MOVING } else { 0 }
+const fn first_jumping(is_exchanged: bool) -> usize {
+    if is_exchanged { MOVING } else { 0 }
 }
 
 /// Number of places that suffices for the states of any law.
 pub const MEMORY: usize = {
     let (mut most, mut at) = (0, 0);
     while at < COUNT {
-        let (mut places, mut column) = (first_jumping(LAWS[at]), 0);
+        let is_exchanged = is_exchanged(LAWS[at]);
+        let (mut places, mut column) = (first_jumping(is_exchanged), 0);
         while column < LAWS[at].table.len() {
             let variable = &LAWS[at].table[column];
-            places += (is_remembered(variable) && !is_moving(LAWS[at], variable)) as usize;
+            places += (is_remembered(variable) && !is_moving(is_exchanged, variable)) as usize;
             column += 1;
         }
         if places > most {
@@ -160,13 +161,14 @@ static SOURCES: [[Source; WIDEST]; COUNT] = {
 
 const fn sources(which: usize) -> [Source; WIDEST] {
     let law = LAWS[which];
+    let is_exchanged = is_exchanged(law);
     let mut sources = [Source::Start; WIDEST];
-    let (mut moving, mut jumping, mut at) = (0, first_jumping(law), 0);
+    let (mut moving, mut jumping, mut at) = (0, first_jumping(is_exchanged), 0);
     while at < law.table.len() {
         let variable = &law.table[at];
         if given(variable).is_some() {
             sources[at] = Source::Given;
-        } else if is_moving(law, variable) {
+        } else if is_moving(is_exchanged, variable) {
             sources[at] = Source::Memory(moving);
             moving += 1;
         } else if is_remembered(variable) {
