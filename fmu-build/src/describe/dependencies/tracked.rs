@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
-use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
+use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Range, Sub, SubAssign};
 use std::sync::Arc;
 
 use stribeck::catalogue;
@@ -303,7 +303,7 @@ impl Mask<Tracked> for TrackedMask {
         match self.agreed() {
             Some(true) => yes,
             Some(false) => no,
-            None => on_course(|course| Tracked(course.expressions.chosen(self.0, yes.0, no.0))),
+            None => self.chosen(yes, no),
         }
     }
 
@@ -322,11 +322,7 @@ impl Mask<Tracked> for TrackedMask {
             Some(false) => no(),
             None => {
                 let (yes, no) = (assuming(self.0, true, yes), assuming(self.0, false, no));
-                let chosen = |number: usize| {
-                    let (yes, no) = (yes[number].0, no[number].0);
-                    on_course(|course| Tracked(course.expressions.chosen(self.0, yes, no)))
-                };
-                std::array::from_fn(chosen)
+                std::array::from_fn(|number| self.chosen(yes[number], no[number]))
             }
         }
     }
@@ -338,21 +334,36 @@ impl Decision<Tracked> for TrackedMask {
     }
 }
 
-/// Computes a branch for the case that it counts.
+impl TrackedMask {
+    fn chosen(self, yes: Tracked, no: Tracked) -> Tracked {
+        on_course(|course| Tracked(course.expressions.chosen(self.0, yes.0, no.0)))
+    }
+}
+
+/// Computes a branch for the case that it counts. The compiler repeats this for every branch of every model, so that its
+/// steps are functions of their own.
 fn assuming<R>(id: Id, answer: bool, work: impl FnOnce() -> R) -> R {
-    let before = on_course(|course| {
-        let before = (course.assumed.orders.len(), course.assumed.answers.len());
-        course.assume(id, answer);
-        before
-    });
-    let after = on_course(|course| (course.assumed.orders.len(), course.assumed.answers.len()));
+    let assumed = assume(id, answer);
     let result = work();
     // Questions within the branch are answered for the whole computation.
-    on_course(|course| {
-        course.assumed.orders.drain(before.0..after.0);
-        course.assumed.answers.drain(before.1..after.1);
-    });
+    forget(assumed);
     result
+}
+
+/// Assumes an answer; returns the places of what is assumed with it, orders and other answers.
+fn assume(id: Id, answer: bool) -> [Range<usize>; 2] {
+    on_course(|course| {
+        let (orders, answers) = (course.assumed.orders.len(), course.assumed.answers.len());
+        course.assume(id, answer);
+        [orders..course.assumed.orders.len(), answers..course.assumed.answers.len()]
+    })
+}
+
+fn forget([orders, answers]: [Range<usize>; 2]) {
+    on_course(|course| {
+        course.assumed.orders.drain(orders);
+        course.assumed.answers.drain(answers);
+    });
 }
 
 impl Add for Tracked {
