@@ -72,7 +72,7 @@ fn line(measurements: &[&Measurement], solver: Solver, precision: Precision, loo
     trials.sort_by(|a, b| b.trial.tolerance.total_cmp(&a.trial.tolerance));
     let point = |one: &&Measurement| Some([one.counts[2] as f64, precision.of(one)?.max(LEAST)]);
     let points = trials.into_iter().filter_map(point).collect();
-    Line { name: solver.to_string(), points, is_cut: false, look: Some(look) }
+    Line { name: solver.to_string(), points, look: Some(look), ..Line::default() }
 }
 
 #[cfg(test)]

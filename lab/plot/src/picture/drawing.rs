@@ -35,7 +35,32 @@ const SAMPLE: f64 = 34.0;
 const BEHIND: f64 = 7.0;
 const BETWEEN: f64 = 20.0;
 
+/// What stands for a curve in the legend.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sample {
+    /// A piece of its line.
+    #[default]
+    Line,
+    /// One of its crosses.
+    Cross,
+    /// One of its error bars.
+    Bar,
+}
+
+impl Sample {
+    /// Its path, in the middle of the length of a sample that begins there.
+    fn path(self, x: f64, y: f64) -> String {
+        let middle = x + 0.5 * SAMPLE;
+        match self {
+            Sample::Line => format!("M{x:.2} {y:.2}H{:.2}", x + SAMPLE),
+            Sample::Cross => format!("M{:.2} {:.2}l9 9m0 -9l-9 9", middle - 4.5, y - 4.5),
+            Sample::Bar => format!("M{:.2} {:.2}h8m-4 0v12m-4 0h8m0 -6h-8", middle - 4.0, y - 6.0),
+        }
+    }
+}
+
 /// A curve with its name.
+#[derive(Default)]
 pub struct Line {
     /// Name in the legend; without one it has no entry.
     pub name: String,
@@ -45,6 +70,8 @@ pub struct Line {
     pub is_cut: bool,
     /// Number of its colour and dashes; that of the curve in the picture if there is none.
     pub look: Option<usize>,
+    /// What stands for it in the legend.
+    pub sample: Sample,
 }
 
 /// A diagram.
@@ -173,12 +200,12 @@ impl Drawing<'_> {
         let entry = |(number, (line_number, line)): (usize, &(usize, &Line))| {
             let x = frame.left + legend.column * (number % legend.columns) as f64;
             let y = frame.bottom + LEGEND + ROW * (number / legend.columns) as f64;
-            let (end, middle, text) = (x + SAMPLE, y - 4.2, x + SAMPLE + BEHIND);
+            let (sample, text) = (line.sample.path(x, y - 4.2), x + SAMPLE + BEHIND);
             let look = line.look.unwrap_or(*line_number);
             let (class, stroke) = (look + 1, self.stroke(look));
             let name = escape(&fitted(&line.name, TICK_SIZE, legend.column - SAMPLE - BEHIND));
             format!(
-                "<g class=\"entry\"><path class=\"law-{class}\" {stroke} d=\"M{x:.2} {middle:.2}H{end:.2}\"/>\
+                "<g class=\"entry\"><path class=\"law-{class}\" {stroke} d=\"{sample}\"/>\
                  <text class=\"ink\" fill=\"{ink}\" x=\"{text:.2}\" y=\"{y:.2}\">{name}</text></g>\n"
             )
         };

@@ -5,7 +5,7 @@ use stribeck_fit::identify::map::{FrictionMap, Mean};
 use stribeck_fit::identify::{Fit, reference_curve, steady_curve};
 use stribeck_solve::system::Fault;
 
-use super::drawing::{Drawing, Line};
+use super::drawing::{Drawing, Line, Sample};
 use super::tyre::{loads, near};
 use super::{Kind, Named, Picture, Theme, axes};
 
@@ -35,11 +35,13 @@ pub fn friction_map(name: &str, map: &FrictionMap, fit: &Fit, theme: Theme) -> R
     let size = [largest(|mean| mean.velocity), largest(|mean| mean.force)];
     let unit = typeset_unit(map.movement.unit("N"));
     let (mut lines, loads) = (Vec::new(), loads(&shown, &all));
+    let sample = if map.scatter.is_some() { Sample::Bar } else { Sample::Cross };
     for (number, (load, [marks, curve])) in loads.iter().zip(LOOKS).enumerate() {
         let near: Vec<&Mean> = near(&shown, &all, *load).into_iter().map(|at| &means[at]).collect();
         let named = |name: &str| format!("{name}, {} {unit}", digits(*load, 3));
-        let line = |name, points, look| Line { name, points, is_cut: false, look: Some(look) };
-        lines.push(line(named("measured"), near.iter().flat_map(|mean| mark(mean, size)).collect(), marks));
+        let line = |name, points, look| Line { name, points, look: Some(look), ..Line::default() };
+        let measured = line(named("measured"), near.iter().flat_map(|mean| mark(mean, size)).collect(), marks);
+        lines.push(Line { sample, ..measured });
         let fitted = curves(&named(fit.law.name), &near, &|inputs| steady_curve(fit, inputs))?;
         lines.extend(fitted.into_iter().map(|(name, points)| line(name, points, curve)));
         if let (Some(values), Some([_, look])) = (fit.reference(), LOOKS.get(loads.len() + number)) {
@@ -49,8 +51,9 @@ pub fn friction_map(name: &str, map: &FrictionMap, fit: &Fit, theme: Theme) -> R
     }
     let bars = if map.scatter.is_some() { "means, with 95 % of the scatter" } else { "measured" };
     let title = format!("{name}: {bars}, and {} fitted", fit.law.name);
-    let quantities = Kind::ForceOverVelocity.quantities();
-    let axes = axes(quantities, quantities.map(|quantity| map.movement.unit(quantity.unit())), &lines, &None);
+    let units = Kind::ForceOverVelocity.quantities().map(|quantity| map.movement.unit(quantity.unit()));
+    let quantities = Kind::ForceOverVelocity.quantities_in(units);
+    let axes = axes(quantities, units, &lines, &None);
     let svg = Drawing { title: &title, quantities, axes: &axes, lines: &lines, theme }.svg();
     Ok(Picture { kind: Kind::ForceOverVelocity, part: 1, parts: 1, title, svg })
 }
@@ -97,6 +100,7 @@ mod tests {
     use std::sync::atomic::AtomicBool;
 
     use stribeck_fit::identify::{Data, Inquiry, Judgement, Ranking, Source, Watch};
+    use stribeck_fit::measured::Movement;
     use stribeck_sheet::{Sheet, SheetError};
 
     use super::super::tyre::tests::places;
@@ -130,6 +134,16 @@ mod tests {
         (data, ranking)
     }
 
+    #[test]
+    fn a_map_of_a_joint_shows_torque_over_angular_velocity() {
+        let (mut data, ranking) = fitted(0.0);
+        let (name, map) = &mut data.maps[0];
+        map.movement = Movement::Rotation;
+        let svg = friction_map(name, map, ranking.best(), Theme::Light).unwrap().svg;
+        let names = svg.split("class=\"names\"").nth(1).unwrap();
+        assert!(names.contains(">Angular velocity <") && names.contains(">Friction torque <"), "{names}");
+    }
+
     /// The place of a curve at a horizontal place.
     fn height(curve: &[[f64; 2]], x: f64) -> f64 {
         let mut sorted = curve.to_vec();
@@ -139,6 +153,14 @@ mod tests {
         y_0 + (y_1 - y_0) * (x - x_0) / (x_1 - x_0)
     }
 
+    /// The samples of a legend: how they go on from their first place, without the end of a line across.
+    fn in_legend(svg: &str) -> Vec<&str> {
+        let entries = svg.split("class=\"entry\"").skip(1);
+        let data = entries.map(|entry| entry.split(" d=\"").nth(1).unwrap().split('"').next().unwrap());
+        let onwards = data.map(|data| data.trim_start_matches(|letter| "M0123456789. ".contains(letter)));
+        onwards.map(|data| if data.starts_with('H') { "H" } else { data }).collect()
+    }
+
     #[test]
     fn means_are_on_the_curve_and_bars_are_as_long_as_the_scatter() {
         let (data, ranking) = fitted(0.1);
@@ -146,6 +168,7 @@ mod tests {
         let picture = friction_map(name, map, ranking.best(), Theme::Light).unwrap();
         assert!(picture.svg.contains(">measured, 1 N<") && picture.svg.contains(">CoulombViscous, 1 N<"));
         assert_eq!(picture.title, "map: means, with 95 % of the scatter, and CoulombViscous fitted");
+        assert_eq!(in_legend(&picture.svg), ["h8m-4 0v12m-4 0h8m0 -6h-8", "H"]);
         let [marks] = places(&picture.svg, "law-1").try_into().unwrap();
         let [forwards, backwards] = places(&picture.svg, "law-2").try_into().unwrap();
         assert_eq!(marks.len(), 7 * 8, "a line, a bar and two caps for each speed");
@@ -176,6 +199,7 @@ mod tests {
             assert!((cross[1][0] - cross[0][0] - (cross[3][0] - cross[2][0])).abs() < 0.1 && cross[1][1] < cross[0][1]);
         }
         assert_eq!(picture.title, "map: measured, and CoulombViscous fitted");
+        assert_eq!(in_legend(&picture.svg), ["l9 9m0 -9l-9 9", "H"]);
     }
 
     /// 2.5 N and 5 N.s/m: a parallel that is half a newton farther from rest than the law that was fitted.

@@ -79,11 +79,17 @@ impl Kind {
         }
     }
 
-    /// The diagram in words.
-    pub fn title(self) -> String {
-        let [across, up] = self.quantities().map(|quantity| quantity.names().0);
-        format!("{up} over {}", across.to_lowercase())
+    /// What the axes show in these units.
+    fn quantities_in(self, [across, up]: [&str; 2]) -> [Quantity; 2] {
+        let [to_the_right, upwards] = self.quantities();
+        [to_the_right.in_unit(across), upwards.in_unit(up)]
     }
+}
+
+/// A diagram of quantities in words.
+fn in_words(quantities: [Quantity; 2]) -> String {
+    let [across, up] = quantities.map(|quantity| quantity.names().0);
+    format!("{up} over {}", across.to_lowercase())
 }
 
 /// The name of a kind as part of the name of a file.
@@ -155,25 +161,26 @@ impl Picture {
 /// A curve with its name.
 pub type Named = (String, Vec<[f64; 2]>);
 
-/// A picture of friction forces from elsewhere, in SI units, as a diagram of this kind; `unit` has the units of joints in
-/// place of those of bodies that slide, if it is of one. None without a finite point.
+/// A picture of friction forces from elsewhere, in SI units, as a diagram of this kind; `title` puts it in words, given
+/// those for the diagram, and `unit` has the units of joints in place of those of bodies that slide, if it is of one. None
+/// without a finite point.
 pub fn curves(
     kind: Kind,
-    title: &str,
+    title: impl FnOnce(&str) -> String,
     curves: Vec<Named>,
     unit: impl Fn(&'static str) -> &'static str,
     theme: Theme,
 ) -> Option<Picture> {
-    let lines =
-        curves.into_iter().take(MOST_LAWS).map(|(name, points)| Line { name, points, is_cut: false, look: None });
+    let lines = curves.into_iter().take(MOST_LAWS).map(|(name, points)| Line { name, points, ..Line::default() });
     let lines: Vec<Line> = lines.collect();
     let is_finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
     lines.iter().flat_map(|line| &line.points).find(|point| is_finite(point))?;
-    let quantities = kind.quantities();
-    let units = quantities.map(|quantity| unit(quantity.unit()));
+    let units = kind.quantities().map(|quantity| unit(quantity.unit()));
+    let quantities = kind.quantities_in(units);
+    let title = title(&in_words(quantities));
     let axes = axes(quantities, units, &lines, &None);
-    let svg = Drawing { title, quantities, axes: &axes, lines: &lines, theme }.svg();
-    Some(Picture { kind, part: 1, parts: 1, title: title.to_owned(), svg })
+    let svg = Drawing { title: &title, quantities, axes: &axes, lines: &lines, theme }.svg();
+    Some(Picture { kind, part: 1, parts: 1, title, svg })
 }
 
 /// The name of the variable that a system shows as this quantity.
@@ -191,6 +198,8 @@ fn shown(system: &System, quantity: Quantity) -> Option<&str> {
         Quantity::Evaluations | Quantity::Error | Quantity::SwitchingError => None,
         Quantity::SideSlip | Quantity::LongitudinalSlip => None,
         Quantity::SideForce | Quantity::LongitudinalForce | Quantity::AligningMoment => None,
+        // Where a result has its unit.
+        Quantity::Angle | Quantity::AngularVelocity | Quantity::AngularAcceleration | Quantity::Torque => None,
     }
 }
 
@@ -231,9 +240,11 @@ fn pictures(kind: Kind, system: &System, outcomes: &[(String, Outcome)], options
     let line = |(name, outcome): &(String, Outcome)| line(system, quantities, name, outcome, &zoom);
     let lines: Vec<Line> = outcomes.iter().map(line).collect();
     let axes = axes(quantities, units, &lines, &zoom);
+    let quantities = kind.quantities_in(units);
     let parts = lines.len().div_ceil(MOST_LAWS);
     let size = lines.len().div_ceil(parts);
-    let whole = zoom.as_ref().map_or_else(|| kind.title(), |range| format!("Friction force {}", range.words()));
+    let force = quantities[1].names().0;
+    let whole = zoom.as_ref().map_or_else(|| in_words(quantities), |range| format!("{force} {}", range.words()));
     let picture = |(number, lines): (usize, &[Line])| {
         let (first, last) = (number * size + 1, number * size + lines.len());
         let part = if parts > 1 { format!(" (laws {first} to {last} of {})", outcomes.len()) } else { String::new() };
@@ -272,10 +283,10 @@ fn line(system: &System, quantities: [Quantity; 2], name: &str, outcome: &Outcom
         }
     };
     match zoom {
-        None => Line { name, points: points.collect(), is_cut: end.is_some(), look: None },
+        None => Line { name, points: points.collect(), is_cut: end.is_some(), ..Line::default() },
         Some(Range { from, to, .. }) => {
             let is_cut = end.is_some_and(|end| (*from..*to).contains(&end));
-            Line { name, points: within(points.collect(), *from, *to), is_cut, look: None }
+            Line { name, points: within(points.collect(), *from, *to), is_cut, ..Line::default() }
         }
     }
 }

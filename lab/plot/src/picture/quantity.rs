@@ -15,6 +15,14 @@ pub enum Quantity {
     Acceleration,
     /// Friction force.
     Force,
+    /// Angle of a joint.
+    Angle,
+    /// Angular velocity of a joint.
+    AngularVelocity,
+    /// Angular acceleration of a joint.
+    AngularAcceleration,
+    /// Friction torque.
+    Torque,
     /// Evaluations of the equations.
     Evaluations,
     /// Error of a motion.
@@ -34,6 +42,18 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// The quantity in a unit: that of a joint in the units of rotation.
+    pub fn in_unit(self, unit: &str) -> Quantity {
+        let turned = match self {
+            Quantity::Position | Quantity::Displacement => Quantity::Angle,
+            Quantity::Velocity => Quantity::AngularVelocity,
+            Quantity::Acceleration => Quantity::AngularAcceleration,
+            Quantity::Force => Quantity::Torque,
+            other => other,
+        };
+        if turned.unit() == unit { turned } else { self }
+    }
+
     /// SI unit.
     pub fn unit(self) -> &'static str {
         match self {
@@ -42,8 +62,10 @@ impl Quantity {
             Quantity::Velocity => "m/s",
             Quantity::Acceleration => "m/s2",
             Quantity::Force | Quantity::SideForce | Quantity::LongitudinalForce => "N",
-            Quantity::AligningMoment => "N.m",
-            Quantity::SideSlip => "rad",
+            Quantity::AligningMoment | Quantity::Torque => "N.m",
+            Quantity::SideSlip | Quantity::Angle => "rad",
+            Quantity::AngularVelocity => "rad/s",
+            Quantity::AngularAcceleration => "rad/s2",
             Quantity::Evaluations | Quantity::LongitudinalSlip => "1",
         }
     }
@@ -57,6 +79,10 @@ impl Quantity {
             Quantity::Velocity => ("Relative velocity", "v", ""),
             Quantity::Acceleration => ("Acceleration", "a", ""),
             Quantity::Force => ("Friction force", "f", "f"),
+            Quantity::Angle => ("Angle", "\u{3c6}", ""),
+            Quantity::AngularVelocity => ("Angular velocity", "\u{3c9}", ""),
+            Quantity::AngularAcceleration => ("Angular acceleration", "\u{3b1}", ""),
+            Quantity::Torque => ("Friction torque", "\u{3c4}", "f"),
             Quantity::Evaluations => ("Evaluations of the rates", "n", ""),
             Quantity::Error => ("Largest error of the position", "e", "x"),
             Quantity::SideSlip => ("Side slip", "\u{3b1}", ""),

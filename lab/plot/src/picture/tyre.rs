@@ -4,7 +4,7 @@ use stribeck::host::{Contact, FormulaVersion, MagicFormula, Wrench};
 use stribeck_fit::identify::tyre::{PURE, Sample, TyreTest};
 
 use super::drawing::{Drawing, Line};
-use super::{Kind, Picture, Theme, axes};
+use super::{Kind, Picture, Theme, axes, in_words};
 use crate::picture::quantity::Quantity;
 use stribeck_draw::text::digits;
 
@@ -84,7 +84,7 @@ impl View<'_> {
         let loads = loads(&numbers, &all).into_iter().enumerate();
         let lines: Vec<Line> = loads.flat_map(|(look, load)| self.lines(&at_load(load), formula, look)).collect();
         let (kind, quantities) = (self.kind, self.kind.quantities());
-        let title = format!("{}: measured (dots) and fitted", kind.title());
+        let title = format!("{}: measured (dots) and fitted", in_words(quantities));
         let axes = axes(quantities, quantities.map(Quantity::unit), &lines, &None);
         let svg = Drawing { title: &title, quantities, axes: &axes, lines: &lines, theme }.svg();
         Some(Picture { kind, part: 1, parts: 1, title, svg })
@@ -111,7 +111,7 @@ impl View<'_> {
             let contact = Contact { load, longitudinal_slip, side_slip, camber, speed: 1.0 };
             [slip, (self.of)(&formula.wrench(&contact))]
         });
-        let line = |name: String, points| Line { name, points, is_cut: false, look: Some(look) };
+        let line = |name: String, points| Line { name, points, look: Some(look), ..Line::default() };
         [line(String::new(), dots), line(format!("{} N", digits(load, 3)), curve.collect())]
     }
 }

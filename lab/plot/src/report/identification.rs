@@ -279,7 +279,7 @@ fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Pict
         let source = if kind == Kind::Force { &all } else { &cycled };
         let of = if kind == Kind::Force || cycles == 0 { String::new() } else { format!(" (mean of {cycles} cycles)") };
         let lines: Vec<Named> = source.iter().map(|(name, record)| (name.clone(), points(kind, record))).collect();
-        curves(kind, &format!("{name}: {}{of}", kind.title()), lines, |unit| best.movement.unit(unit), theme)
+        curves(kind, |words| format!("{name}: {words}{of}"), lines, |unit| best.movement.unit(unit), theme)
     };
     Ok(kinds.into_iter().filter_map(picture).collect())
 }
