@@ -289,7 +289,7 @@ mod tests {
         Signal { time, values, interval: 1e-3, part: 0..time.len() }
     }
 
-    /// What is missed of a sine, in a window and in twice that.
+    /// Errors of the derivatives of a sine in a window and in one twice as long.
     #[test]
     fn the_bias_grows_with_its_power_of_the_window() {
         let time: Vec<f64> = (0..4001).map(|k| f64::from(k - 2000) * 1e-4).collect();

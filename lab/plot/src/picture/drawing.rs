@@ -35,7 +35,7 @@ const SAMPLE: f64 = 34.0;
 const BEHIND: f64 = 7.0;
 const BETWEEN: f64 = 20.0;
 
-/// What stands for a curve in the legend.
+/// Sample of a curve in the legend.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sample {
     /// A piece of its line.
@@ -53,10 +53,15 @@ impl Sample {
         let middle = x + 0.5 * SAMPLE;
         match self {
             Sample::Line => format!("M{x:.2} {y:.2}H{:.2}", x + SAMPLE),
-            Sample::Cross => format!("M{:.2} {:.2}l9 9m0 -9l-9 9", middle - 4.5, y - 4.5),
+            Sample::Cross => cross(middle, y),
             Sample::Bar => format!("M{:.2} {:.2}h8m-4 0v12m-4 0h8m0 -6h-8", middle - 4.0, y - 6.0),
         }
     }
+}
+
+/// Path of a cross with its middle there.
+fn cross(x: f64, y: f64) -> String {
+    format!("M{:.2} {:.2}l9 9m0 -9l-9 9", x - 4.5, y - 4.5)
 }
 
 /// A curve with its name.
@@ -70,7 +75,7 @@ pub struct Line {
     pub is_cut: bool,
     /// Number of its colour and dashes; that of the curve in the picture if there is none.
     pub look: Option<usize>,
-    /// What stands for it in the legend.
+    /// Its sample in the legend.
     pub sample: Sample,
 }
 
@@ -182,8 +187,7 @@ impl Drawing<'_> {
         let is_finite = |point: &&Point| point.iter().all(|value| value.is_finite());
         let [x, y] = frame.place(self.axes, *line.points.iter().rev().find(is_finite)?);
         let colour = self.theme.colours().laws[look];
-        let path = format!("M{:.2} {:.2}l9 9m0 -9l-9 9", x - 4.5, y - 4.5);
-        Some(format!("<path class=\"stop law-{}\" stroke=\"{colour}\" d=\"{path}\"/>\n", look + 1))
+        Some(format!("<path class=\"stop law-{}\" stroke=\"{colour}\" d=\"{}\"/>\n", look + 1, cross(x, y)))
     }
 
     /// Colour and dashes of a law.

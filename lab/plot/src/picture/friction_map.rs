@@ -35,7 +35,10 @@ pub fn friction_map(name: &str, map: &FrictionMap, fit: &Fit, theme: Theme) -> R
     let size = [largest(|mean| mean.velocity), largest(|mean| mean.force)];
     let unit = typeset_unit(map.movement.unit("N"));
     let (mut lines, loads) = (Vec::new(), loads(&shown, &all));
-    let sample = if map.scatter.is_some() { Sample::Bar } else { Sample::Cross };
+    let (sample, shown_as) = match map.scatter {
+        Some(_) => (Sample::Bar, "means, with 95 % of the scatter"),
+        None => (Sample::Cross, "measured"),
+    };
     for (number, (load, [marks, curve])) in loads.iter().zip(LOOKS).enumerate() {
         let near: Vec<&Mean> = near(&shown, &all, *load).into_iter().map(|at| &means[at]).collect();
         let named = |name: &str| format!("{name}, {} {unit}", digits(*load, 3));
@@ -49,8 +52,7 @@ pub fn friction_map(name: &str, map: &FrictionMap, fit: &Fit, theme: Theme) -> R
             lines.extend(given.into_iter().map(|(name, points)| line(name, points, *look)));
         }
     }
-    let bars = if map.scatter.is_some() { "means, with 95 % of the scatter" } else { "measured" };
-    let title = format!("{name}: {bars}, and {} fitted", fit.law.name);
+    let title = format!("{name}: {shown_as}, and {} fitted", fit.law.name);
     let units = Kind::ForceOverVelocity.quantities().map(|quantity| map.movement.unit(quantity.unit()));
     let quantities = Kind::ForceOverVelocity.quantities_in(units);
     let axes = axes(quantities, units, &lines, &None);

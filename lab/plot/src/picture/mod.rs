@@ -79,7 +79,7 @@ impl Kind {
         }
     }
 
-    /// What the axes show in these units.
+    /// Quantities on the axes in these units.
     fn quantities_in(self, [across, up]: [&str; 2]) -> [Quantity; 2] {
         let [to_the_right, upwards] = self.quantities();
         [to_the_right.in_unit(across), upwards.in_unit(up)]
@@ -198,7 +198,7 @@ fn shown(system: &System, quantity: Quantity) -> Option<&str> {
         Quantity::Evaluations | Quantity::Error | Quantity::SwitchingError => None,
         Quantity::SideSlip | Quantity::LongitudinalSlip => None,
         Quantity::SideForce | Quantity::LongitudinalForce | Quantity::AligningMoment => None,
-        // Where a result has its unit.
+        // A system shows them as position, displacement, velocity, acceleration and force.
         Quantity::Angle | Quantity::AngularVelocity | Quantity::AngularAcceleration | Quantity::Torque => None,
     }
 }
