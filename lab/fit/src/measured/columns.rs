@@ -13,14 +13,24 @@ fn others(quantity: &Quantity) -> &'static [&'static str] {
     match quantity.name {
         "time" => &["t"],
         "force" => &["F", "drive_force", "load_cell"],
-        "displacement" => &["x", "q", "qm", "pos", "position", "disp", "stroke"],
-        "velocity" => &["v", "vel", "speed", "qd", "dq"],
+        "displacement" => &["x", "q", "qm", "pos", "position", "disp", "stroke", "joint_position"],
+        "velocity" => &["v", "vel", "speed", "qd", "dq", "joint_velocity"],
         _ => &["N", "Fn", "f_n", "Fz", "f_z"],
     }
 }
 
 /// Names that the torque of a joint may have.
-const TORQUES: [&str; 3] = ["torque", "tau", "moment"];
+const TORQUES: [&str; 5] = ["torque", "tau", "moment", "friction_torque", "joint_torque"];
+
+/// Names that count where no column has one of the others: those of the motion are of a joint.
+fn later(quantity: &Quantity) -> &'static [&'static str] {
+    match quantity.name {
+        "force" => &["friction", "friction_force", "effort"],
+        "displacement" => &["angle", "theta", "phi", "joint_angle", "angular_position"],
+        "velocity" => &["omega", "angular_velocity", "angular_speed"],
+        _ => &[],
+    }
+}
 
 /// Names of signals that are proportional to a force; they need a factor.
 const SIGNALS: [&str; 6] = ["u", "i", "vir", "voltage", "current", "torque"];
@@ -108,9 +118,14 @@ impl Columns {
             let is_it = |name: &str| name.eq_ignore_ascii_case(quantity.name) || is_among(name, others(quantity));
             is_named(quantity) || tables.iter().any(|table| table.names().any(is_it))
         };
+        let has_later = |quantity| tables.iter().any(|table| table.names().any(|name| is_among(name, later(quantity))));
         let is_signal = |name: &str| is_among(name, &SIGNALS) || is_among(name, &TORQUES);
         let has_signal = || tables.iter().any(|table| table.names().any(is_signal));
-        tables.len() == 1 && has(&VELOCITY) && (has(&FORCE) || has_signal()) && !has(&TIME) && !has(&DISPLACEMENT)
+        tables.len() == 1
+            && (has(&VELOCITY) || has_later(&VELOCITY))
+            && (has(&FORCE) || has_later(&FORCE) || has_signal())
+            && !has(&TIME)
+            && !has(&DISPLACEMENT)
     }
 
     /// As [`Columns::apply`] for a map; returns whether its body slides or turns as well.
@@ -187,8 +202,20 @@ impl Columns {
             Some((Movement::Translation, column)) if self.turns() => Err(MeasuredError::NoJoint { column }),
             Some((movement, _)) => Ok(movement),
             None if self.turns() => Ok(Movement::Rotation),
-            None => Ok(Movement::Translation),
+            None => self.named_by_a_joint(if motion.is_empty() { record } else { motion }),
         }
+    }
+
+    /// Refuses an angle by its name where no unit tells what turns or slides: it might be in degrees.
+    fn named_by_a_joint(&self, moving: &[Sheet]) -> Result<Movement, MeasuredError> {
+        let of = |quantity: &&Quantity| {
+            let own =
+                moving.iter().find(|table| table.has(quantity.name)).map(|table| table.own_name(quantity.name))?;
+            let is_named = self.names.iter().any(|(_, column)| column == own);
+            let is_it = is_among(own, later(quantity)) && !is_named && !self.is_scaled(quantity);
+            is_it.then(|| MeasuredError::no_units(own, quantity.name))
+        };
+        [&DISPLACEMENT, &VELOCITY].iter().find_map(of).map_or(Ok(Movement::Translation), Err)
     }
 
     /// The movement that the units tell, with the first column that tells it.
@@ -207,7 +234,7 @@ impl Columns {
             table.names().find(is_it).map(str::to_owned)
         };
         match record.iter().find_map(of) {
-            Some(column) => Err(MeasuredError::NoUnits { column }),
+            Some(column) => Err(MeasuredError::no_units(&column, FORCE.name)),
             None => Ok(()),
         }
     }
@@ -275,6 +302,9 @@ impl Columns {
             all.map(str::to_owned).collect()
         };
         let mut candidates = of(others(quantity));
+        if candidates.is_empty() {
+            candidates = of(later(quantity));
+        }
         if quantity.name == FORCE.name && candidates.is_empty() {
             candidates = of(if self.drive.torque_constant.is_some() { &CURRENTS } else { &SIGNALS });
             if let ([column], None) = (candidates.as_slice(), self.factor(quantity)) {
@@ -316,7 +346,8 @@ fn with_units<'a>(tables: impl Iterator<Item = &'a mut Sheet>, movement: Movemen
 }
 
 fn is_among(name: &str, names: &[&str]) -> bool {
-    names.iter().any(|known| if known.len() == 1 { *known == name } else { known.eq_ignore_ascii_case(name) })
+    let name = name.replace([' ', '-'], "_");
+    names.iter().any(|known| if known.len() == 1 { *known == name } else { known.eq_ignore_ascii_case(&name) })
 }
 
 #[cfg(test)]
@@ -347,6 +378,44 @@ mod tests {
         assert_eq!(said.unwrap(), ["column 'N' was taken as normal_force", units]);
         assert_eq!(tables[0].column(&DISPLACEMENT).unwrap(), Some(vec![-3.0]));
         assert!(tables[0].column(&VELOCITY).unwrap().is_none());
+    }
+
+    /// With a unit, by itself or beside others; alone it might be in degrees.
+    #[test]
+    fn a_joint_has_an_angle_or_an_angular_velocity() {
+        let read = |text: &str| applied(text, &[]).1;
+        for heading in ["time,torque [N.m],angle [deg]", "t,Friction torque [N.m],theta [deg]", "t,effort,phi [deg]"] {
+            let tables = read(&format!("{heading}\n1,2,90\n"));
+            let turned = Movement::Rotation.quantity(&DISPLACEMENT);
+            let angle = tables[0].column(turned).unwrap().unwrap()[0];
+            assert!((angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15, "{heading}: {angle}");
+        }
+        let tables = read("t,torque [N.m],omega [rpm]\n1,2,60\n");
+        let speed = tables[0].column(Movement::Rotation.quantity(&VELOCITY)).unwrap().unwrap()[0];
+        assert!((speed - std::f64::consts::TAU).abs() < 1e-15);
+        // An angle that stands beside the displacement, such as that of a wheel that steers.
+        let tables = read("t,F,x [mm],angle [deg],friction\n1,2,3,4,5\n");
+        assert_eq!(tables[0].column(&DISPLACEMENT).unwrap(), Some(vec![3e-3]));
+        assert_eq!(tables[0].column(&FORCE).unwrap(), Some(vec![2.0]));
+        for (text, column, otherwise) in [
+            ("t,force,angle\n1,2,3\n", "angle", "--column displacement=angle takes it as a displacement in m"),
+            ("t,force,omega\n1,2,3\n", "omega", "--column velocity=omega takes it as a velocity in m/s"),
+            ("t,torque,theta\n1,2,3\n", "theta", "--column displacement=theta takes it as a displacement in m"),
+            ("t,torque,x\n1,2,3\n", "torque", "--column force=torque takes it as a force in N"),
+        ] {
+            let refusal = applied(text, &[]).0.unwrap_err();
+            assert!(
+                refusal.starts_with(&format!("'{column}' may be the ")) && refusal.ends_with(otherwise),
+                "{refusal}"
+            );
+        }
+        let mut tables = [Sheet::parse("t,force,angle\n1,2,3\n").unwrap()];
+        let names = vec![("displacement".to_owned(), "angle".to_owned())];
+        Columns { names, ..Columns::default() }.apply(&mut tables, &mut [], &Setup::default()).unwrap();
+        assert_eq!(tables[0].column(&DISPLACEMENT).unwrap(), Some(vec![3.0]));
+        let mut tables = [Sheet::parse("t,torque,angle\n1,2,3\n").unwrap()];
+        Columns { is_joint: true, ..Columns::default() }.apply(&mut tables, &mut [], &Setup::default()).unwrap();
+        assert_eq!(tables[0].column(Movement::Rotation.quantity(&DISPLACEMENT)).unwrap(), Some(vec![3.0]));
     }
 
     /// A camera has no force, whatever its columns are called, and a column is named in the table that has it.

@@ -89,14 +89,20 @@ pub enum MeasuredError {
         /// The column with its unit.
         column: String,
     },
-    /// What may be a torque, in a table without units.
+    /// What may be of a joint, in a table without units.
     #[error(
-        "'{column}' may be the torque of a joint, but no column of force and motion has a unit: --joint takes them as N.m, \
-         rad and rad/s, other units belong into the heading, velocity [rpm]; --column force={column} takes it as a force in N"
+        "'{column}' may be {turned} of a joint, but no column of force and motion has a unit: --joint takes them as N.m, \
+         rad and rad/s, other units belong into the heading, velocity [rpm]; --column {quantity}={column} takes it as {slid}"
     )]
     NoUnits {
         /// The column.
         column: String,
+        /// Quantity of a record.
+        quantity: &'static str,
+        /// What that is of a joint.
+        turned: &'static str,
+        /// What it is of a body that slides.
+        slid: &'static str,
     },
     /// Gravity of a body without an angle.
     #[error("gravity: is fitted to records of a joint, with a column of its angle, in rad or deg")]
@@ -186,6 +192,16 @@ impl MeasuredError {
     /// An error in the table of the motion.
     pub(super) fn of_motion(error: impl Into<MeasuredError>) -> MeasuredError {
         MeasuredError::Motion(Box::new(error.into()))
+    }
+
+    /// A column that a joint has, in a table without units.
+    pub(super) fn no_units(column: &str, quantity: &'static str) -> MeasuredError {
+        let (turned, slid) = match quantity {
+            "displacement" => ("the angle", "a displacement in m"),
+            "velocity" => ("the angular velocity", "a velocity in m/s"),
+            _ => ("the torque", "a force in N"),
+        };
+        MeasuredError::NoUnits { column: column.to_owned(), quantity, turned, slid }
     }
 }
 
