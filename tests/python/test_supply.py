@@ -2,6 +2,7 @@
 
 import copy
 import json
+import os
 import re
 import subprocess
 import sys
@@ -16,6 +17,8 @@ from examples.fmpy.coupling import FMUS, PROJECT
 
 SCHEMA = JsonStrictValidator(SchemaVersion.V1_5)
 LICENSES = "documentation/licenses/"
+# Before any test has run: with another search path, cargo would build the Python package again.
+ENVIRONMENT = dict(os.environ)
 
 
 @pytest.fixture(params=sorted(FMUS.glob("*.fmu")), ids=lambda path: path.stem)
@@ -103,7 +106,7 @@ def built() -> dict[str, Path]:
     """The libraries as the tests build them, by their file names."""
     # With a benchmark, crates have the features with which the tests have built them.
     command = ["cargo", "build", "--workspace", "--lib", "--bench", "stribeck", "--message-format", "json"]
-    text = subprocess.run(command, cwd=PROJECT, check=True, capture_output=True, text=True).stdout
+    text = subprocess.run(command, cwd=PROJECT, env=ENVIRONMENT, check=True, capture_output=True, text=True).stdout
     artifacts = [line for line in map(json.loads, text.splitlines()) if line["reason"] == "compiler-artifact"]
     return {Path(name).name: Path(name) for item in artifacts for name in item["filenames"]}
 
