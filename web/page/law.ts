@@ -100,7 +100,7 @@ export class LawView {
     this.text = text;
     this.title.textContent = `${law}: ${model.summary}`;
     this.article.innerHTML = text.html;
-    for (const table of this.article.querySelectorAll("table")) wrap(table);
+    [...this.article.querySelectorAll("table")].forEach(wrap);
     this.sliders.show(this.groups(model, text));
     this.compute();
   }
@@ -285,9 +285,10 @@ function length(name: string, unit: string, start: number, help: string): Variab
 }
 
 /** Tables that are wider than the page scroll by themselves. */
-function wrap(table: HTMLTableElement): void {
-  const inEquations = table.closest(".equations");
-  const box = h("div", { class: "scroll free", tabindex: 0, role: "region", "aria-label": inEquations ? "Equations" : "Symbols" });
+function wrap(table: HTMLTableElement, at: number, all: ArrayLike<HTMLTableElement>): void {
+  const name = table.closest(".equations") ? "Equations" : "Symbols";
+  const label = all.length > 1 ? `${name}, ${at + 1} of ${all.length}` : name;
+  const box = h("div", { class: "scroll free", tabindex: 0, role: "region", "aria-label": label });
   table.replaceWith(box);
   box.append(table);
 }
