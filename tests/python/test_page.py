@@ -1,6 +1,7 @@
 """The library behind the page, built for this machine, against the Python package: same questions, same bits."""
 
 import json
+import math
 import random
 
 import numpy as np
@@ -59,7 +60,7 @@ def test_fits_are_those_of_the_package(ask, tmp_path):
     }
     question = {"fit": fit, "files": {"force.csv": files["force"]}}
     quality, arrays = ask({"ask": "quality", **question})
-    assert quality["samples"] == len(arrays[0]) == 1001
+    assert quality["record"]["samples"] == len(arrays[0]) == 1001
     fit, _ = ask({"ask": "fit", **question})
     record = tmp_path / "force.csv"
     record.write_text(files["force"])
@@ -67,6 +68,36 @@ def test_fits_are_those_of_the_package(ask, tmp_path):
     values = fit["ranking"]["laws"][0]["values"]
     assert values == dict(there.best.values)
     assert abs(values["mu_k"] - files["truth"]["mu_k"]) < 0.01 * files["truth"]["mu_k"]
+
+
+def test_a_map_of_a_joint_has_the_curve_of_its_law(ask):
+    speeds = [-3.0, -2.0, -1.0, -0.5, 0.5, 1.0, 2.0, 3.0]
+    rows = [(v, math.copysign(1.5, v) + 0.25 * v + noise) for v in speeds for noise in (0.02, -0.02)]
+    table = "omega [rad/s],torque [N.m]\n" + "".join(f"{v},{torque}\n" for v, torque in rows)
+    fit = {"records": "map.csv", "law": "CoulombViscous", "normal_force": "1", "budget": "200", "repetitions": "0"}
+    question = {"fit": fit, "files": {"map.csv": table}}
+    quality, arrays = ask({"ask": "quality", **question})
+    assert quality["record"] is None
+    assert {name: quality["map"][name] for name in ("rows", "settings", "velocities")} == {
+        "rows": 16,
+        "settings": 8,
+        "velocities": [-3.0, 3.0],
+    }
+    assert quality["map"]["scatter"] == pytest.approx(0.02 * math.sqrt(2.0))
+    assert [quality["labels"][name]["unit"] for name in ("force", "velocity")] == ["N.m", "rad/s"]
+    assert [quality["labels"][name]["name"] for name in ("force", "velocity")] == [
+        "Friction torque",
+        "Angular velocity",
+    ]
+    assert np.array_equal(arrays, np.transpose(rows))
+    answer, (velocity, torque) = ask({"ask": "fit", **question})
+    assert answer["curves"] == ["CoulombViscous, 1 N\u00b7m"]
+    values = answer["ranking"]["laws"][0]["values"]
+    assert values == pytest.approx({"mu_k": 1.5, "viscous_coefficient": 0.25}, abs=1e-9)
+    there = np.isfinite(velocity)
+    assert np.count_nonzero(~there) == 1
+    assert (velocity[there].min(), velocity[there].max()) == (-3.0, 3.0)
+    assert np.allclose(torque[there], 1.5 * np.sign(velocity[there]) + 0.25 * velocity[there], atol=1e-9)
 
 
 MOTION = {"velocity": 0.01, "stroke": 1e-3, "speed": 1e-3}

@@ -5,18 +5,20 @@ import { field, LawPicker, select } from "./choices";
 import { faultText } from "./controls";
 import { checkLaws } from "./asked";
 import { h, save } from "./dom";
-import type { Curve, Diagram, Label } from "./drawing";
+import type { Curve, Diagram } from "./drawing";
 import { Lane, Superseded } from "./engine";
-import { parsed, short, unitText } from "./format";
+import { short, unitText } from "./format";
 import { type State, toHash } from "./link";
 import { Cursor, LoopPlot, type Plot, TimePlot } from "./plot";
 import { TakeAway } from "./take";
 import { dashes, onTheme } from "./theme";
-import { type Choice, type Files, type Fit, type Fitted, type FittedLaw, IDENTIFICATION, type Quality } from "./types";
+import { type Choice, type Files, type Fit, type Fitted, type FittedLaw, IDENTIFICATION, type Labels, type MapQuality, type Quality, type RecordQuality } from "./types";
 
 /** Largest file that is read, in bytes (chosen). */
 const LARGEST = 64e6;
-/** Values of the rig until they are set. */
+/** Size of a mark of a map, in parts of the largest speed and force (chosen). */
+const MARK = 0.015;
+/** Values of the virtual rig until they are set; of a rig that made a file, what is not set is not known. */
 const RIG: Record<string, string> = {
   mass: "2",
   normal_force: "20",
@@ -25,12 +27,18 @@ const RIG: Record<string, string> = {
   seed: "1",
   faults: "false",
 };
+/** What a user may know of the rig that made a file. */
+const KNOWN = ["mass", "normal_force"];
 
+interface Table {
+  file: string;
+  text: string;
+}
 
 interface Data {
   name: string;
-  table: string;
-  motion?: string;
+  record: Table;
+  motion?: Table;
   /** Values of the law of a virtual rig. */
   truth?: Record<string, number>;
 }
@@ -45,6 +53,9 @@ export class FitView {
   private readonly picker: LawPicker;
   private readonly form = h("div", { class: "choices" });
   private readonly known = h("div", { class: "choices" });
+  private readonly options = h("div", { class: "choices" });
+  /** What the fields of the rig are for. */
+  private knownOf = "";
   private readonly drop: HTMLElement;
   private readonly file = h("input", { type: "file", id: "record", multiple: true, accept: ".csv,.tsv,.txt,text/csv" });
   private readonly worth = h("div", { class: "worth" });
@@ -52,7 +63,7 @@ export class FitView {
   private readonly start = h("button", { type: "button", id: "start-fit", onclick: () => this.fit() }, "Fit");
   private readonly cancel = h("button", { type: "button", id: "cancel-fit", onclick: () => this.end() }, "Cancel");
   private readonly outcome = h("div", { class: "outcome" });
-  private readonly plots: [string, Plot][];
+  private readonly plots: ["time" | "velocity" | "displacement", Plot][];
   private readonly questions = new Lane();
   private readonly worker = new Lane();
   private isEnding = false;
@@ -84,6 +95,7 @@ export class FitView {
       { class: "side", "aria-label": "Settings" },
       this.drop,
       this.known,
+      this.options,
       this.picker.root,
       h("div", { class: "buttons" }, this.start, this.cancel),
       this.form,
@@ -105,11 +117,19 @@ export class FitView {
   }
 
   private value(name: string): string {
-    return this.state.set[`rig.${name}`] ?? RIG[name]!;
+    return this.state.set[`rig.${name}`] ?? this.usual(name);
+  }
+
+  private usual(name: string): string {
+    return KNOWN.includes(name) && this.isFromFile() ? "" : RIG[name]!;
+  }
+
+  private isFromFile(): boolean {
+    return this.data !== undefined && this.data.truth === undefined;
   }
 
   private set(name: string, text: string): void {
-    if (text === RIG[name] || text === "") delete this.state.set[`rig.${name}`];
+    if (text === this.usual(name) || text === "") delete this.state.set[`rig.${name}`];
     else this.state.set[`rig.${name}`] = text;
     this.page.changed(true);
   }
@@ -119,12 +139,6 @@ export class FitView {
     else this.state.set[`fit.${name}`] = text;
     this.page.changed(true);
     void this.measure();
-  }
-
-  private number(name: string): number {
-    const number = parsed(this.value(name));
-    if (number === undefined) throw new RangeError(`${name} = '${this.value(name)}': must be a number`);
-    return number;
   }
 
   /** Reports what the state has and this view does not. */
@@ -144,15 +158,8 @@ export class FitView {
   async show(): Promise<void> {
     this.checkState();
     this.picker.show();
-    const number = (label: string, name: string, unit: string, then: () => void = () => undefined) =>
-      field(label, `rig-${name}`, this.value(name), unit, undefined, (text) => {
-        this.set(name, text);
-        then();
-      });
-    const again = () => void this.measure();
-    this.known.replaceChildren(
-      number("Mass", "mass", "kg", again),
-      number("Normal force", "normal_force", "N", again),
+    this.showKnown();
+    this.options.replaceChildren(
       h("details", { class: "solver" }, h("summary", {}, "Options"), ...IDENTIFICATION.map((option) => this.option(option))),
     );
     const laws = this.page.catalogue.fitted.map((name) => ({ name, text: name }));
@@ -166,12 +173,36 @@ export class FitView {
         h("legend", {}, "Virtual rig"),
         h("p", { class: "note" }, "Simulated rig with a known law: check what a fit recovers."),
         select("Its law", "rig-law", this.value("law"), laws, (name) => this.set("law", name)),
-        number("Length", "duration", "s"),
-        number("Seed", "seed", ""),
+        this.number("Length", "duration", "s"),
+        this.number("Seed", "seed", ""),
         h("div", { class: "law" }, faults, h("label", { for: "rig-faults" }, "hysteresis, ripple, drift, and a camera with its own clock")),
         h("button", { type: "button", id: "measure-rig", onclick: () => this.virtual() }, "Measure on the virtual rig"),
       ),
     );
+  }
+
+  /** Fields for what is known of the rig. */
+  private showKnown(): void {
+    const unit = this.measured?.quality.labels.force.unit ?? "N";
+    const turns = unit !== "N";
+    const again = () => void this.measure();
+    this.knownOf = this.knownNow();
+    this.known.replaceChildren(
+      this.number(turns ? "Moment of inertia" : "Mass", "mass", turns ? "kg.m2" : "kg", again),
+      this.number(turns ? "Load" : "Normal force", "normal_force", unit, again),
+    );
+  }
+
+  private knownNow(): string {
+    return `${this.measured?.quality.labels.force.unit} ${this.isFromFile()}`;
+  }
+
+  private number(label: string, name: string, unit: string, then = () => {}): HTMLElement {
+    const change = (text: string) => {
+      this.set(name, text);
+      then();
+    };
+    return field(label, `rig-${name}`, this.value(name), unitText(unit), undefined, change);
   }
 
   /** An option of the identification. */
@@ -194,7 +225,7 @@ export class FitView {
       { class: "drop", id: "drop" },
       h("label", { for: "record" }, "Record of a rig: drop a CSV here, or choose it"),
       this.file,
-      h("p", { class: "note" }, "Columns time, force, displacement or velocity, perhaps normal_force, with units in brackets: time [s]. A second file is the motion on its own clock. The files stay in this page; nothing is uploaded."),
+      h("p", { class: "note" }, "Columns time, force, displacement or velocity, perhaps normal_force, with units in brackets: time [s]. A joint has a torque, an angle and an angular velocity. Without a time it is a map of friction at constant speeds. A second file is the motion on its own clock. The files stay in this page; nothing is uploaded."),
     );
     const over = (isOver: boolean) => (event: DragEvent) => {
       event.preventDefault();
@@ -223,7 +254,9 @@ export class FitView {
         texts.reverse();
         files.reverse();
       }
-      await this.take({ name: files[0]!.name, table: texts[0]!, ...(texts[1] === undefined ? {} : { motion: texts[1] }) });
+      const [record, motion] = files.map(({ name }, at) => ({ file: name, text: texts[at]! }));
+      if (record!.file === motion?.file) throw new RangeError(`two files are called ${record!.file}: rename one`);
+      await this.take({ name: record!.file, record: record!, ...(motion ? { motion } : {}) });
     } catch (fault) {
       this.page.fault(faultText(fault));
     }
@@ -232,10 +265,11 @@ export class FitView {
 
   private async virtual(): Promise<void> {
     try {
-      const rig = Object.fromEntries(Object.keys(RIG).map((name) => [name, this.value(name)]));
+      const rig = Object.fromEntries(Object.entries(RIG).map(([name, usual]) => [name, this.state.set[`rig.${name}`] ?? usual]));
       const { answer } = await this.questions.ask<Files>({ ask: "rig", rig });
-      const motion = answer.camera === null ? {} : { motion: answer.camera };
-      await this.take({ name: `virtual rig with ${this.value("law")}`, table: answer.force, truth: answer.truth, ...motion });
+      const motion = answer.camera === null ? {} : { motion: { file: "motion.csv", text: answer.camera } };
+      const record = { file: "force.csv", text: answer.force };
+      await this.take({ name: `virtual rig with ${this.value("law")}`, record, truth: answer.truth, ...motion });
     } catch (fault) {
       if (!(fault instanceof Superseded)) this.page.fault(faultText(fault));
     }
@@ -249,10 +283,10 @@ export class FitView {
 
   /** The identification. */
   private asked(data: Data): Fit {
-    const camera = data.motion === undefined ? {} : { motion: "motion.csv", delay: "find" };
-    const known = ["mass", "normal_force"].map((name) => [name, this.value(name)]);
+    const camera = data.motion === undefined ? {} : { motion: data.motion.file, delay: "find" };
+    const known = KNOWN.map((name) => [name, this.value(name)]).filter(([, text]) => text !== "");
     const given = IDENTIFICATION.map(({ name }) => [name, this.state.set[`fit.${name}`]]).filter(([, text]) => text !== undefined);
-    return { records: "force.csv", law: this.state.laws.join(), ...camera, ...Object.fromEntries([...known, ...given]) };
+    return { records: data.record.file, law: this.state.laws.join(), ...camera, ...Object.fromEntries([...known, ...given]) };
   }
 
   /** Looks at the record. */
@@ -269,7 +303,8 @@ export class FitView {
     } catch (fault) {
       if (fault instanceof Superseded) return;
       this.measured = undefined;
-      this.page.fault(`${data.name}: ${faultText(fault)}`);
+      const [text, all] = [faultText(fault), [data.record, data.motion]];
+      this.page.fault(all.some((one) => one && text.startsWith(one.file)) ? text : `${data.name}: ${text}`);
     }
     this.draw();
   }
@@ -317,7 +352,7 @@ export class FitView {
     const bar = h("progress", { "aria-label": "Fitting" });
     this.progress.replaceChildren(bar, status);
     this.mark(true);
-    const of = unitText(this.measured.quality.units.force);
+    const of = unitText(this.measured.quality.labels.force.unit);
     const report = (rms?: number) => {
       const seconds = ((performance.now() - begin) / 1000).toFixed(0);
       const so = rms === undefined ? "" : `, RMS residual ${short(rms)} ${of} so far`;
@@ -337,6 +372,7 @@ export class FitView {
   }
 
   private draw(): void {
+    if (this.knownOf !== this.knownNow()) this.showKnown();
     this.showWorth();
     this.showOutcome();
     for (const [across, plot] of this.plots) {
@@ -348,28 +384,34 @@ export class FitView {
   }
 
   /** Measured and fitted friction; over velocity and displacement the mean cycle, if the record is periodic. */
-  private diagram(across: string): Diagram | undefined {
+  private diagram(across: "time" | "velocity" | "displacement"): Diagram | undefined {
     if (!this.measured) return undefined;
-    const { arrays, quality } = this.measured;
-    const isCycle = across !== "time" && arrays.length > 4;
-    const [x, force] =
-      across === "time"
-        ? [arrays[0]!, arrays[3]!]
-        : isCycle
-          ? [arrays[across === "velocity" ? 6 : 5]!, arrays[7]!]
-          : [arrays[across === "velocity" ? 2 : 1]!, arrays[3]!];
-    const curves: Curve[] = [{ name: "measured", x, y: force, law: 0 }];
+    const { labels, record } = this.measured.quality;
+    const isCycle = across !== "time" && record !== null && record.cycles > 0;
+    const curves = record === null ? this.ofMap() : this.ofRecord(across, isCycle);
+    if (record === null && across !== "velocity") return undefined;
+    const [x, y] = [labels[across], labels.force];
+    const of = isCycle ? `, mean of ${record.cycles} cycles` : "";
+    return { title: `${y.name} over ${x.name.toLowerCase()}${of}`, x, y, curves, hasLegend: true };
+  }
+
+  private ofRecord(across: "time" | "velocity" | "displacement", isCycle: boolean): Curve[] {
+    const { arrays } = this.measured!;
+    const at = { time: 0, displacement: isCycle ? 5 : 1, velocity: isCycle ? 6 : 2 }[across];
+    const x = arrays[at]!;
+    const curves: Curve[] = [{ name: "measured", x, y: arrays[isCycle ? 7 : 3]!, law: 0 }];
     const explained = this.fitted?.arrays[isCycle ? 1 : 0];
     if (explained) curves.push({ name: `${this.fitted!.answer.best} fitted`, x, y: explained, law: 1 });
-    const { units } = quality;
-    const labels: Record<string, Label> = {
-      time: { name: "Time", unit: "s" },
-      velocity: { name: "Velocity", unit: units.velocity },
-      displacement: { name: "Displacement", unit: units.displacement },
-    };
-    const of = isCycle ? `, mean of ${quality.cycles} cycles` : "";
-    const y: Label = { name: "Friction force", unit: units.force };
-    return { title: `Friction force over ${across}${of}`, x: labels[across]!, y, curves, hasLegend: true };
+    return curves;
+  }
+
+  private ofMap(): Curve[] {
+    const [velocity, force] = this.measured!.arrays;
+    const fitted = (this.fitted?.answer.curves ?? []).map((name, at) => {
+      const [x, y] = this.fitted!.arrays.slice(2 * at);
+      return { name, x: x!, y: y!, law: at + 1 };
+    });
+    return [{ name: "measured", ...crosses(velocity!, force!), law: 0 }, ...fitted];
   }
 
   private showWorth(): void {
@@ -377,21 +419,13 @@ export class FitView {
       this.worth.replaceChildren();
       return;
     }
-    const { quality: q } = this.measured;
-    const speed = unitText(q.units.velocity);
-    const facts: [string, string][] = [
-      ["Samples", `${q.samples} over ${short(q.duration)} s, every ${short(q.interval)} s${q.gaps > 0 ? `, ${q.gaps} gaps` : ""}`],
-      ["Reversals", `${q.reversals}, ${short(q.slow)} slow samples at each`],
-      ["Fastest", `${short(q.fastest)} ${speed}`],
-      ["Noise of the force", `${short(q.noise)} ${unitText(q.units.force)}`],
-      ["Velocity", q.differentiated ? `from the displacement, known to ${short(q.velocity_error)} ${speed} around rest` : "measured"],
-    ];
-    if (q.delay !== 0) facts.push(["Delay of the motion", `${short(q.delay)} s`]);
+    const { record, map, labels, findings } = this.measured.quality;
+    const facts = record ? ofRecord(record, labels) : ofMap(map!, labels);
     const rows = facts.map(([name, text]) => h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, text)));
     this.worth.replaceChildren(
-      h("h2", {}, `Record: ${this.data.name}`),
+      h("h2", {}, `${record ? "Record" : "Map"}: ${this.data.name}`),
       h("table", { class: "facts" }, h("tbody", {}, ...rows)),
-      h("ul", { class: "findings" }, ...q.findings.map((finding) => h("li", {}, finding))),
+      h("ul", { class: "findings" }, ...findings.map((finding) => h("li", {}, finding))),
     );
   }
 
@@ -474,13 +508,47 @@ export class FitView {
   private toLaw({ ranking }: Fitted): void {
     const best = ranking.laws[0]!;
     const entries = Object.entries(best.values).map(([name, value]) => `&friction.${name}=${value}`);
-    location.hash = `v=1&view=law&law=${best.law}&held.normal_force=${this.number("normal_force")}${entries.join("")}`;
+    const [least, most] = this.measured!.quality.loads;
+    location.hash = `v=1&view=law&law=${best.law}&held.normal_force=${(least + most) / 2}${entries.join("")}`;
   }
 }
 
+/** What is to be known of a record. */
+function ofRecord(record: RecordQuality, { velocity, force }: Labels): [string, string][] {
+  const { samples, duration, interval, gaps, reversals, slow, fastest, noise, differentiated, velocity_error, delay } = record;
+  const speed = unitText(velocity.unit);
+  const facts: [string, string][] = [
+    ["Samples", `${samples} over ${short(duration)} s, every ${short(interval)} s${gaps > 0 ? `, ${gaps} gaps` : ""}`],
+    ["Reversals", `${reversals}, ${short(slow)} slow samples at each`],
+    ["Fastest", `${short(fastest)} ${speed}`],
+    [`Noise of the ${force.unit === "N" ? "force" : "torque"}`, `${short(noise)} ${unitText(force.unit)}`],
+    [velocity.name, differentiated ? `differentiated, known to ${short(velocity_error)} ${speed} around rest` : "measured"],
+  ];
+  if (delay !== 0) facts.push(["Delay of the motion", `${short(delay)} s`]);
+  return facts;
+}
+
+/** What is to be known of a map. */
+function ofMap({ rows, settings, velocities: [least, most], scatter }: MapQuality, { velocity, force }: Labels): [string, string][] {
+  const facts: [string, string][] = [
+    ["Rows", `${rows} at ${settings} speeds and loads`],
+    [velocity.name, `${short(least)} to ${short(most)} ${unitText(velocity.unit)}`],
+  ];
+  if (scatter !== null) facts.push(["Scatter of the repeats", `${short(scatter)} ${unitText(force.unit)}`]);
+  return facts;
+}
+
+/** A cross at each point, with gaps between the strokes. */
+function crosses(x: Float64Array, y: Float64Array): { x: number[]; y: number[] } {
+  const [wide, high] = [x, y].map((values) => MARK * Math.max(...Array.from(values, Math.abs)));
+  const stroke = (sign: number) => (at: number) => [x[at]! - wide!, x[at]! + wide!, NaN, y[at]! - sign * high!, y[at]! + sign * high!, NaN];
+  const strokes = [...x.keys()].flatMap((at) => [stroke(1)(at), stroke(-1)(at)]);
+  return { x: strokes.flatMap((one) => one.slice(0, 3)), y: strokes.flatMap((one) => one.slice(3)) };
+}
+
 /** The tables by the names of their files. */
-function files({ table, motion }: Data): Record<string, string> {
-  return { "force.csv": table, ...(motion === undefined ? {} : { "motion.csv": motion }) };
+function files({ record, motion }: Data): Record<string, string> {
+  return Object.fromEntries((motion ? [record, motion] : [record]).map(({ file, text }) => [file, text]));
 }
 
 /** The laws, the best first. */

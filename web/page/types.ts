@@ -285,7 +285,23 @@ export type Loop = { every: number, period: number, };
 
 export type Files = { force: string, camera: string | null, truth: Record<string, number>, };
 
-export type Quality = { units: Units, samples: number, duration: number, interval: number, gaps: number, saturated: number, noise: number, resolution: number, fastest: number, slow: number, reversals: number, loads: [number, number], findings: Array<string>, window: number, differentiated: boolean, velocity_error: number, delay: number, cycles: number, };
+export type Label = { name: string, unit: string, };
+
+export type Labels = { time: Label, displacement: Label, velocity: Label, force: Label, };
+
+export type RecordQuality = { samples: number, duration: number, interval: number, gaps: number, noise: number, fastest: number, slow: number, reversals: number, differentiated: boolean, velocity_error: number, delay: number, cycles: number, };
+
+export type MapQuality = { rows: number, 
+/**
+ * Number of different speeds and loads.
+ */
+settings: number, velocities: [number, number], 
+/**
+ * Standard deviation of the repeats, if there are some.
+ */
+scatter: number | null, };
+
+export type Quality = { labels: Labels, loads: [number, number], findings: Array<string>, record: RecordQuality | null, map: MapQuality | null, };
 
 export type Units = { 
 /**
@@ -302,6 +318,10 @@ displacement: string,
 velocity: string, };
 
 export type Fitted = { ranking: Ranking, best: string, level: number, 
+/**
+ * Names of the curves of steady sliding, if it is a map.
+ */
+curves: Array<string>, 
 /**
  * Description of a fit that was cancelled.
  */

@@ -5,9 +5,12 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::{Deserialize, Serialize};
-use stribeck_fit::identify::{self, EARLY, Inquiry, Source, Watch, no_record};
-use stribeck_fit::measured::{Units, average};
+use stribeck_fit::identify::map::FrictionMap;
+use stribeck_fit::identify::{self, Data, EARLY, Fit, Inquiry, Source, Table, Watch};
+use stribeck_fit::measured::{Record, Units, average, extremes};
 use stribeck_fit::rig::{Faults, VirtualRig};
+use stribeck_plot::picture::quantity::Quantity;
+use stribeck_plot::picture::{Named, fitted_curves};
 use stribeck_sheet::{Sheet, SheetError};
 use stribeck_solve::job::{self, Entry};
 use stribeck_solve::system::Fault;
@@ -57,35 +60,68 @@ pub struct Files {
     truth: BTreeMap<String, f64>,
 }
 
-/// Quality of a record.
+/// Name of a quantity of the measurements and its unit.
+#[derive(Debug, Serialize, TS)]
+pub struct Label {
+    name: &'static str,
+    unit: &'static str,
+}
+
+/// Quantities of the measurements.
+#[derive(Debug, Serialize, TS)]
+pub struct Labels {
+    time: Label,
+    displacement: Label,
+    velocity: Label,
+    force: Label,
+}
+
+/// Quality of a record, or of a map of friction.
 #[derive(Debug, Serialize, TS)]
 pub struct Quality {
-    units: Units,
+    labels: Labels,
+    loads: [f64; 2],
+    findings: Vec<String>,
+    record: Option<RecordQuality>,
+    map: Option<MapQuality>,
+}
+
+/// Quality of a record.
+#[derive(Debug, Serialize, TS)]
+pub struct RecordQuality {
     samples: usize,
     duration: f64,
     interval: f64,
     gaps: usize,
-    saturated: f64,
     noise: f64,
-    resolution: f64,
     fastest: f64,
     slow: f64,
     reversals: usize,
-    loads: [f64; 2],
-    findings: Vec<String>,
-    window: f64,
     differentiated: bool,
     velocity_error: f64,
     delay: f64,
     cycles: usize,
 }
 
-/// Laws fitted to a record, and the best one as files.
+/// Quality of a map of friction.
+#[derive(Debug, Serialize, TS)]
+pub struct MapQuality {
+    rows: usize,
+    /// Number of different speeds and loads.
+    settings: usize,
+    velocities: [f64; 2],
+    /// Standard deviation of the repeats, if there are some.
+    scatter: Option<f64>,
+}
+
+/// Laws fitted to a record or map, and the best one as files.
 #[derive(Debug, Serialize, TS)]
 pub struct Fitted {
     ranking: identify::Answer,
     best: &'static str,
     level: f64,
+    /// Names of the curves of steady sliding, if it is a map.
+    curves: Vec<String>,
     /// Description of a fit that was cancelled.
     early: Option<&'static str>,
     condition: f64,
@@ -116,64 +152,113 @@ pub fn record(rig: &BTreeMap<String, String>) -> Result<Answer, Fault> {
     Ok(Answer::plain(Files { force: files.force, camera: files.camera, truth }))
 }
 
-/// Quality of a record, its samples, and its mean cycle.
+/// Quality of a record, its samples, and its mean cycle; or that of a map, and its rows.
 pub fn quality(asked: &Asked, files: &Texts) -> Result<Answer, Fault> {
-    let [mut records, _] = asked.inquiry()?.records(files)?;
-    let (_, record) = records.swap_remove(0);
+    let [mut tables, _] = asked.inquiry()?.tables(files)?;
+    let (_, table) = tables.swap_remove(0);
+    Ok(match table {
+        Table::Record(record) => of_record(*record),
+        Table::Map(map) => of_map(map),
+    })
+}
+
+fn of_record(record: Record) -> Answer {
     let cycle = average(&record);
-    let quality = &record.quality;
-    let answer = Quality {
-        units: record.movement.units(),
+    let quality = record.quality;
+    let facts = RecordQuality {
         samples: quality.samples,
         duration: quality.duration,
         interval: quality.interval,
         gaps: quality.gaps.len(),
-        saturated: quality.saturated,
         noise: quality.noise,
-        resolution: quality.resolution,
         fastest: quality.fastest,
         slow: quality.slow,
         reversals: quality.reversals,
-        loads: quality.loads,
-        findings: quality.findings.clone(),
-        window: record.window,
         differentiated: record.is_differentiated,
         velocity_error: record.velocity_error,
         delay: record.clocks.delay,
         cycles: cycle.as_ref().map_or(0, |cycle| cycle.count),
     };
+    let answer = Quality {
+        labels: Labels::of(record.movement.units()),
+        loads: quality.loads,
+        findings: quality.findings,
+        record: Some(facts),
+        map: None,
+    };
     let mut arrays = vec![record.time, record.displacement, record.velocity, record.friction_force];
     if let Some(cycle) = cycle {
         arrays.extend([cycle.phase, cycle.displacement, cycle.velocity, cycle.friction_force, cycle.deviation]);
     }
-    Ok(Answer::with(answer, arrays))
+    Answer::with(answer, arrays)
+}
+
+fn of_map(map: FrictionMap) -> Answer {
+    let facts = MapQuality {
+        rows: map.velocity.len(),
+        settings: map.count(),
+        velocities: extremes(map.velocity.iter().copied()),
+        scatter: map.scatter.as_ref().map(|scatter| scatter.pooled),
+    };
+    let answer = Quality {
+        labels: Labels::of(map.movement.units()),
+        loads: extremes(map.normal_force.iter().copied()),
+        findings: map.findings,
+        record: None,
+        map: Some(facts),
+    };
+    Answer::with(answer, vec![map.velocity, map.force])
+}
+
+impl Labels {
+    fn of(Units { force, displacement, velocity }: Units) -> Labels {
+        let label = |quantity: Quantity, unit| Label { name: quantity.in_unit(unit).names().0, unit };
+        Labels {
+            time: label(Quantity::Time, "s"),
+            displacement: label(Quantity::Displacement, displacement),
+            velocity: label(Quantity::Velocity, velocity),
+            force: label(Quantity::Force, force),
+        }
+    }
 }
 
 /// Fits laws; `progress` gets the RMS residual so far, in N or N m, and returns whether to end the search.
 pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)) -> Result<Answer, Fault> {
     let inquiry = asked.inquiry()?;
     let data = inquiry.data(files)?;
-    // The page shows a record beside the fit; that there is none is said before the search.
-    let Some((_, record)) = data.records.first() else {
-        return Err(no_record(data.maps.first().map_or("", |(name, _)| name)));
-    };
     let cancel = AtomicBool::new(false);
     let report = |rms, _| {
         cancel.fetch_or(progress(rms), Ordering::Relaxed);
     };
     let ranking = inquiry.fits(&data, &mut |_| {}, Watch { cancel: &cancel, progress: &report })?;
     let best = ranking.best();
-    let fitted = best.predicted_in(&best.corrected(record), 0);
-    let cycle = average(&fitted).map(|cycle| cycle.friction_force);
-    let arrays = std::iter::once(fitted.friction_force).chain(cycle).collect();
+    let (curves, arrays) = match data.maps.first() {
+        Some((_, map)) => steady(&fitted_curves(map, best)?),
+        None => (Vec::new(), explained(&data, best)),
+    };
     let answer = Fitted {
         ranking: identify::Answer::of(&ranking, &data),
         best: best.law.name,
         level: best.level,
+        curves,
         early: best.is_cancelled.then_some(EARLY),
         condition: best.condition,
         toml: best.configuration().text(),
         ssv: best.parameter_set(best.law.name)?.to_ssv(),
     };
     Ok(Answer::with(answer, arrays))
+}
+
+/// What a law explains of the first record, and of its mean cycle.
+fn explained(data: &Data, best: &Fit) -> Vec<Vec<f64>> {
+    let Some((_, record)) = data.records.first() else { return Vec::new() };
+    let fitted = best.predicted_in(&best.corrected(record), 0);
+    let cycle = average(&fitted).map(|cycle| cycle.friction_force);
+    std::iter::once(fitted.friction_force).chain(cycle).collect()
+}
+
+/// Names of curves, and the coordinates of each.
+fn steady(curves: &[Named]) -> (Vec<String>, Vec<Vec<f64>>) {
+    let coordinates = |(_, points): &Named| [0, 1].map(|axis| points.iter().map(|point| point[axis]).collect());
+    (curves.iter().map(|(name, _)| name.clone()).collect(), curves.iter().flat_map(coordinates).collect())
 }

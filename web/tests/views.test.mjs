@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { barriers, computed, drawn, fault, folder, opened, pixels, reopened, saved } from "./browser.mjs";
+import { barriers, computed, copied, drawn, fault, folder, opened, pixels, reopened, saved } from "./browser.mjs";
 
 const VIEWS = { bench: 7, law: 3, strut: 6, fit: 3 };
 const text = (page, kind) => page.locator(`[data-kind=${kind}] > .unseen`).textContent();
@@ -203,20 +203,22 @@ test("silly numbers are refused by name, value and limit, and a message stays in
   assert.deepEqual(wrong, []);
 });
 
+/** Drops files on the page of the fit, and waits until they are read or refused. */
+async function drop(page, files) {
+  const seen = await drawn(page);
+  await page.evaluate((files) => {
+    const transfer = new DataTransfer();
+    for (const { name, text } of files) transfer.items.add(new File([text], name));
+    document.querySelector("#drop").dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
+  }, files);
+  await page.waitForFunction((seen) => Number(document.querySelector(".view").dataset.drawn) > seen + 1 || !document.querySelector("#fault").hidden, seen);
+}
+
 test("good files are read and spoilt ones are refused by what is wrong with them", async () => {
   const { page, wrong } = await opened("#v=1&view=fit");
   await measure(page);
   const good = (await saved(page, () => page.locator("#fit-save-csv").click())).toString();
   await page.locator("#reset").click();
-  const drop = async (files) => {
-    const seen = await drawn(page);
-    await page.evaluate((files) => {
-      const transfer = new DataTransfer();
-      for (const { name, text } of files) transfer.items.add(new File([text], name));
-      document.querySelector("#drop").dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
-    }, files);
-    await page.waitForFunction((seen) => Number(document.querySelector(".view").dataset.drawn) > seen + 1 || !document.querySelector("#fault").hidden, seen);
-  };
   const row = (number) => `${(0.001 * number).toFixed(3)},${Math.sin(number)},${0.001 * Math.cos(number)}\n`;
   const rows = (count) => Array.from({ length: count }, (_, number) => row(number)).join("");
   const spoilt = [
@@ -229,16 +231,19 @@ test("good files are read and spoilt ones are refused by what is wrong with them
     [`time [s],force [N],displacement [m]\n${rows(5)}`, /5 samples; at least 20/],
   ];
   for (const [content, expected] of spoilt) {
-    await drop([{ name: "spoilt.csv", text: content }]);
+    await drop(page, [{ name: "spoilt.csv", text: content }]);
     assert.match(await fault(page), /^spoilt\.csv: /, JSON.stringify(content.slice(0, 40)));
     assert.match(await fault(page), expected);
     assert.ok(await page.locator("#start-fit").isDisabled());
   }
-  await drop([1, 2, 3].map((number) => ({ name: `${number}.csv`, text: good })));
+  await drop(page, [1, 2, 3].map((number) => ({ name: `${number}.csv`, text: good })));
   assert.match(await fault(page), /3 files: must be 1, or 2/);
-  await drop([{ name: "good.csv", text: good }]);
+  await drop(page, [{ name: "good.csv", text: good }]);
+  assert.match(await fault(page), /^good\.csv: no column 'normal_force', and no value was given for it$/);
+  await page.locator("#rig-normal_force").fill("20");
+  await page.keyboard.press("Tab");
+  await page.waitForFunction(() => /Record: good\.csv.*4001 over 4 s/.test(document.querySelector(".worth").textContent));
   assert.equal(await fault(page), "");
-  assert.match(await page.locator(".worth").textContent(), /Record: good\.csv.*4001 over 4 s/);
   assert.ok(await page.locator("#start-fit").isEnabled());
   // By the file chooser, as with a keyboard: decimal commas, other units.
   const file = join(folder, "other.csv");
@@ -248,6 +253,50 @@ test("good files are read and spoilt ones are refused by what is wrong with them
   await page.waitForFunction(() => /Record: other\.csv/.test(document.querySelector(".worth").textContent));
   assert.match(await page.locator(".worth").textContent(), /4001 over 4 s/);
   assert.ok(readFileSync(file).length > 1000);
+  assert.deepEqual(wrong, []);
+});
+
+test("a map of a joint is fitted as steady sliding, in the words and units of a joint", { timeout: 120_000 }, async () => {
+  const { page, wrong } = await opened("#v=1&view=fit&law=CoulombViscous&fit.budget=200&fit.repetitions=2");
+  const speeds = [-3, -2, -1, -0.5, 0.5, 1, 2, 3];
+  const rows = speeds.flatMap((v) => [0.02, -0.02].map((noise) => `${v},${(Math.sign(v) * 1.5 + 0.25 * v + noise).toFixed(4)}\n`));
+  await drop(page, [{ name: "joint.csv", text: `velocity [rad/s],torque [N.m]\n${rows.join("")}` }]);
+  // What is not known of the rig that made a file is not made up.
+  assert.match(await fault(page), /^joint\.csv: .*give normal_force; with 1 the coefficients are forces, or torques of a joint$/);
+  await page.locator("#rig-normal_force").fill("1");
+  await page.keyboard.press("Tab");
+  await page.waitForFunction(() => /Map: joint\.csv.*16 at 8 speeds/.test(document.querySelector(".worth").textContent));
+  assert.match(await page.locator("label[for=rig-mass]").textContent(), /^Moment of inertia$/);
+  assert.match(await page.locator(".worth").textContent(), /Angular velocity−3 to 3 rad\/s.*Scatter of the repeats0\.02828 N·m/);
+  await page.locator("#start-fit").click();
+  await page.locator(".outcome table").first().waitFor();
+  const cells = await page.locator(".outcome tbody tr").evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
+  const value = (wanted) => Number(cells.find(([name]) => name === wanted)[1].split(" ")[0]);
+  assert.ok(Math.abs(value("mu_k") - 1.5) < 1e-3 && Math.abs(value("viscous_coefficient") - 0.25) < 1e-3, JSON.stringify(cells));
+  assert.deepEqual(await page.locator("#fit [data-kind]").evaluateAll((all) => all.filter((one) => !one.hidden).map((one) => one.dataset.kind)), ["friction-over-velocity"]);
+  const svg = (await saved(page, () => page.getByLabel("friction-over-velocity as SVG").click())).toString();
+  for (const text of ["Friction torque over angular velocity", "Angular velocity in rad/s", "Friction torque in N·m", "CoulombViscous, 1 N·m"]) {
+    assert.ok(svg.includes(text), text);
+  }
+  assert.equal(await copied(page, "#fit-copy-command"), "stribeck identify joint.csv --budget 200 --law CoulombViscous --normal-force 1.0 --repetitions 2");
+  await page.locator("#fit-to-law").click();
+  await page.waitForFunction(() => /view=law&.*friction\.mu_k=1\.5/.test(location.hash));
+  assert.deepEqual(wrong, []);
+});
+
+test("a record of a joint shows torque over angle", async () => {
+  const { page, wrong } = await opened("#v=1&view=fit&law=CoulombViscous");
+  const row = (number) => {
+    const time = 0.005 * number;
+    return `${time},${Math.sign(Math.cos(3 * time)) * 2},${57.2958 * Math.sin(3 * time)}\n`;
+  };
+  await drop(page, [{ name: "arm.csv", text: `time [s],torque [N.m],angle [deg]\n${Array.from({ length: 1500 }, (_, at) => row(at)).join("")}` }]);
+  await page.locator("#rig-normal_force").fill("1");
+  await page.keyboard.press("Tab");
+  await page.waitForFunction(() => /Record: arm\.csv/.test(document.querySelector(".worth").textContent));
+  const svg = (await saved(page, () => page.getByLabel("friction-over-displacement as SVG").click())).toString();
+  assert.ok(svg.includes("Friction torque over angle") && svg.includes("Angle in rad"), svg.slice(0, 300));
+  assert.deepEqual(await page.locator("#fit .choices .unit").evaluateAll((all) => all.slice(0, 2).map((one) => one.textContent)), ["kg·m²", "N·m"]);
   assert.deepEqual(wrong, []);
 });
 

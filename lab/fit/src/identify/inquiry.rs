@@ -357,7 +357,7 @@ impl Inquiry {
     }
 
     /// The tables with their names, and those of the validation.
-    fn tables(&self, from: &dyn Source) -> Result<[Vec<(String, Table)>; 2], Fault> {
+    pub fn tables(&self, from: &dyn Source) -> Result<[Vec<(String, Table)>; 2], Fault> {
         if self.records.is_empty() {
             return Err(Fault::value("no record was given"));
         }
@@ -511,8 +511,11 @@ impl Inquiry {
 }
 
 /// A table of measurements.
-enum Table {
+#[derive(Debug)]
+pub enum Table {
+    /// Force and motion over time.
     Record(Box<Record>),
+    /// Friction at constant speed.
     Map(FrictionMap),
 }
 
@@ -522,18 +525,13 @@ impl Table {
     }
 }
 
-/// The error for a map where a motion over time is needed.
-pub fn no_record(name: &str) -> Fault {
-    Fault::value(format_args!(
-        "{name}: has no column time, and is a map of friction at constant speed: the command line and Python fit it"
-    ))
-}
-
 /// Records of a rig; refuses maps.
 fn records(tables: Vec<(String, Table)>) -> Result<Vec<(String, Record)>, Fault> {
     let record = |(name, table): (String, Table)| match table {
         Table::Record(record) => Ok((name, *record)),
-        Table::Map(_) => Err(no_record(&name)),
+        Table::Map(_) => Err(Fault::value(format_args!(
+            "{name}: has no column time, and is a map of friction at constant speed; a motion over time is needed"
+        ))),
     };
     tables.into_iter().map(record).collect()
 }

@@ -68,7 +68,7 @@ pub use evaluated::evaluate;
 pub use experiment::{Experiment, Rest, names};
 pub use export::{Exported, Format};
 
-pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source, no_record};
+pub use inquiry::{Data, DelayChoice, Files, Inquiry, LossChoice, Source, Table};
 pub use judgement::{Judgement, Outside};
 pub use map::{FrictionMap, LackOfFit, reference_curve, steady_curve};
 pub use output::{Difference, EARLY, Reference, difference, known, of_law, preset, respond};

@@ -52,4 +52,5 @@ pub(crate) use polynomial::correlation_of_slopes;
 pub use quality::noise;
 pub use record::{Delay, Direction, Gap, MatchedFilter, Quality, Record, Setup};
 pub(crate) use reduce::load;
-pub(crate) use statistics::{OF_MEDIAN, extremes, median, reversals};
+pub use statistics::extremes;
+pub(crate) use statistics::{OF_MEDIAN, median, reversals};

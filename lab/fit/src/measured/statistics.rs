@@ -1,7 +1,7 @@
 //! Statistics of samples.
 
 /// Least and largest value.
-pub(crate) fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
+pub fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
 }
 

@@ -28,27 +28,23 @@ const LOOKS: [[usize; 2]; 4] = [[0, 1], [4, 3], [6, 5], [2, 7]];
 /// fitted and with given values, as curves between the slowest and the fastest row, for at most four loads. Without repeats
 /// there are crosses.
 pub fn friction_map(name: &str, map: &FrictionMap, fit: &Fit, theme: Theme) -> Result<Picture, Fault> {
-    let means: Vec<Mean> = map.means().into_iter().filter(|mean| mean.velocity != 0.0).collect();
-    let all: Vec<f64> = means.iter().map(|mean| mean.normal_force).collect();
-    let shown: Vec<usize> = (0..means.len()).filter(|at| all[*at] > 0.0).collect();
+    let means = of_sliding(map);
     let largest = |of: fn(&Mean) -> f64| means.iter().fold(0.0, |most: f64, mean| most.max(of(mean).abs()));
     let size = [largest(|mean| mean.velocity), largest(|mean| mean.force)];
-    let unit = typeset_unit(map.movement.unit("N"));
-    let (mut lines, loads) = (Vec::new(), loads(&shown, &all));
+    let (mut lines, loads) = (Vec::new(), by_load(&means));
     let (sample, shown_as) = match map.scatter {
         Some(_) => (Sample::Bar, "means, with 95 % of the scatter"),
         None => (Sample::Cross, "measured"),
     };
-    for (number, (load, [marks, curve])) in loads.iter().zip(LOOKS).enumerate() {
-        let near: Vec<&Mean> = near(&shown, &all, *load).into_iter().map(|at| &means[at]).collect();
-        let named = |name: &str| format!("{name}, {} {unit}", digits(*load, 3));
+    for (number, ((load, near), [marks, curve])) in loads.iter().zip(LOOKS).enumerate() {
+        let named = |name: &str| with_load(name, map, *load);
         let line = |name, points, look| Line { name, points, look: Some(look), ..Line::default() };
         let measured = line(named("measured"), near.iter().flat_map(|mean| mark(mean, size)).collect(), marks);
         lines.push(Line { sample, ..measured });
-        let fitted = curves(&named(fit.law.name), &near, &|inputs| steady_curve(fit, inputs))?;
+        let fitted = curves(&named(fit.law.name), near, &|inputs| steady_curve(fit, inputs))?;
         lines.extend(fitted.into_iter().map(|(name, points)| line(name, points, curve)));
         if let (Some(values), Some([_, look])) = (fit.reference(), LOOKS.get(loads.len() + number)) {
-            let given = curves(&named("reference"), &near, &|inputs| reference_curve(fit, values, inputs))?;
+            let given = curves(&named("reference"), near, &|inputs| reference_curve(fit, values, inputs))?;
             lines.extend(given.into_iter().map(|(name, points)| line(name, points, *look)));
         }
     }
@@ -58,6 +54,35 @@ pub fn friction_map(name: &str, map: &FrictionMap, fit: &Fit, theme: Theme) -> R
     let axes = axes(quantities, units, &lines, &None);
     let svg = Drawing { title: &title, quantities, axes: &axes, lines: &lines, theme }.svg();
     Ok(Picture { kind: Kind::ForceOverVelocity, part: 1, parts: 1, title, svg })
+}
+
+/// The curves of a fitted law in such a picture, one for each load, with a gap between the directions.
+pub fn fitted_curves(map: &FrictionMap, fit: &Fit) -> Result<Vec<Named>, Fault> {
+    let means = of_sliding(map);
+    let curve = |(load, near): (f64, Vec<&Mean>)| {
+        let directions = curves("", &near, &|inputs| steady_curve(fit, inputs))?;
+        let points: Vec<Vec<[f64; 2]>> = directions.into_iter().map(|(_, points)| points).collect();
+        Ok((with_load(fit.law.name, map, load), points.join(&[f64::NAN; 2])))
+    };
+    by_load(&means).into_iter().map(curve).collect()
+}
+
+/// The means of rows that slide.
+fn of_sliding(map: &FrictionMap) -> Vec<Mean> {
+    map.means().into_iter().filter(|mean| mean.velocity != 0.0).collect()
+}
+
+/// At most four loads, and the means near each.
+fn by_load(means: &[Mean]) -> Vec<(f64, Vec<&Mean>)> {
+    let all: Vec<f64> = means.iter().map(|mean| mean.normal_force).collect();
+    let shown: Vec<usize> = (0..means.len()).filter(|at| all[*at] > 0.0).collect();
+    let near = |load: f64| near(&shown, &all, load).into_iter().map(|at| &means[at]).collect();
+    loads(&shown, &all).into_iter().map(|load| (load, near(load))).collect()
+}
+
+/// A name with a load behind it.
+fn with_load(name: &str, map: &FrictionMap, load: f64) -> String {
+    format!("{name}, {} {}", digits(load, 3), typeset_unit(map.movement.unit("N")))
 }
 
 /// A mean: a short line with an error bar and its caps if there are repeats, a cross if there are none. `size` is the largest

@@ -16,7 +16,7 @@ pub use crate::palette::{MOST_LAWS, Theme};
 pub(crate) use stribeck_draw::text::{escape, typeset_unit};
 
 use drawing::{Drawing, Line};
-pub use friction_map::friction_map;
+pub use friction_map::{fitted_curves, friction_map};
 pub use tyre::tyre;
 
 use quantity::Quantity;
