@@ -33,6 +33,22 @@ pub(crate) fn without_lines_above(text: &str) -> Option<(String, String)> {
     Some((lines.join("\n") + "\n", note))
 }
 
+/// A text whose heading is a comment right above its numbers, as programs for arrays and robots write it, with the heading
+/// as a line of its own, and a note that says so. None for other texts.
+pub(crate) fn with_heading_in_comment(text: &str) -> Option<(String, String)> {
+    let bare = |line: &'_ str| line.trim_start_matches(['#', '%', ' ']).to_owned();
+    let first = text.lines().position(|line| !line.trim().is_empty() && !line.starts_with('#'))?;
+    // With a row of units below it or without.
+    let at = (1..=2.min(first)).rev().map(|up| first - up).find(|at| {
+        let lines: Vec<String> = text.lines().skip(*at).take(3).map(bare).collect();
+        let below: Vec<(usize, &str)> = lines.iter().skip(1).map(|line| (0, line.as_str())).collect();
+        is_heading(&lines[0], &below)
+    })?;
+    let own = |(number, line): (usize, &str)| if (at..first).contains(&number) { bare(line) } else { line.to_owned() };
+    let lines: Vec<String> = text.lines().enumerate().map(own).collect();
+    Some((lines.join("\n") + "\n", format!("the comment in line {} is the heading", at + 1)))
+}
+
 /// For each repetition of the heading in a line its lines and those above it, back to the last row, with its row of units.
 fn later_headings(lines: &[String], number: usize) -> Vec<Range<usize>> {
     let (heading, separator) = (&lines[number], separator_of(&lines[number]));

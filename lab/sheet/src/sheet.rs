@@ -5,7 +5,9 @@ use std::fs;
 use std::path::Path;
 
 use crate::error::{LARGEST, SheetError};
-use crate::heading::{NO_UNIT, SEPARATORS, between_blanks, is_of_units, plain, separator_of, without_lines_above};
+use crate::heading::{
+    NO_UNIT, SEPARATORS, between_blanks, is_of_units, plain, separator_of, with_heading_in_comment, without_lines_above,
+};
 use crate::time_stamp::Stamp;
 use crate::units::{QUANTITIES, Quantity, TIME};
 
@@ -72,7 +74,7 @@ impl Sheet {
     /// Reads a text.
     pub fn parse(text: &str) -> Result<Sheet, SheetError> {
         let text = with_one_comment(text.strip_prefix('\u{feff}').unwrap_or(text));
-        let (text, note) = match without_lines_above(&text) {
+        let (text, note) = match with_heading_in_comment(&text).or_else(|| without_lines_above(&text)) {
             Some((text, note)) => (Cow::Owned(text), Some(note)),
             None => (text, None),
         };
@@ -589,6 +591,29 @@ mod tests {
         assert_eq!(spoilt.to_string(), "line 12, time: 'x' is not a finite number");
         let spoilt = Sheet::parse("A rig\n\ntime,force\n1,2\n2,x\n").unwrap().column(&FORCE).unwrap_err();
         assert_eq!(spoilt.to_string(), "line 5, force: 'x' is not a finite number");
+    }
+
+    /// As NumPy, MATLAB and the recorder of ROS write them; with a row of units, and below other comments.
+    #[test]
+    fn a_comment_right_above_the_numbers_is_the_heading() {
+        for (text, line) in [
+            ("# time [ms] force [kN]\n4 2\n5 3\n", 1),
+            ("%time,force,field.seq\n0.004,2000,1\n", 1),
+            ("% measured on Tuesday\n% of all rigs\n#\n# time;force\n# ms;kN\n4,0;2,0\n", 4),
+            ("#time\tforce\n#ms\tkN\n4\t2\n", 1),
+        ] {
+            let (time, force, note) = read(text);
+            assert_eq!((time[0], force[0]), (0.004, 2000.0), "{text}");
+            assert_eq!(note.unwrap(), format!("the comment in line {line} is the heading"), "{text}");
+        }
+        for text in ["# of rig two\ntime,force\n1,2\n", "# time,force\n\ntime,force\n1,2\n", "time,force\n# x,y\n1,2\n"]
+        {
+            assert_eq!(read(text), (vec![1.0], vec![2.0], None), "{text}");
+        }
+        let spoilt = Sheet::parse("# time,force\n1,2\n2,x\n").unwrap().column(&FORCE).unwrap_err();
+        assert_eq!(spoilt.to_string(), "line 3, force: 'x' is not a finite number");
+        // No words for each column: nothing is guessed.
+        assert!(!Sheet::parse("# time and force\n1,2\n").unwrap().has(TIME.name));
     }
 
     #[test]
