@@ -20,7 +20,7 @@ fn others(quantity: &Quantity) -> &'static [&'static str] {
 }
 
 /// Names that the torque of a joint may have.
-const TORQUES: [&str; 5] = ["torque", "tau", "moment", "friction_torque", "joint_torque"];
+const TORQUES: [&str; 6] = ["torque", "tau", "moment", "friction_torque", "joint_torque", "motor_torque"];
 
 /// Names that count where no column has one of the others: those of the motion are of a joint.
 fn later(quantity: &Quantity) -> &'static [&'static str] {
