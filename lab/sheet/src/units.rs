@@ -12,7 +12,14 @@ pub struct Quantity {
 /// Time.
 pub const TIME: Quantity = Quantity {
     name: "time",
-    units: &[("s", 1.0, 0.0), ("sec", 1.0, 0.0), ("ms", 1e-3, 0.0), ("us", 1e-6, 0.0), ("min", 60.0, 0.0)],
+    units: &[
+        ("s", 1.0, 0.0),
+        ("sec", 1.0, 0.0),
+        ("ms", 1e-3, 0.0),
+        ("us", 1e-6, 0.0),
+        ("ns", 1e-9, 0.0),
+        ("min", 60.0, 0.0),
+    ],
 };
 /// Velocity.
 pub const VELOCITY: Quantity = Quantity {

@@ -166,6 +166,18 @@ pub enum MeasuredError {
         /// Largest admitted deviation of the delay, s.
         tolerance: f64,
     },
+    /// Times in another unit than the file says.
+    #[error(
+        "time: samples are {} s apart, must be at most {longest} s: the unit of the column belongs into its heading, \
+         time [ns], or --scale time=1e-9 turns it into s",
+        short(*interval)
+    )]
+    Interval {
+        /// Between two samples, s.
+        interval: f64,
+        /// The limit, s.
+        longest: f64,
+    },
     /// Friction would drive the slider.
     #[error(
         "friction gives {energy:.3e} J to the body, at up to {fastest:.4} {}: force and {motion} are positive in \

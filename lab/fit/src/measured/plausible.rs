@@ -1,4 +1,4 @@
-//! Plausibility of a record: window and energy.
+//! Plausibility of a record: time, window and energy.
 
 use super::error::short;
 use super::{MeasuredError, Record, Setup};
@@ -6,8 +6,14 @@ use super::{MeasuredError, Record, Setup};
 /// Shortest window of a matched filter, in samples.
 const SHORTEST_MATCHED: f64 = 3.0;
 
-/// Rejects a window that is too short for the samples, and friction that drives the slider.
+/// Longest time between two samples, s (chosen): longer ones are counts of nanoseconds, or ticks of a clock.
+const LONGEST: f64 = 100.0;
+
+/// Rejects times that are not in s, a window that is too short for the samples, and friction that drives the slider.
 pub(super) fn check(record: &Record, setup: &Setup) -> Result<(), MeasuredError> {
+    if record.quality.interval > LONGEST {
+        return Err(MeasuredError::Interval { interval: record.quality.interval, longest: LONGEST });
+    }
     let shortest = if setup.is_axis { SHORTEST_MATCHED * record.quality.interval } else { record.acceleration_window };
     if let Some(value) = setup.window.filter(|window| *window > 0.0 && *window < (1.0 - 1e-9) * shortest) {
         let wanted = format!("at least {} s for the intervals of the file, or 0 for that", short(shortest));
@@ -48,6 +54,31 @@ fn work(record: &Record, setup: &Setup) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// As the recorder of ROS writes them: without a unit, and with one.
+    #[test]
+    fn times_in_nanoseconds_are_not_taken_for_seconds() {
+        let read = |heading: &str| {
+            let rows = (0..200).map(|k| (k, 0.05 * f64::from(k)));
+            let row = |(k, phase): (i32, f64)| {
+                format!(
+                    "{},{},{}\n",
+                    1_600_000_000_000_000_000 + 2_000_000 * i64::from(k),
+                    phase.cos().signum(),
+                    phase.sin()
+                )
+            };
+            let text = format!("{heading}\n{}", rows.map(row).collect::<String>());
+            let setup = Setup { normal_force: Some(1.0), ..Setup::default() };
+            Record::of(&stribeck_sheet::Sheet::parse(&text).unwrap(), None, &setup)
+        };
+        let refusal = read("time,force,displacement").unwrap_err().to_string();
+        // The numbers of such times have a resolution of 256 ns.
+        assert!(refusal.starts_with("time: samples are 2000"), "{refusal}");
+        assert!(refusal.contains(" s apart, must be at most 100 s: "), "{refusal}");
+        let interval = read("time [ns],force,displacement").unwrap().quality.interval;
+        assert!((interval - 2e-3).abs() < 1e-6, "{interval}");
+    }
 
     /// A body that the force brakes gives energy back; without its mass that says nothing about signs, except from turn to
     /// turn.

@@ -193,7 +193,7 @@ fn spoilt_headings_are_refused_by_name() {
         (plain("time,force,x"), "no column 'displacement'; there are time, force, x"),
         (plain("time,time,displacement"), "two columns 'time'"),
         (plain("time,force,Force"), "two columns 'force'"),
-        (plain("time [h],force,displacement"), "time: unit 'h', must be one of s, sec, ms, us, min"),
+        (plain("time [h],force,displacement"), "time: unit 'h', must be one of s, sec, ms, us, ns, min"),
         (plain("time,force [kg],displacement"), "force: unit 'kg', must be one of N, kN, lbf, lb"),
         (plain("time,force,displacement (ft)"), "displacement: unit 'ft', must be one of m, mm, um, in"),
         (plain("time,force [mm],displacement"), "force: unit 'mm', must be one of N, kN, lbf, lb"),
