@@ -14,7 +14,7 @@ use super::evaluated::held;
 use super::output::{known, of_law, preset};
 use super::rank::rank;
 use super::{
-    Experiment, Fit, Ranking, Reference, Searches, Selection, Settings, Verdict, Watch, digits, evaluate, fit,
+    Estimate, Experiment, Fit, Ranking, Reference, Searches, Selection, Settings, Verdict, Watch, digits, evaluate, fit,
 };
 
 /// Values that were given, judged by the data.
@@ -59,7 +59,7 @@ impl Judgement {
             rms: judged.residuals.rms,
             fit_rms: None,
             outside: Vec::new(),
-            verdict: verdict(None, &judged.warnings).to_owned(),
+            verdict: verdict(None, false, &judged.warnings).to_owned(),
             warnings: judged.warnings.clone(),
             note: None,
         }
@@ -68,14 +68,19 @@ impl Judgement {
     /// Of values beside a fit.
     fn beside(fit: &Fit, judged: &Fit, given: &Reference, source: &str) -> Judgement {
         let has_interval = |verdict: &Verdict| *verdict == Verdict::Determined && fit.searches == Searches::Agree;
-        let intervals = fit.estimates.iter().filter(|one| has_interval(&one.verdict));
-        let outside = intervals.filter_map(|one| {
-            let (value, interval) = (known(given, one)?, one.interval());
-            let is_inside = (interval[0]..=interval[1]).contains(&value);
-            (!is_inside).then(|| Outside { name: one.name.clone(), value, interval })
+        let estimates = fit.estimates.iter().filter(|one| has_interval(&one.verdict));
+        let all: Vec<(&Estimate, f64)> = estimates.filter_map(|one| Some((one, known(given, one)?))).collect();
+        let outside = all.iter().filter(|(one, value)| {
+            let [low, high] = one.interval();
+            !(low..=high).contains(value)
         });
-        let outside: Vec<Outside> = outside.collect();
-        let verdict = verdict(Some(&outside), &judged.warnings).to_owned();
+        let outside: Vec<(&Estimate, f64)> = outside.copied().collect();
+        let distances: Vec<f64> =
+            outside.iter().map(|(one, value)| distance(one.value, one.interval(), *value)).collect();
+        let verdict = verdict(Some(&outside), contradicts(&distances, all.len()), &judged.warnings).to_owned();
+        let outside = outside.into_iter();
+        let outside = outside.map(|(one, value)| Outside { name: one.name.clone(), value, interval: one.interval() });
+        let outside = outside.collect();
         let (values, fit_rms) = (given.clone(), Some(fit.residuals.rms));
         Judgement { values, fit_rms, outside, verdict, ..Judgement::alone(judged, source) }
     }
@@ -92,12 +97,36 @@ impl Judgement {
     }
 }
 
+/// Standard deviations to the end of an interval of 95 %.
+const END: f64 = 1.959_964;
+
+/// Distance of a value from an estimate, in parts of the interval on that side.
+fn distance(estimate: f64, [low, high]: [f64; 2], value: f64) -> f64 {
+    (value - estimate).abs() / if value < estimate { estimate - low } else { high - estimate }
+}
+
+/// Chance that a normal distribution is so many standard deviations or more from its mean, within a hundredth beyond 1.9;
+/// the upper bound of M. R. Sampford (1953), Some inequalities on Mill's ratio and related functions, Annals of
+/// Mathematical Statistics 24, 130-132.
+fn chance(deviations: f64) -> f64 {
+    let density = (-0.5 * deviations * deviations).exp() / (0.5 * std::f64::consts::PI).sqrt();
+    density * 4.0 / (3.0 * deviations + (deviations * deviations + 8.0).sqrt())
+}
+
+/// Whether one of the values is so far outside that in 95 of 100 cases none of so many intervals misses by as much
+/// (Bonferroni): of seven intervals of 95 % one misses in three of ten cases.
+fn contradicts(distances: &[f64], intervals: usize) -> bool {
+    // On the end of an interval the bound is 0.3 % too large.
+    distances.iter().any(|distance| chance(distance * END) * intervals as f64 <= 0.05 * 1.003)
+}
+
 /// Verdict on values with these warnings, and with those outside the intervals of a fit, if there is one.
-fn verdict(outside: Option<&[Outside]>, warnings: &[String]) -> &'static str {
+fn verdict(outside: Option<&[(&Estimate, f64)]>, contradicts: bool, warnings: &[String]) -> &'static str {
     match (outside, warnings.is_empty()) {
-        (Some([_, ..]), _) => "the values contradict the fit",
+        _ if contradicts => "the values contradict the fit",
+        (Some([_, ..]), true) => "the values do not contradict the fit: of so many intervals one may miss by as much",
         (_, true) => "the values explain the data",
-        (Some([]), false) => "the values do not contradict the fit, but see the warnings",
+        (Some(_), false) => "the values do not contradict the fit, but see the warnings",
         (None, false) => "the values are not confirmed: see the warnings",
     }
 }
@@ -259,4 +288,22 @@ pub(super) fn judge_held(ranking: &mut Ranking) {
 
 fn is_toml(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Beside tables of the normal distribution: two-sided 5 % of one interval, and 5 % / 7 of each of seven.
+    #[test]
+    fn one_of_many_intervals_may_miss() {
+        for (deviations, expected) in [(1.959_964, 0.05), (2.575_829, 0.01), (3.290_527, 0.001)] {
+            assert!((chance(deviations) / expected - 1.0).abs() < 0.01, "{deviations}");
+        }
+        assert!(contradicts(&[1.001], 1) && !contradicts(&[], 7));
+        // 2.690 standard deviations.
+        assert!(!contradicts(&[1.01, 1.36], 7) && contradicts(&[1.01, 1.385], 7));
+        assert_eq!([0.5, 1.4].map(|value| distance(1.0, [0.9, 1.2], value)).map(|one| one.round()), [5.0, 2.0]);
+        assert!(contradicts(&[f64::INFINITY], 3), "an interval without width");
+    }
 }
