@@ -27,7 +27,7 @@ const RIG: Record<string, string> = {
   seed: "1",
   faults: "false",
 };
-/** What a user may know of the rig that made a file. */
+/** Values that a user may know of the rig that made a file. */
 const KNOWN = ["mass", "normal_force"];
 
 interface Table {
@@ -54,7 +54,7 @@ export class FitView {
   private readonly form = h("div", { class: "choices" });
   private readonly known = h("div", { class: "choices" });
   private readonly options = h("div", { class: "choices" });
-  /** What the fields of the rig are for. */
+  /** Data for which the fields of the rig were made: unit of the force, and whether they are from a file. */
   private knownOf = "";
   private readonly drop: HTMLElement;
   private readonly file = h("input", { type: "file", id: "record", multiple: true, accept: ".csv,.tsv,.txt,text/csv" });
@@ -513,7 +513,7 @@ export class FitView {
   }
 }
 
-/** What is to be known of a record. */
+/** Facts about a record. */
 function ofRecord(record: RecordQuality, { velocity, force }: Labels): [string, string][] {
   const { samples, duration, interval, gaps, reversals, slow, fastest, noise, differentiated, velocity_error, delay } = record;
   const speed = unitText(velocity.unit);
@@ -528,7 +528,7 @@ function ofRecord(record: RecordQuality, { velocity, force }: Labels): [string, 
   return facts;
 }
 
-/** What is to be known of a map. */
+/** Facts about a map. */
 function ofMap({ rows, settings, velocities: [least, most], scatter }: MapQuality, { velocity, force }: Labels): [string, string][] {
   const facts: [string, string][] = [
     ["Rows", `${rows} at ${settings} speeds and loads`],

@@ -249,7 +249,7 @@ pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)
     Ok(Answer::with(answer, arrays))
 }
 
-/// What a law explains of the first record, and of its mean cycle.
+/// Friction that a law explains in the first record, and in its mean cycle.
 fn explained(data: &Data, best: &Fit) -> Vec<Vec<f64>> {
     let Some((_, record)) = data.records.first() else { return Vec::new() };
     let fitted = best.predicted_in(&best.corrected(record), 0);

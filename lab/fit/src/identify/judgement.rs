@@ -13,6 +13,7 @@ use ts_rs::TS;
 use super::evaluated::held;
 use super::output::{known, of_law, preset};
 use super::rank::rank;
+use super::uncertainty::WIDTH;
 use super::{
     Estimate, Experiment, Fit, Ranking, Reference, Searches, Selection, Settings, Verdict, Watch, digits, evaluate, fit,
 };
@@ -69,18 +70,16 @@ impl Judgement {
     fn beside(fit: &Fit, judged: &Fit, given: &Reference, source: &str) -> Judgement {
         let has_interval = |verdict: &Verdict| *verdict == Verdict::Determined && fit.searches == Searches::Agree;
         let estimates = fit.estimates.iter().filter(|one| has_interval(&one.verdict));
-        let all: Vec<(&Estimate, f64)> = estimates.filter_map(|one| Some((one, known(given, one)?))).collect();
-        let outside = all.iter().filter(|(one, value)| {
-            let [low, high] = one.interval();
-            !(low..=high).contains(value)
-        });
-        let outside: Vec<(&Estimate, f64)> = outside.copied().collect();
-        let distances: Vec<f64> =
-            outside.iter().map(|(one, value)| distance(one.value, one.interval(), *value)).collect();
-        let verdict = verdict(Some(&outside), contradicts(&distances, all.len()), &judged.warnings).to_owned();
-        let outside = outside.into_iter();
-        let outside = outside.map(|(one, value)| Outside { name: one.name.clone(), value, interval: one.interval() });
-        let outside = outside.collect();
+        let compared: Vec<(&Estimate, f64)> = estimates.filter_map(|one| Some((one, known(given, one)?))).collect();
+        let miss = |(one, value): &(&Estimate, f64)| {
+            let (value, interval) = (*value, one.interval());
+            let is_inside = (interval[0]..=interval[1]).contains(&value);
+            let outside = || Outside { name: one.name.clone(), value, interval };
+            (!is_inside).then(|| (outside(), distance(one.value, interval, value)))
+        };
+        let (outside, distances): (Vec<Outside>, Vec<f64>) = compared.iter().filter_map(miss).unzip();
+        let contradicts = contradicts(&distances, compared.len());
+        let verdict = verdict(Some(&outside), contradicts, &judged.warnings).to_owned();
         let (values, fit_rms) = (given.clone(), Some(fit.residuals.rms));
         Judgement { values, fit_rms, outside, verdict, ..Judgement::alone(judged, source) }
     }
@@ -96,9 +95,6 @@ impl Judgement {
         std::iter::once(first).chain(outside).chain(self.warnings.iter().cloned()).collect()
     }
 }
-
-/// Standard deviations to the end of an interval of 95 %.
-const END: f64 = 1.959_964;
 
 /// Distance of a value from an estimate, in parts of the interval on that side.
 fn distance(estimate: f64, [low, high]: [f64; 2], value: f64) -> f64 {
@@ -117,11 +113,11 @@ fn chance(deviations: f64) -> f64 {
 /// (Bonferroni): of seven intervals of 95 % one misses in three of ten cases.
 fn contradicts(distances: &[f64], intervals: usize) -> bool {
     // On the end of an interval the bound is 0.3 % too large.
-    distances.iter().any(|distance| chance(distance * END) * intervals as f64 <= 0.05 * 1.003)
+    distances.iter().any(|distance| chance(distance * WIDTH) * intervals as f64 <= 0.05 * 1.003)
 }
 
 /// Verdict on values with these warnings, and with those outside the intervals of a fit, if there is one.
-fn verdict(outside: Option<&[(&Estimate, f64)]>, contradicts: bool, warnings: &[String]) -> &'static str {
+fn verdict(outside: Option<&[Outside]>, contradicts: bool, warnings: &[String]) -> &'static str {
     match (outside, warnings.is_empty()) {
         _ if contradicts => "the values contradict the fit",
         (Some([_, ..]), true) => "the values do not contradict the fit: of so many intervals one may miss by as much",

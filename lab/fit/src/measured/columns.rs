@@ -409,6 +409,7 @@ mod tests {
                 "{refusal}"
             );
         }
+        assert_eq!(applied("t,force,angle\n1,2,3\n", &[("displacement", 0.1)]).0.err(), None);
         let mut tables = [Sheet::parse("t,force,angle\n1,2,3\n").unwrap()];
         let names = vec![("displacement".to_owned(), "angle".to_owned())];
         Columns { names, ..Columns::default() }.apply(&mut tables, &mut [], &Setup::default()).unwrap();

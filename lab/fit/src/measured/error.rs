@@ -89,7 +89,7 @@ pub enum MeasuredError {
         /// The column with its unit.
         column: String,
     },
-    /// What may be of a joint, in a table without units.
+    /// Column with a name of a joint, in a table without units.
     #[error(
         "'{column}' may be {turned} of a joint, but no column of force and motion has a unit: --joint takes them as N.m, \
          rad and rad/s, other units belong into the heading, velocity [rpm]; --column {quantity}={column} takes it as {slid}"
@@ -99,9 +99,9 @@ pub enum MeasuredError {
         column: String,
         /// Quantity of a record.
         quantity: &'static str,
-        /// What that is of a joint.
+        /// The quantity of a joint, in words.
         turned: &'static str,
-        /// What it is of a body that slides.
+        /// The quantity of a body that slides, in words, with its unit.
         slid: &'static str,
     },
     /// Gravity of a body without an angle.
@@ -206,7 +206,7 @@ impl MeasuredError {
         MeasuredError::Motion(Box::new(error.into()))
     }
 
-    /// A column that a joint has, in a table without units.
+    /// An error about a column with a name of a joint, in a table without units.
     pub(super) fn no_units(column: &str, quantity: &'static str) -> MeasuredError {
         let (turned, slid) = match quantity {
             "displacement" => ("the angle", "a displacement in m"),
