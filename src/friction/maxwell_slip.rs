@@ -355,6 +355,23 @@ impl Model for MaxwellSlip {
         self.step_with(&mut [], dt);
     }
 
+    fn step_with(&mut self, memory: &mut [f64], dt: f64) {
+        self.slip = Phase::Free.number();
+        let springs = self.springs(self.level());
+        let (velocity, mut energy, mut change) = (self.velocity, self.dissipated_energy, 0.0);
+        self.elements_mut(memory).enumerate().for_each(|(index, (share, block))| {
+            let before = block.force;
+            energy += springs.of(index, &share).step(block, velocity, dt);
+            change += block.force - before;
+        });
+        self.dissipated_energy = energy;
+        if self.normal_force > 0.0 {
+            // The integral of sigma_i dz_i/dt is sigma_1 / sigma_0 times the change of F_i.
+            self.dissipated_energy += self.velocity * (self.sigma_1 / self.sigma_0 * change)
+                + self.viscous_coefficient * self.velocity * self.velocity * dt;
+        }
+    }
+
     fn step_and_output_with(&mut self, memory: &mut [f64], dt: f64) {
         self.step_with(memory, dt);
         self.output_with(memory);
@@ -434,23 +451,6 @@ impl Model for MaxwellSlip {
 }
 
 impl MaxwellSlip {
-    fn step_with(&mut self, memory: &mut [f64], dt: f64) {
-        self.slip = Phase::Free.number();
-        let springs = self.springs(self.level());
-        let (velocity, mut energy, mut change) = (self.velocity, self.dissipated_energy, 0.0);
-        self.elements_mut(memory).enumerate().for_each(|(index, (share, block))| {
-            let before = block.force;
-            energy += springs.of(index, &share).step(block, velocity, dt);
-            change += block.force - before;
-        });
-        self.dissipated_energy = energy;
-        if self.normal_force > 0.0 {
-            // The integral of sigma_i dz_i/dt is sigma_1 / sigma_0 times the change of F_i.
-            self.dissipated_energy += self.velocity * (self.sigma_1 / self.sigma_0 * change)
-                + self.viscous_coefficient * self.velocity * self.velocity * dt;
-        }
-    }
-
     /// Advances over a piece of a ramp in which the velocity keeps its sign and the level counts as linear.
     fn follow(&mut self, memory: &mut [f64], ramp: &Ramp, from: f64, to: f64, division: &Division<f64>) {
         let mut levels = [0.0; 2];

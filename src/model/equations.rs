@@ -333,6 +333,12 @@ pub trait Model: Described + Law<Number = f64> {
     /// Advances the states by `dt` > 0 while the inputs are held.
     fn step(&mut self, dt: f64);
 
+    /// [`Model::step`] of a model with memory.
+    #[inline(always)]
+    fn step_with(&mut self, _memory: &mut [f64], dt: f64) {
+        self.step(dt);
+    }
+
     /// [`Model::step`], and the outputs after it. To be overridden if both need the same costly term.
     #[inline(always)]
     fn step_and_output(&mut self, dt: f64) {

@@ -32,4 +32,4 @@ pub use model_type::ModelType;
 pub(crate) use row::{change, either, mix, parts, parts_mut};
 pub use row::{row_of, row_of_mut};
 pub(crate) use steps::in_lanes;
-pub use steps::{Fit, InLanes, Steps, model_in};
+pub use steps::{Fit, InLanes, Steps, model_in, model_of};

@@ -39,6 +39,12 @@ pub enum Fit {
     Outputs,
 }
 
+/// A row of a model, seen as the model.
+#[inline(always)]
+pub fn model_of<M: Model>(row: &mut [f64]) -> &mut M {
+    view_mut(row)
+}
+
 /// A row of a model in any number, seen as the model.
 #[inline(always)]
 pub fn model_in<M: InLanes, T: Component>(row: &mut [T]) -> &mut M::Of<T> {
