@@ -80,10 +80,7 @@ impl Optimum<'_> {
         let is_candidate = |number: &usize| {
             problem.parameters[*number].scale == Scale::Logarithmic && trust.verdicts[*number] == Verdict::Determined
         };
-        let is_alike = |number: usize, coordinate: f64| {
-            let end = held(problem, &self.start(number, coordinate), number, coordinate, self.gain());
-            self.rise(&end) < SURE
-        };
+        let is_alike = |number: usize, coordinate: f64| self.elsewhere(number, coordinate, SURE).is_some();
         let alike = |number: usize| {
             let coordinate = [0.0, 1.0].into_iter().find(|coordinate| is_alike(number, *coordinate))?;
             Some((number, problem.parameters[number].value(coordinate)[0]))
@@ -105,15 +102,25 @@ impl Optimum<'_> {
                 DISTANCES.iter().flat_map(|distance| [-distance, *distance]).filter(|_| trust.is_discontinuous[number]);
             let close = steps.map(|distance| best.point[number] + distance * self.step(number));
             let close = close.filter(|coordinate| (0.0..=1.0).contains(coordinate));
-            for coordinate in FAR.into_iter().chain(close) {
-                let end = held(problem, &self.start(number, coordinate), number, coordinate, self.gain());
-                let rise = self.rise(&end);
-                if rise < joint_rise(problem.parameters.len()) {
-                    found.push(Alternative { number, end, rise });
-                }
-            }
+            let most = joint_rise(problem.parameters.len());
+            found
+                .extend(FAR.into_iter().chain(close).filter_map(|coordinate| self.elsewhere(number, coordinate, most)));
         }
         found
+    }
+
+    /// The best point with a parameter held at a coordinate, if the sum of squares rises by less than a limit, in variances.
+    /// The slopes are not followed to their end where they hardly lead down from far above it.
+    fn elsewhere(&self, number: usize, coordinate: f64, most: f64) -> Option<Alternative> {
+        let rough = Problem { is_rough: true, ..self.problem.clone() };
+        let first =
+            held(&rough, &self.start(number, coordinate), number, coordinate, self.part_of_cost(most / HOPELESS));
+        if self.rise(&first) > HOPELESS * most {
+            return None;
+        }
+        let end = held(self.problem, &first, number, coordinate, self.gain());
+        let rise = self.rise(&end);
+        (rise < most).then_some(Alternative { number, end, rise })
     }
 
     /// The best of three points with a parameter at a coordinate: with the others as they are, where straight lines expect them,
@@ -190,7 +197,12 @@ impl Optimum<'_> {
 
     /// Gain of a step of least squares, as a part of the cost, from which another one follows.
     fn gain(&self) -> f64 {
-        UNSEEN * RISE * self.residuals.rise() / (2.0 * self.best.cost).max(f64::MIN_POSITIVE)
+        self.part_of_cost(UNSEEN * RISE)
+    }
+
+    /// A rise of the sum of squares, in variances, as a part of the cost.
+    fn part_of_cost(&self, rise: f64) -> f64 {
+        rise * self.residuals.rise() / (2.0 * self.best.cost).max(f64::MIN_POSITIVE)
     }
 }
 
@@ -206,6 +218,10 @@ pub(super) fn chi_square(freedom: f64, normal: f64) -> f64 {
     let part = 2.0 / (9.0 * freedom);
     freedom * (1.0 - part + normal * part.sqrt()).powi(3)
 }
+
+/// Multiple of a limit from which the sum of squares does not fall below it, where a step of least squares gains less than
+/// the limit divided by this (chosen).
+const HOPELESS: f64 = 4.0;
 
 /// Distances, in standard deviations, at which a parameter is held with which the force changes in jumps (chosen): what the
 /// slopes know of it is too much.

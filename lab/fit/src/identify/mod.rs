@@ -503,6 +503,7 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Se
         gravity: parameter::GRAVITY_COEFFICIENTS.map(|(name, _)| selection.fixed(name).unwrap_or(0.0)),
         loss: if task.is_robust { Loss::robust(experiments) } else { Loss::SQUARES },
         parts: 1,
+        is_rough: false,
         pinned: vec![None; parameters.len()],
         substitute: None,
         parameters,
@@ -600,12 +601,20 @@ impl<'a> Fitter<'a> {
         if let Some(reason) = self.searches.believed(self.task.method).doubt() {
             trust.verdicts.fill(Verdict::Undetermined(reason.to_owned()));
         } else if profiles {
-            doubt_straight_lines(&self.problem, best, residuals, &mut trust);
+            let undivided = self.undivided(best);
+            let problem = undivided.as_ref().unwrap_or(&self.problem);
+            doubt_straight_lines(problem, &problem.judge(best.clone()), residuals, &mut trust);
+            trust.alternatives.iter_mut().for_each(|other| other.end = self.problem.judge(other.end.clone()));
         }
         if let [first, second] = &self.ends[..] {
             trust.doubt_ends([first, second].map(|point| self.problem.values(point)));
         }
         trust
+    }
+
+    /// The problem with intervals that are not divided, for what is compared with a best point; None if they are not anyway.
+    fn undivided(&self, best: &Found) -> Option<Problem<'_>> {
+        if self.problem.parts > 1 { self.problem.undivided(&best.point) } else { None }
     }
 
     /// Everything about a best point.
@@ -622,7 +631,7 @@ impl<'a> Fitter<'a> {
 
     /// The parameters at a best point, and whether the fit was ended before all intervals were found.
     fn estimates(&self, best: &Found, Judged { residuals, trust, .. }: &Judged) -> (Vec<Estimate>, bool) {
-        let undivided = if self.problem.parts > 1 { self.problem.undivided(&best.point) } else { None };
+        let undivided = self.undivided(best);
         let problem = undivided.as_ref().unwrap_or(&self.problem);
         let optimum = Optimum { problem, best: &problem.judge(best.clone()), residuals, trust };
         let repeated = optimum.repetitions(self.task.repetitions, self.task.seed, self.watch);

@@ -35,6 +35,9 @@ pub(super) struct Problem<'a> {
     pub loss: Loss,
     /// Parts into which the intervals between samples are divided.
     pub parts: usize,
+    /// Whether least squares follow one-sided differences, where there are no exact derivatives: in half the evaluations, but
+    /// not quite to the end.
+    pub is_rough: bool,
     /// Coordinates that are held, for profiles.
     pub pinned: Vec<Option<f64>>,
     /// Forces that are fitted instead of the measured ones.
@@ -404,6 +407,29 @@ impl Problem<'_> {
         self.weighed(self.counting(self.delayed(physical).flat_map(forces).collect()))
     }
 
+    /// Derivatives for a step of least squares from a point with known residuals.
+    fn slope_from(&self, point: &[f64], number: usize, here: &[f64]) -> Vec<f64> {
+        if !self.is_rough || !self.is_by_differences(number) {
+            return self.sensitivity(point, number);
+        }
+        let there = moved(point, number, if point[number] + STEP > 1.0 { -STEP } else { STEP });
+        let distance =
+            self.parameters[number].value(there[number])[0] - self.parameters[number].value(point[number])[0];
+        match self.residuals(&there) {
+            Some(there) => there.iter().zip(here).map(|(there, here)| (there - here) / distance).collect(),
+            None => vec![0.0; self.samples()],
+        }
+    }
+
+    /// Whether the derivatives by a parameter are differences.
+    fn is_by_differences(&self, number: usize) -> bool {
+        match self.parameters[number].target {
+            Target::Column(_) | Target::Excess { .. } => self.exact.is_none(),
+            Target::Delay => true,
+            Target::Mass | Target::Offset | Target::Cosine | Target::Sine | Target::Gravity => false,
+        }
+    }
+
     /// Central differences; one-sided at an end of the range.
     pub fn differences(&self, point: &[f64], number: usize, step: f64) -> Vec<f64> {
         let at = |shift: f64| {
@@ -439,10 +465,10 @@ impl LeastSquares for Problem<'_> {
         let point = self.whole(free);
         // A refused point has no residuals and is never a point to go on from.
         let residuals = self.residuals(&point).unwrap_or_else(|| vec![0.0; self.samples()]);
-        let weights: Vec<f64> = residuals.into_iter().map(|one| self.loss.slope_of_root(one)).collect();
+        let weights: Vec<f64> = residuals.iter().map(|one| self.loss.slope_of_root(*one)).collect();
         let column = |number: usize| {
             let [_, slope] = self.parameters[number].value(point[number]);
-            let column = self.sensitivity(&point, number);
+            let column = self.slope_from(&point, number, &residuals);
             column.iter().zip(&weights).map(|(value, weight)| weight * (value * slope)).collect()
         };
         self.free().map(column).collect()
