@@ -88,7 +88,7 @@ use loss::Loss;
 use parameter::refused;
 use problem::{Found, Problem};
 use refine::{Refined, refine};
-use response::Exact;
+use response::{Exact, Plain};
 use search::{First, best, first_search, polish};
 use selection::OF_RIG;
 use stribeck_solve::system::Fault;
@@ -495,6 +495,7 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Se
         law,
         ports,
         exact: if is_map { None } else { Exact::of(law) },
+        plain: if is_map { None } else { Plain::of(law) },
         experiments,
         held: of_law.filter_map(|(name, value)| Some((law.find(name)?, *value))).collect(),
         mass: selection.fixed("mass").unwrap_or(task.mass),

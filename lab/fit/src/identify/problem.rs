@@ -1,6 +1,7 @@
 //! The sum of squares of a fit, and its derivatives.
 
 use std::borrow::Cow;
+use std::ops::ControlFlow;
 
 use nalgebra::DMatrix;
 use stribeck::instance::{Instance, Phase, Refused};
@@ -11,7 +12,7 @@ pub(super) use super::least_squares::Found;
 use super::least_squares::LeastSquares;
 use super::loss::Loss;
 use super::parameter::{Parameter, Target};
-use super::response::{Exact, Ports, forces};
+use super::response::{Exact, Plain, Ports, forces};
 use crate::measured::{Direction, Movement};
 
 /// A law, the experiments it is fitted to, and the parameters.
@@ -20,6 +21,7 @@ pub(super) struct Problem<'a> {
     pub law: &'static ModelType,
     pub ports: Ports,
     pub exact: Option<Exact>,
+    pub plain: Option<Plain>,
     pub experiments: &'a [Experiment],
     pub parameters: Vec<Parameter>,
     /// Columns that are held, with their values.
@@ -107,6 +109,13 @@ impl Physical {
     pub(super) fn gravity_at(&self, direction: Option<&Direction>, at: usize) -> f64 {
         let [a, b] = self.gravity;
         direction.map_or(0.0, |one| a * one.cosine[at] + b * one.sine[at])
+    }
+
+    /// Force of the load cell at a sample.
+    fn force(&self, friction: f64, experiment: &Experiment, at: usize) -> f64 {
+        let force = friction + (self.mass * experiment.acceleration[at] + self.offset);
+        let direction = experiment.direction.as_ref();
+        direction.map_or(force, |direction| force + self.gravity_at(Some(direction), at))
     }
 }
 
@@ -301,17 +310,29 @@ impl Problem<'_> {
     pub fn predicted(&self, instance: &mut Instance, physical: &Physical, parts: usize) -> Result<Vec<f64>, Refused> {
         let mut all = Vec::with_capacity(self.samples());
         for experiment in self.delayed(physical) {
-            let experiment = &*experiment;
-            let friction = forces(instance, self.ports, &physical.columns, experiment, parts)?;
-            let inertia = experiment.acceleration.iter().map(|a| physical.mass * a + physical.offset);
-            let begin = all.len();
-            all.extend(friction.iter().zip(inertia).map(|(friction, rest)| friction + rest));
-            if let Some(direction) = &experiment.direction {
-                let forces = all[begin..].iter_mut().enumerate();
-                forces.for_each(|(at, force)| *force += physical.gravity_at(Some(direction), at));
-            }
+            let friction = self.friction(instance, physical, &experiment, parts)?;
+            all.extend(friction.into_iter().enumerate().map(|(at, one)| physical.force(one, &experiment, at)));
         }
         Ok(all)
+    }
+
+    /// Friction force at the samples of an experiment.
+    fn friction(
+        &self,
+        instance: &mut Instance,
+        physical: &Physical,
+        experiment: &Experiment,
+        parts: usize,
+    ) -> Result<Vec<f64>, Refused> {
+        let mut found = Vec::with_capacity(experiment.time.len());
+        let take = |force: f64| {
+            found.push(force);
+            ControlFlow::Continue(())
+        };
+        let columns = &physical.columns;
+        let lead = |plain: Plain| plain.lead(instance, self.ports, columns, (experiment, parts), take);
+        // The instance says what it refuses.
+        if self.plain.is_some_and(lead) { Ok(found) } else { forces(instance, self.ports, columns, experiment, parts) }
     }
 
     /// The experiments with the motion at its delay.
