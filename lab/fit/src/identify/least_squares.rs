@@ -1,6 +1,9 @@
 //! Least squares over points of a unit cube, whose coordinates are parameters scaled to their ranges, by `basin`.
 
+use std::cell::RefCell;
+use std::collections::VecDeque;
 use std::convert::Infallible;
+use std::rc::Rc;
 
 use basin::{
     BoundedLevenbergMarquardt, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix,
@@ -30,8 +33,22 @@ pub(super) trait LeastSquares {
     /// Their derivatives, a column for each coordinate.
     fn slopes(&self, point: &[f64]) -> Vec<Vec<f64>>;
 
-    /// Half the sum of squares.
-    fn cost(&self, point: &[f64]) -> f64;
+    /// Half the sum of squares; it may be infinity where that is above a limit.
+    fn cost(&self, point: &[f64], most: f64) -> f64;
+}
+
+/// Limits of the costs that matter, one for each of the points to come; none for those beyond them.
+#[derive(Default)]
+pub(super) struct Limits(RefCell<VecDeque<f64>>);
+
+impl Limits {
+    pub fn set(&self, costs: &[f64]) {
+        self.0.replace(costs.iter().copied().collect());
+    }
+
+    fn next(&self) -> f64 {
+        self.0.borrow_mut().pop_front().unwrap_or(f64::INFINITY)
+    }
 }
 
 /// The same with the bounds of the coordinates.
@@ -39,12 +56,18 @@ pub(super) struct Bounded<'a, P> {
     problem: &'a P,
     low: Vec<f64>,
     high: Vec<f64>,
+    limits: Rc<Limits>,
 }
 
 impl<'a, P: LeastSquares> Bounded<'a, P> {
     pub fn new(problem: &'a P) -> Bounded<'a, P> {
         let [low, high] = [0.0, 1.0].map(|end| vec![end; problem.count()]);
-        Bounded { problem, low, high }
+        Bounded { problem, low, high, limits: Rc::default() }
+    }
+
+    /// Limits of the costs to come.
+    pub fn limits(&self) -> Rc<Limits> {
+        Rc::clone(&self.limits)
     }
 
     /// Follows the slopes from a point, in at most so many steps, until one gains less than a part of the cost.
@@ -71,7 +94,7 @@ impl<P: LeastSquares> CostFunction for Bounded<'_, P> {
     type Error = Infallible;
 
     fn cost(&self, point: &Vec<f64>) -> Result<f64, Infallible> {
-        Ok(self.problem.cost(point))
+        Ok(self.problem.cost(point, self.limits.next()))
     }
 }
 

@@ -335,6 +335,29 @@ impl Problem<'_> {
         if self.plain.is_some_and(lead) { Ok(found) } else { forces(instance, self.ports, columns, experiment, parts) }
     }
 
+    /// The cost at a point, or infinity if it is above a limit: most points of a search are, long before the last sample.
+    fn cost_within(&self, plain: Plain, point: &[f64], most: f64) -> f64 {
+        let (physical, measured) = (self.physical(point), self.measured());
+        let (mut instance, mut measured) = (Instance::new(self.law), measured.iter());
+        let mut sum = 0.0;
+        for experiment in self.delayed(&physical) {
+            let mut at = 0;
+            let add = |friction: f64| {
+                if experiment.counts(at) {
+                    let measured = measured.next().copied().unwrap_or(f64::NAN);
+                    sum += self.loss.root_of_loss(physical.force(friction, &experiment, at) - measured).powi(2);
+                }
+                at += 1;
+                if 0.5 * sum > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            };
+            let is_led = plain.lead(&mut instance, self.ports, &physical.columns, (&experiment, self.parts), add);
+            if !is_led || 0.5 * sum > most {
+                return f64::INFINITY;
+            }
+        }
+        0.5 * sum
+    }
+
     /// The experiments with the motion at its delay.
     fn delayed(&self, physical: &Physical) -> impl Iterator<Item = Cow<'_, Experiment>> {
         let delay = physical.delay;
@@ -495,7 +518,11 @@ impl LeastSquares for Problem<'_> {
         self.free().map(column).collect()
     }
 
-    fn cost(&self, free: &[f64]) -> f64 {
-        self.residuals(&self.whole(free)).map_or(f64::INFINITY, |found| self.loss.cost(&found))
+    fn cost(&self, free: &[f64], most: f64) -> f64 {
+        let point = self.whole(free);
+        match self.plain {
+            Some(plain) => self.cost_within(plain, &point, most),
+            None => self.residuals(&point).map_or(f64::INFINITY, |found| self.loss.cost(&found)),
+        }
     }
 }

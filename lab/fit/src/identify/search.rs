@@ -225,18 +225,22 @@ fn search(problem: &Problem, method: Method, seed: u64, budget: u64, watch: Watc
             let solver =
                 De::new(seed).with_pop_size(members).with_mutation(DeMutation::CurrentToBest1).with_dither(0.5, 1.0);
             let most = GENERATIONS.saturating_mul(budget.max(BUDGET)) / BUDGET;
-            run(solver, (budget / members as u64).clamp(1, most), problem, watch)
+            run(solver, (budget / members as u64).clamp(1, most), true, problem, watch)
         }
         // It replaces two members at a time.
-        Method::Genetic => run(Ssga::new(seed), (budget.saturating_sub(60) / 2).max(1), problem, watch),
+        Method::Genetic => run(Ssga::new(seed), (budget.saturating_sub(60) / 2).max(1), false, problem, watch),
     }
 }
 
-fn run<S>(solver: S, generations: u64, problem: &Problem, watch: Watch) -> Found
+/// Generations of a method. If it `replaces_each` member only by a better point, one for each in their order, the costs of
+/// the members are the limits above which those of the points do not matter.
+fn run<S>(solver: S, generations: u64, replaces_each: bool, problem: &Problem, watch: Watch) -> Found
 where
     S: for<'a, 'b> basin::Solver<Bounded<'a, Problem<'b>>, PopulationProgress<Vec<f64>>>,
 {
-    let executor = Executor::new(Bounded::new(problem), solver, PopulationProgress::empty());
+    let bounded = Bounded::new(problem);
+    let limits = bounded.limits();
+    let executor = Executor::new(bounded, solver, PopulationProgress::empty());
     let Ok(mut stepper) = executor.max_iter(generations).into_stepper() else {
         let point = vec![0.5; problem.parameters.len()];
         return Found { point, cost: f64::INFINITY, evaluations: 0 };
@@ -244,7 +248,11 @@ where
     // A method with many small generations waits longer.
     let patience = PATIENCE * generations.div_ceil(GENERATIONS);
     let (mut last, mut idle) = (f64::INFINITY, 0);
-    while let Ok(StepOutcome::Continue) = stepper.step() {
+    loop {
+        if replaces_each {
+            limits.set(stepper.state().costs());
+        }
+        let Ok(StepOutcome::Continue) = stepper.step() else { break };
         let cost = stepper.state().cost();
         (watch.progress)((2.0 * cost / problem.samples() as f64).sqrt(), stepper.counts().cost_evals);
         idle = if cost < 0.999 * last { 0 } else { idle + 1 };
@@ -346,6 +354,20 @@ mod tests {
             let held = polish(&without, &Found { cost: f64::INFINITY, ..held });
             assert!(end.cost < (1.0 + 1e-6) * held.cost, "{law} {seed}: {} {}", end.cost, held.cost);
         }
+    }
+
+    /// Members that are left as soon as they are worse than those before them are the ones that would not have stayed.
+    #[test]
+    fn a_search_that_leaves_bad_points_early_finds_the_same() {
+        let data = [measured("Leuven", &[], &standard(300), 0.01, 5)];
+        let problem = whole_problem("Leuven", &data);
+        let watch = Watch { cancel: &AtomicBool::new(false), progress: &|_, _| {} };
+        let [early, late] = [true, false].map(|replaces_each| {
+            let solver = De::new(8).with_pop_size(30).with_mutation(DeMutation::CurrentToBest1).with_dither(0.5, 1.0);
+            run(solver, 25, replaces_each, &problem, watch)
+        });
+        assert!(early.cost.is_finite() && early.evaluations > 30 * 20);
+        assert_eq!(early, late);
     }
 
     /// A record for which two searches agree on a local minimum.

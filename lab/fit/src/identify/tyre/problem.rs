@@ -246,7 +246,7 @@ impl LeastSquares for TyreProblem<'_> {
         (0..self.count()).map(column).collect()
     }
 
-    fn cost(&self, point: &[f64]) -> f64 {
+    fn cost(&self, point: &[f64], _most: f64) -> f64 {
         self.half_square(&self.at(point))
     }
 }
