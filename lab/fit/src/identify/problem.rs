@@ -37,8 +37,8 @@ pub(super) struct Problem<'a> {
     pub loss: Loss,
     /// Parts into which the intervals between samples are divided.
     pub parts: usize,
-    /// Whether least squares follow one-sided differences, where there are no exact derivatives: in half the evaluations, but
-    /// not quite to the end.
+    /// Whether least squares use one-sided differences where there are no exact derivatives: they take half the evaluations
+    /// and stop a little before the best point.
     pub is_rough: bool,
     /// Coordinates that are held, for profiles.
     pub pinned: Vec<Option<f64>>,

@@ -223,7 +223,8 @@ impl Plain {
         }
         let mut row = instance.row().to_vec();
         let memory = vec![0.0; (self.memory_in_use)(&mut row)];
-        let mut contact = Unchecked { law: self, ports, row, memory };
+        let Plain { step, output, .. } = self;
+        let mut contact = Unchecked { step, output, ports, row, memory };
         let mut is_finite = true;
         let Ok(()) = lead(&mut contact, (experiment, parts), |force: f64| {
             is_finite &= force.is_finite();
@@ -233,16 +234,17 @@ impl Plain {
     }
 }
 
-/// A law without checks.
-struct Unchecked {
-    law: Plain,
+/// A law without checks, in plain or dual numbers.
+struct Unchecked<T> {
+    step: fn(&mut [T], &mut [T], f64),
+    output: fn(&mut [T], &mut [T]),
     ports: Ports,
-    row: Vec<f64>,
-    memory: Vec<f64>,
+    row: Vec<T>,
+    memory: Vec<T>,
 }
 
-impl Contact for Unchecked {
-    type Force = f64;
+impl<T: Copy + From<f64>> Contact for Unchecked<T> {
+    type Force = T;
     type Error = Infallible;
 
     fn drive(&mut self, motion: [f64; 3]) -> Result<(), Infallible> {
@@ -251,12 +253,12 @@ impl Contact for Unchecked {
     }
 
     fn step(&mut self, dt: f64) -> Result<(), Infallible> {
-        (self.law.step)(&mut self.row, &mut self.memory, dt);
+        (self.step)(&mut self.row, &mut self.memory, dt);
         Ok(())
     }
 
-    fn force(&mut self) -> Result<f64, Infallible> {
-        (self.law.output)(&mut self.row, &mut self.memory);
+    fn force(&mut self) -> Result<T, Infallible> {
+        (self.output)(&mut self.row, &mut self.memory);
         Ok(self.row[self.ports.force])
     }
 }
@@ -264,8 +266,8 @@ impl Contact for Unchecked {
 /// A law whose steps are written for every number: its response carries exact derivatives.
 #[derive(Clone, Copy)]
 pub(super) struct Exact {
-    step: fn(&mut [Dual], f64),
-    output: fn(&mut [Dual]),
+    step: fn(&mut [Dual], &mut [Dual], f64),
+    output: fn(&mut [Dual], &mut [Dual]),
 }
 
 impl Exact {
@@ -278,8 +280,8 @@ impl Exact {
             fn visit_in_lanes<M: InLanes>(&mut self) {
                 if M::NAME == self.0 {
                     self.1 = Some(Exact {
-                        step: |row, dt| Steps::advance(model_in::<M, Dual>(row), Dual::from(dt)),
-                        output: |row| Law::output(model_in::<M, Dual>(row)),
+                        step: |row, _, dt| Steps::advance(model_in::<M, Dual>(row), Dual::from(dt)),
+                        output: |row, _| Law::output(model_in::<M, Dual>(row)),
                     });
                 }
             }
@@ -303,35 +305,9 @@ impl Exact {
         for (column, component) in seeds {
             row[*column].slope += component;
         }
-        let Ok(found) = all(&mut WithSlope { law: self, ports, row }, experiment, parts);
+        let Exact { step, output } = self;
+        let Ok(found) = all(&mut Unchecked { step, output, ports, row, memory: Vec::new() }, experiment, parts);
         found
-    }
-}
-
-/// A law in dual numbers.
-struct WithSlope {
-    law: Exact,
-    ports: Ports,
-    row: Vec<Dual>,
-}
-
-impl Contact for WithSlope {
-    type Force = Dual;
-    type Error = Infallible;
-
-    fn drive(&mut self, motion: [f64; 3]) -> Result<(), Infallible> {
-        self.ports.write(motion, &mut self.row);
-        Ok(())
-    }
-
-    fn step(&mut self, dt: f64) -> Result<(), Infallible> {
-        (self.law.step)(&mut self.row, dt);
-        Ok(())
-    }
-
-    fn force(&mut self) -> Result<Dual, Infallible> {
-        (self.law.output)(&mut self.row);
-        Ok(self.row[self.ports.force])
     }
 }
 
