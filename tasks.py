@@ -48,6 +48,7 @@ LINTED = {"RUSTC_WORKSPACE_WRAPPER": "clippy-driver", "CLIPPY_ARGS": "--deny__CL
 FOR_A_FEW_RUNS = [
     *("--config", "profile.dev.package.stribeck-solve.opt-level=1"),
     *("--config", "profile.dev.package.stribeck-fit.opt-level=1"),
+    *("--config", "profile.dev.package.stribeck-measured.opt-level=1"),
 ]
 
 # Those of Table 6.5 of the thesis.

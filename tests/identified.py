@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-FOLDERS = ["src", "lab/fit/src/identify", "lab/fit/src/measured", "lab/fit/benches"]
+FOLDERS = ["src", "lab/fit/src/identify", "lab/measured/src", "lab/fit/benches"]
 
 
 def kept() -> Path:

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use stribeck_fit::{identify, measured};
+use stribeck_fit::identify;
+use stribeck_measured as measured;
 use stribeck_solve::{job, run};
 use ts_rs::{Config, TS};
 

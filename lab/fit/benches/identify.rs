@@ -30,8 +30,8 @@ use stribeck::model::ModelType;
 use stribeck_fit::identify::{
     Estimate, Experiment, Fit, Method, Rank, Searches, Settings, Verdict, Watch, fit, fit_all, laws,
 };
-use stribeck_fit::measured::{Delay, Record, Setup};
 use stribeck_fit::rig::{Faults, VirtualRig};
+use stribeck_measured::{Delay, Record, Setup};
 use stribeck_sheet::Sheet;
 
 use simulated::{Held, Joint, Simulated, Slider};

@@ -54,7 +54,7 @@ use stribeck::model::ModelType;
 use stribeck::numerics::interpolation::Curve;
 use thiserror::Error;
 
-use crate::measured::{extremes, median};
+use stribeck_measured::{extremes, median};
 use stribeck_sheet::SheetError;
 
 pub use file::Test;

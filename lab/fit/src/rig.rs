@@ -231,8 +231,8 @@ impl VirtualRig {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measured::{Delay, Record, Setup};
     use stribeck::catalogue::by_name;
+    use stribeck_measured::{Delay, Record, Setup};
     use stribeck_sheet::Sheet;
 
     fn rig(faults: Faults) -> VirtualRig {

@@ -9,8 +9,8 @@ use common::rig;
 use stribeck::catalogue::by_name;
 use stribeck_fit::identify::tyre::{Axes, Sample, TyreTest};
 use stribeck_fit::identify::{Experiment, Settings, Watch, fit};
-use stribeck_fit::measured::{Delay, Record, Setup, average};
 use stribeck_fit::rig::Faults;
+use stribeck_measured::{Delay, Record, Setup, average};
 use stribeck_sheet::Sheet;
 
 /// Pieces of text that stand for the usual mistakes.

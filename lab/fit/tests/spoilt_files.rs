@@ -11,9 +11,9 @@ use stribeck_fit::identify::{
     self,
     tyre::{Axes, Sample, TyreTest},
 };
-use stribeck_fit::measured::{Record, Setup, average};
 use stribeck_fit::rig::Faults;
 use stribeck_fit::tir;
+use stribeck_measured::{Record, Setup, average};
 use stribeck_sheet::{DISPLACEMENT, FORCE, Sheet, TIME, table};
 
 type Outcome = Result<Vec<f64>, String>;

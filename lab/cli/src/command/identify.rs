@@ -8,7 +8,7 @@ use stribeck_fit::identify::{
     Answer, Data, Experiment, Exported, Files, Fit, Format, Inquiry, Rank, Ranking, Searches, Settings, Validation,
     Verdict, Watch, fit,
 };
-use stribeck_fit::measured::{Quality, Record, average};
+use stribeck_measured::{Quality, Record, average};
 use stribeck_plot::picture::{Theme, friction_map};
 use stribeck_plot::report::{Identification, identification};
 use stribeck_solve::system::Fault;

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Estimate;
-use crate::measured::median;
+use stribeck_measured::median;
 
 /// Coefficients of the columns with their standard deviations, by least squares with Tukey's bisquare weights. None if
 /// there are no more rows than columns, or if the columns are not independent.

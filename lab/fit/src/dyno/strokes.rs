@@ -1,8 +1,8 @@
 //! Slow strokes of a damper test: friction over time.
 
 use super::{Damper, DynoError, ForceSign, Options, Test, centre_and_stroke, samples};
-use crate::measured::reversals;
 use stribeck::numerics::interpolation::Curve;
+use stribeck_measured::reversals;
 
 /// A part of a test that never leaves low speed and turns at least twice.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use ts_rs::TS;
 
 use super::output::{EARLY, text_of};
 use super::{Data, Estimate, Fit, Judgement, LackOfFit, Rank, Ranking, Searches, Verdict};
-use crate::measured::Units;
+use stribeck_measured::Units;
 
 /// Laws fitted to records.
 #[derive(Clone, Debug, Serialize, TS)]

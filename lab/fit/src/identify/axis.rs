@@ -2,7 +2,7 @@
 
 use super::experiment::UNKNOWN_DIRECTION;
 use super::{Experiment, Fault, ModelType, Selection};
-use crate::measured::SLOW;
+use stribeck_measured::SLOW;
 
 /// Law of its guides, unless another one is given.
 pub const LAW: &str = "CoulombViscous";

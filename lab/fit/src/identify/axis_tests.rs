@@ -6,7 +6,7 @@ use stribeck::catalogue::by_name;
 
 use super::tests::{estimate, fitted, measured, noise, quick, quiet, standard};
 use super::*;
-use crate::measured::{Delay, Record, Setup};
+use stribeck_measured::{Delay, Record, Setup};
 use stribeck_sheet::{DISPLACEMENT, FORCE, Sheet, TIME};
 
 #[test]

@@ -9,7 +9,7 @@ use super::interval::{Optimum, quantiles};
 use super::parameter::{GRAVITY_COEFFICIENTS, Parameter, Scale, Target};
 use super::problem::{Problem, dot};
 use super::uncertainty::{DETERMINED, Uncertainty, Verdict, WIDTH};
-use crate::measured::Movement;
+use stribeck_measured::Movement;
 
 /// A parameter after a fit.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::path::{Component, Path};
 
 use super::map::Rows;
-use crate::measured::{Direction, MatchedFilter, Movement, Record};
+use stribeck_measured::{Direction, MatchedFilter, Movement, Record};
 use stribeck_solve::system::Fault;
 
 /// A run of a rig: the motion and the load that the law is led through, and the force it shall give; of a joint, angles and
@@ -252,7 +252,7 @@ impl Experiment {
         let at = |values: &[f64], slopes: Option<&[f64]>, t: f64| {
             let end = if t < self.time[0] { 0 } else { last };
             if (self.time[0]..=self.time[last]).contains(&t) {
-                crate::measured::interpolate(&self.time, values, t)
+                stribeck_measured::interpolate(&self.time, values, t)
             } else {
                 values[end] + slopes.map_or(0.0, |slopes| slopes[end] * (t - self.time[end]))
             }
@@ -434,7 +434,8 @@ mod tests {
         ];
         let sheet =
             stribeck_sheet::Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
-        let rig = crate::measured::Setup { mass: 2.0, normal_force: Some(20.0), ..crate::measured::Setup::default() };
+        let rig =
+            stribeck_measured::Setup { mass: 2.0, normal_force: Some(20.0), ..stribeck_measured::Setup::default() };
         let experiment = Experiment::new("paused", &Record::of(&sheet, None, &rig).unwrap());
         let share = experiment.samples() as f64 / time.len() as f64;
         assert!((0.5..0.6).contains(&share), "{share}");

@@ -10,7 +10,7 @@ use toml::{Table, Value};
 use super::levels::columns_of;
 use super::parameter::refused;
 use super::{Experiment, Fit};
-use crate::measured::Movement;
+use stribeck_measured::Movement;
 
 /// A format of another program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

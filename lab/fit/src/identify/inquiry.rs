@@ -19,7 +19,7 @@ use super::map::{self, FrictionMap, MapColumns};
 use super::{
     Experiment, Method, Ranking, Selection, Settings, Watch, axis, fit_all, held_out, laws_named, names, parameter,
 };
-use crate::measured::{Columns, Delay, Drive, MeasuredError, Record, Setup};
+use stribeck_measured::{Columns, Delay, Drive, MeasuredError, Record, Setup};
 use stribeck_sheet::{DISPLACEMENT, FORCE, NO_SHEETS, Sheet, SheetError, TIME, VELOCITY, has_sheets, of_file, tables};
 
 /// Records, what is known of their rig, the laws, and how they are fitted.

@@ -4,7 +4,7 @@ use clap::{Command, FromArgMatches};
 use stribeck_solve::job;
 
 use super::*;
-use crate::measured::Delay;
+use stribeck_measured::Delay;
 
 fn described(text: &str) -> Inquiry {
     toml::from_str(text).unwrap()

@@ -9,7 +9,7 @@ use stribeck_solve::job::Entry;
 
 use super::tests::{estimate, noise, quiet};
 use super::*;
-use crate::measured::Movement;
+use stribeck_measured::Movement;
 use stribeck_sheet::{Sheet, SheetError};
 
 /// Records as texts.

@@ -20,7 +20,7 @@
 //! doi:10.1109/83.551699.
 
 use super::Experiment;
-use crate::measured::noise;
+use stribeck_measured::noise;
 
 /// Bend in standard deviations of the noise: Huber's, which loses 5 % of precision if the noise is normal.
 const BEND: f64 = 1.345;

@@ -82,7 +82,6 @@ pub use strut::{StrutFriction, strut_friction};
 pub use uncertainty::{DETERMINED, Residuals, Verdict, digits, digits_within};
 pub use validation::{Validation, held_out};
 
-use crate::measured::Movement;
 use interval::Optimum;
 use loss::Loss;
 use parameter::refused;
@@ -91,6 +90,7 @@ use refine::{Refined, refine};
 use response::{Exact, Plain};
 use search::{First, best, first_search, polish};
 use selection::OF_RIG;
+use stribeck_measured::Movement;
 use stribeck_solve::system::Fault;
 use stribeck_solve::work::share;
 use uncertainty::{SYSTEMATIC, Uncertainty, uncertainty};

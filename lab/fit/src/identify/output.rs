@@ -12,7 +12,7 @@ use super::response::{Ports, forces};
 use super::selection::OF_RIG;
 use super::uncertainty::{digits, digits_within};
 use super::{Estimate, Experiment, Fit, Searches, Verdict};
-use crate::measured::{Direction, Movement, Record};
+use stribeck_measured::{Direction, Movement, Record};
 use stribeck_solve::run::Configuration;
 use stribeck_solve::system::Fault;
 

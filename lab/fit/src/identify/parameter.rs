@@ -8,7 +8,7 @@ use stribeck::number::Real;
 use super::levels::{kinetic_of, pairs_of_levels};
 use super::selection::{OF_RIG, Selection};
 use super::{Experiment, tie};
-use crate::measured::Movement;
+use stribeck_measured::Movement;
 use stribeck_solve::system::Fault;
 
 /// Quantity that a parameter stands for.

@@ -13,7 +13,7 @@ use super::least_squares::LeastSquares;
 use super::loss::Loss;
 use super::parameter::{Parameter, Target};
 use super::response::{Exact, Plain, Ports, forces};
-use crate::measured::{Direction, Movement};
+use stribeck_measured::{Direction, Movement};
 
 /// A law, the experiments it is fitted to, and the parameters.
 #[derive(Clone)]

@@ -331,8 +331,8 @@ mod tests {
     use super::super::Experiment;
     use super::super::tests::{fitted, measured, standard, whole_problem};
     use super::*;
-    use crate::measured::{Delay, Record, Setup};
     use crate::rig::{Faults, VirtualRig};
+    use stribeck_measured::{Delay, Record, Setup};
     use stribeck_sheet::Sheet;
 
     /// From points without viscous friction: to hold it at 0 does not lead farther down.

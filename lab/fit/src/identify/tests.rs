@@ -359,11 +359,11 @@ fn laws_that_differ_as_the_contact_speeds_up_explain_their_own_records() {
             faults: crate::rig::Faults::NOISE,
             seed: 1,
         };
-        let known = crate::measured::Setup { mass: 2.0, normal_force: Some(20.0), ..Default::default() };
+        let known = stribeck_measured::Setup { mass: 2.0, normal_force: Some(20.0), ..Default::default() };
         let sheet = stribeck_sheet::Sheet::parse(&rig.record().unwrap().force).unwrap();
-        let data = Experiment::new(law, &crate::measured::Record::of(&sheet, None, &known).unwrap());
+        let data = Experiment::new(law, &stribeck_measured::Record::of(&sheet, None, &known).unwrap());
         let fit = fitted(law, slice::from_ref(&data), &Settings { mass: 2.0, ..quick() });
-        let noise = crate::measured::noise(&data.force);
+        let noise = stribeck_measured::noise(&data.force);
         assert!(fit.residuals.rms < 3.0 * noise, "{law}: {} N, noise {noise} N", fit.residuals.rms);
     }
 }
@@ -377,7 +377,7 @@ fn record_of_noisy_velocity(law: &str) -> Experiment {
         text + &format!("{t},{force},{load},{}\n", v + 1e-4 * noise)
     });
     let sheet = stribeck_sheet::Sheet::parse(&text).unwrap();
-    Experiment::new(law, &crate::measured::Record::of(&sheet, None, &crate::measured::Setup::default()).unwrap())
+    Experiment::new(law, &stribeck_measured::Record::of(&sheet, None, &stribeck_measured::Setup::default()).unwrap())
 }
 
 /// Some of 2000 samples have a velocity that may have either sign. With them, laws that are smooth there explain
@@ -427,8 +427,8 @@ fn only_samples_at_the_ends_of_the_motion_are_left_out() {
     let force = rows(0, 2000, "force", &|t| 2.0 * (1e3 * (3.0 * t).cos()).tanh());
     let counted = |motion: String| {
         let [force, motion] = [&force, &motion].map(|text| stribeck_sheet::Sheet::parse(text).unwrap());
-        let rig = crate::measured::Setup { normal_force: Some(20.0), window: Some(0.1), ..Default::default() };
-        Experiment::new("rig", &crate::measured::Record::of(&force, Some(&motion), &rig).unwrap())
+        let rig = stribeck_measured::Setup { normal_force: Some(20.0), window: Some(0.1), ..Default::default() };
+        Experiment::new("rig", &stribeck_measured::Record::of(&force, Some(&motion), &rig).unwrap())
     };
     let [short, long] = [(0, 2000), (-100, 2100)].map(|(from, to)| counted(rows(from, to, "displacement", &moved)));
     assert!(!short.counts(49) && short.counts(51) && !short.counts(1951));

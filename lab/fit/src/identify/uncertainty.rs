@@ -31,7 +31,7 @@ use super::map::{by_velocity, neighbours, student};
 use super::parameter::{Parameter, Target, is_level};
 use super::problem::{Found, Problem, dot, minus, moved};
 use super::velocity_error;
-use crate::measured::OF_MEDIAN;
+use stribeck_measured::OF_MEDIAN;
 
 /// Correlation time of the residuals from which the law does not explain them, in samples (chosen).
 pub(super) const SYSTEMATIC: f64 = 3.0;

@@ -19,7 +19,7 @@ use stribeck::model::Meaning;
 use super::levels::columns_of;
 use super::problem::{Problem, dot};
 use super::{Experiment, Target, tie};
-use crate::measured::correlation_of_slopes;
+use stribeck_measured::correlation_of_slopes;
 
 /// Error of the velocity, as a part of the speed at which friction falls, from which parameters are biased (chosen: a
 /// camera of 100 Hz with 0.013 of it makes the static level 1 % and that speed 7 % wrong, with 0.026 4 % and 11 %, and

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use stribeck_fit::identify::tyre::{Axes, TyreTest};
 use stribeck_fit::identify::{Inquiry, Source};
-use stribeck_fit::measured::average;
+use stribeck_measured::average;
 use stribeck_sheet::{Sheet, SheetError};
 
 /// Maximum number of samples; more make the filters slow.

@@ -127,7 +127,7 @@ mod tests {
     use std::sync::atomic::AtomicBool;
 
     use stribeck_fit::identify::{Data, Inquiry, Judgement, Ranking, Source, Watch};
-    use stribeck_fit::measured::Movement;
+    use stribeck_measured::Movement;
     use stribeck_sheet::{Sheet, SheetError};
 
     use super::super::tyre::tests::places;

@@ -8,7 +8,7 @@ use stribeck_fit::identify::{
     Difference, EARLY, Estimate, Fit, Method, Rank, Ranking, Reference, Searches, Settings, Verdict, difference,
     digits, digits_within, known, respond,
 };
-use stribeck_fit::measured::{Record, average};
+use stribeck_measured::{Record, average};
 use stribeck_solve::system::Fault;
 
 /// An identification and the records it was made from.

@@ -1,6 +1,6 @@
 //! Columns of a map.
 
-use crate::measured::{MeasuredError, Movement, Setup, load};
+use stribeck_measured::{MeasuredError, Movement, Setup, load};
 use stribeck_sheet::{FORCE, Sheet, VELOCITY};
 
 /// Columns of a map, in SI units.

@@ -30,7 +30,7 @@ use super::parameter::refused;
 use super::response::{Ports, forces};
 use super::uncertainty::digits;
 use super::{Experiment, Fit, Inquiry};
-use crate::measured::{Movement, extremes};
+use stribeck_measured::{Movement, extremes};
 use stribeck_sheet::text;
 
 /// A map of friction, in SI units; of a joint torques in N m and velocities in rad/s.

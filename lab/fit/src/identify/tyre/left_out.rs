@@ -8,7 +8,7 @@ use stribeck_solve::job::Entry;
 
 use super::super::uncertainty::digits;
 use super::columns::{Sample, TyreTest, TyreTestError, times};
-use crate::measured::{OF_MEDIAN, extremes, median};
+use stribeck_measured::{OF_MEDIAN, extremes, median};
 
 /// Leaves out the rows within a time after the first one, in s, and those in which a column is outside of its range, in
 /// the unit of the file; a note on their number.

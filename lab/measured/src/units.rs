@@ -1,11 +1,12 @@
 //! Missing units in files, and contradictory quantities.
 
-use super::reduce::integral;
-use super::{MeasuredError, Movement};
+use crate::error::MeasuredError;
+use crate::movement::Movement;
+use crate::reduce::integral;
 use stribeck_sheet::{DISPLACEMENT, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
 /// A note on the quantities without a unit in their file, which are assumed to be SI.
-pub(super) fn assumed(columns: &[(&Sheet, &'static Quantity)]) -> Option<String> {
+pub(crate) fn assumed(columns: &[(&Sheet, &'static Quantity)]) -> Option<String> {
     let mut found: Vec<&Quantity> = Vec::new();
     for (table, quantity) in columns {
         if table.assumes_unit(quantity.name) && found.iter().all(|known| known.name != quantity.name) {
@@ -21,7 +22,7 @@ pub(super) fn assumed(columns: &[(&Sheet, &'static Quantity)]) -> Option<String>
 const CONSISTENT: [f64; 2] = [0.8, 1.2];
 
 /// A note on which of displacement and velocity is used if a table has both; an error if they contradict each other.
-pub(super) fn motion(table: &Sheet, movement: Movement) -> Result<Option<String>, MeasuredError> {
+pub(crate) fn motion(table: &Sheet, movement: Movement) -> Result<Option<String>, MeasuredError> {
     let column = |quantity: &'static Quantity| -> Result<Vec<f64>, SheetError> {
         table.required(quantity.name, movement.quantity(quantity))
     };

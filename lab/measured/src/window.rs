@@ -22,8 +22,8 @@
 
 use std::ops::Range;
 
-use super::polynomial::{Degree, Local};
-use super::quality::{GAP, rounding};
+use crate::polynomial::{Degree, Local};
+use crate::quality::{GAP, rounding};
 
 /// Candidate windows, in samples (chosen).
 const WINDOWS: [f64; 24] = [
@@ -57,12 +57,12 @@ const ORDER_OF_KINK: i32 = 2;
 
 /// Degree of the polynomials that give the first or the second derivative. Where the motion turns, slopes of third degree
 /// lose so much in windows with little noise that the parameters of a law are biased.
-pub(super) fn degree(derivative: usize) -> Degree {
+pub(crate) fn degree(derivative: usize) -> Degree {
     if derivative == 1 { Degree::Fifth } else { Degree::Third }
 }
 
 /// Power of the window with which the bias of the first or the second derivative grows.
-pub(super) fn order(derivative: usize) -> i32 {
+pub(crate) fn order(derivative: usize) -> i32 {
     match degree(derivative) {
         Degree::Third => 2,
         Degree::Fifth => 6,
@@ -83,12 +83,12 @@ fn length(samples: f64, interval: f64) -> f64 {
 }
 
 /// Length of the shortest window for the first or the second derivative, s.
-pub(super) fn shortest(interval: f64, derivative: usize) -> f64 {
+pub(crate) fn shortest(interval: f64, derivative: usize) -> f64 {
     length(candidates(derivative)[0], interval)
 }
 
 /// A signal to differentiate.
-pub(super) struct Signal<'a> {
+pub(crate) struct Signal<'a> {
     pub time: &'a [f64],
     pub values: &'a [f64],
     /// Median interval.

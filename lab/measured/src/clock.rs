@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 use stribeck::number::Real;
 
-use super::statistics::extremes;
+use crate::statistics::extremes;
 
 /// Clock of the motion against that of the force.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,13 +30,13 @@ impl Clocks {
     }
 
     /// Converts times of the motion to the clock of the force, s.
-    pub(super) fn ends(&self, of_motion: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn ends(&self, of_motion: [f64; 2]) -> [f64; 2] {
         of_motion.map(|time| (time - self.delay + self.drift * self.middle) / (1.0 + self.drift))
     }
 }
 
 /// The range middle +- half.
-pub(super) fn range_around(middle: f64, half: f64) -> [f64; 2] {
+pub(crate) fn range_around(middle: f64, half: f64) -> [f64; 2] {
     [middle - half, middle + half]
 }
 
@@ -47,7 +47,7 @@ const COARSE: i32 = 40;
 const HALVINGS: usize = 12;
 
 /// Force and motion, each on its own clock.
-pub(super) struct Pair<'a> {
+pub(crate) struct Pair<'a> {
     time: &'a [f64],
     force: &'a [f64],
     /// Samples of the force that are used.

@@ -6,7 +6,7 @@
 use serde::Serialize;
 use ts_rs::TS;
 
-use super::MeasuredError;
+use crate::error::MeasuredError;
 use stribeck_sheet::{
     ANGLE, ANGULAR_VELOCITY, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, Quantity, SLIP, Sheet, VELOCITY,
 };
@@ -87,19 +87,19 @@ impl Movement {
     }
 
     /// A name with its unit in brackets.
-    pub(crate) fn heading(self, name: &str, of_translation: &'static str) -> String {
+    pub fn heading(self, name: &str, of_translation: &'static str) -> String {
         format!("{name} [{}]", self.unit(of_translation))
     }
 
     /// The quantity in place of one of a body that slides.
-    pub(crate) fn quantity(self, of_translation: &'static Quantity) -> &'static Quantity {
+    pub fn quantity(self, of_translation: &'static Quantity) -> &'static Quantity {
         let turned = TURNED.into_iter().find(|turned| turned.name == of_translation.name);
         turned.filter(|_| self == Movement::Rotation).unwrap_or(of_translation)
     }
 
     /// Quantities of signals, which a factor converts: the torque of a drive, its angle, its current in percent; for a
     /// body that turns, the force at a lever, and the way of a rope.
-    pub(super) fn signals(self) -> [&'static Quantity; 4] {
+    pub(crate) fn signals(self) -> [&'static Quantity; 4] {
         match self {
             Movement::Translation => [&ANGLE, &SLIP, &MOMENT, &ANGULAR_VELOCITY],
             Movement::Rotation => [&FORCE, &SLIP, &DISPLACEMENT, &VELOCITY],
@@ -107,14 +107,14 @@ impl Movement {
     }
 
     /// Movement of a record, by the units of its force and its motion; columns without a unit take that of the others.
-    pub(super) fn of(record: &Sheet, motion: Option<&Sheet>) -> Result<Movement, MeasuredError> {
+    pub(crate) fn of(record: &Sheet, motion: Option<&Sheet>) -> Result<Movement, MeasuredError> {
         let told = Movement::told(&[record], &motion.into_iter().collect::<Vec<_>>(), |_| true)?;
         Ok(told.map_or(Movement::Translation, |(movement, _)| movement))
     }
 
     /// The movement that units tell, with the first column that does. `motion` has the motion if that is apart; `tells` is
     /// whether the unit of a quantity counts.
-    pub(super) fn told(
+    pub(crate) fn told(
         record: &[&Sheet],
         motion: &[&Sheet],
         tells: impl Fn(&Quantity) -> bool,

@@ -1,6 +1,10 @@
 //! Columns of records: their names in files, and factors for signals in other units.
 
-use super::{Drive, MeasuredError, Movement, Setup, units};
+use crate::drive::Drive;
+use crate::error::MeasuredError;
+use crate::movement::Movement;
+use crate::record::Setup;
+use crate::units;
 use stribeck_sheet::{
     CURRENT, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, Quantity, Sheet, SheetError, TIME, VELOCITY, check_names,
 };
@@ -112,7 +116,7 @@ impl Columns {
     }
 
     /// Whether tables have force and velocity, but neither a time nor a displacement: a map of friction.
-    pub(crate) fn are_of_map(&self, tables: &[Sheet]) -> bool {
+    pub fn are_of_map(&self, tables: &[Sheet]) -> bool {
         let is_named = |quantity: &Quantity| self.names.iter().any(|(name, _)| name == quantity.name);
         let has = |quantity: &Quantity| {
             let is_it = |name: &str| name.eq_ignore_ascii_case(quantity.name) || is_among(name, others(quantity));
@@ -129,11 +133,7 @@ impl Columns {
     }
 
     /// As [`Columns::apply`] for a map; returns whether its body slides or turns as well.
-    pub(crate) fn apply_to_map(
-        &self,
-        table: &mut Sheet,
-        setup: &Setup,
-    ) -> Result<(Movement, Vec<String>), MeasuredError> {
+    pub fn apply_to_map(&self, table: &mut Sheet, setup: &Setup) -> Result<(Movement, Vec<String>), MeasuredError> {
         let tables = std::slice::from_mut(table);
         self.rename(tables, &mut [])?;
         let mut notes: Vec<String> = tables[0].note().map(str::to_owned).into_iter().collect();

@@ -202,12 +202,12 @@ pub enum MeasuredError {
 
 impl MeasuredError {
     /// An error in the table of the motion.
-    pub(super) fn of_motion(error: impl Into<MeasuredError>) -> MeasuredError {
+    pub(crate) fn of_motion(error: impl Into<MeasuredError>) -> MeasuredError {
         MeasuredError::Motion(Box::new(error.into()))
     }
 
     /// An error about a column with a name of a joint, in a table without units.
-    pub(super) fn no_units(column: &str, quantity: &'static str) -> MeasuredError {
+    pub(crate) fn no_units(column: &str, quantity: &'static str) -> MeasuredError {
         let (turned, slid) = match quantity {
             "displacement" => ("the angle", "a displacement in m"),
             "velocity" => ("the angular velocity", "a velocity in m/s"),
@@ -218,7 +218,7 @@ impl MeasuredError {
 }
 
 /// Rounds to six significant digits, for messages.
-pub(super) fn short(value: f64) -> f64 {
+pub(crate) fn short(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 

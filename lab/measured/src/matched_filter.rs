@@ -39,28 +39,28 @@
 use nalgebra::{SMatrix, SVector};
 use stribeck::number::Real;
 
-use super::Movement;
-use super::clock::{Clocks, range_around};
-use super::quality::{GAP, noise};
-use super::record::{Direction, MatchedFilter, Record};
-use super::stencil::NODES;
+use crate::clock::{Clocks, range_around};
+use crate::movement::Movement;
+use crate::quality::{GAP, noise};
+use crate::record::{Direction, MatchedFilter, Record};
+use crate::stencil::NODES;
 
 /// Delay of the motion behind the force of a controller, least and largest, in samples of the motion (chosen): half a
 /// sample for a force that is held until the next sample, one more if computing it takes that long.
 const CONTROLLER_DELAY: [f64; 2] = [-0.5, 2.0];
 
 /// Mean of the least and the largest delay of a controller, s.
-pub(super) fn delay_of_controller(interval: f64) -> f64 {
+pub(crate) fn delay_of_controller(interval: f64) -> f64 {
     0.5 * (CONTROLLER_DELAY[0] + CONTROLLER_DELAY[1]) * interval
 }
 
 /// Half the range of the delay of a controller, s.
-pub(super) fn tolerance_of_controller(interval: f64) -> f64 {
+pub(crate) fn tolerance_of_controller(interval: f64) -> f64 {
     0.5 * (CONTROLLER_DELAY[1] - CONTROLLER_DELAY[0]) * interval
 }
 
 /// Length of the shortest window, s.
-pub(super) fn shortest(interval: f64) -> f64 {
+pub(crate) fn shortest(interval: f64) -> f64 {
     WINDOWS[0] * interval
 }
 
@@ -68,9 +68,9 @@ pub(super) fn shortest(interval: f64) -> f64 {
 const WINDOWS: [f64; 10] = [9.0, 11.0, 15.0, 21.0, 31.0, 41.0, 61.0, 91.0, 131.0, 191.0];
 
 /// Regressors: acceleration, velocity, its sign, 1 and jerk; the errors of the first four decide on the window.
-pub(super) const TERMS: usize = 5;
+pub(crate) const TERMS: usize = 5;
 /// The same with cosine and sine of the angle of an arm that gravity turns.
-pub(super) const OF_ARM: usize = 7;
+pub(crate) const OF_ARM: usize = 7;
 const DECISIVE: usize = 4;
 const ACCELERATION: usize = 0;
 const VELOCITY: usize = 1;
@@ -85,7 +85,7 @@ const fn least(terms: usize) -> usize {
     4 * terms
 }
 
-/// Multiple of the velocity error below which the sign of the velocity is uncertain (chosen, as in [`crate::identify`]).
+/// Multiple of the velocity error below which the sign of the velocity is uncertain (chosen, as in the identification).
 const UNKNOWN_SIGN: f64 = 3.0;
 
 /// Noise fraction above which the orthogonal part of a regressor is discarded (chosen). It was below 0.006 in records of
@@ -97,7 +97,7 @@ const NOISY: f64 = 0.05;
 const ROUNDS: usize = 4;
 
 /// Motion at the samples of the force: displacement, velocity and acceleration without a filter.
-pub(super) type Raw = Vec<[f64; 3]>;
+pub(crate) type Raw = Vec<[f64; 3]>;
 
 /// Relative bias of mass or viscous friction by noise of the motion from which there is a warning (chosen).
 const BIASED: f64 = 3e-3;
@@ -108,7 +108,7 @@ const BIASED: f64 = 3e-3;
 const BANDWIDTH: f64 = 100.0;
 
 /// The matched filter of one record, before its window is chosen.
-pub(super) struct Filter<'a, const N: usize> {
+pub(crate) struct Filter<'a, const N: usize> {
     /// Record with the motion smoothed alone.
     record: &'a Record,
     /// Force as it acts.

@@ -1,7 +1,8 @@
 //! The mean cycle of a periodic record.
 
-use super::statistics::extremes;
-use super::{Movement, Record};
+use crate::movement::Movement;
+use crate::record::Record;
+use crate::statistics::extremes;
 use stribeck_sheet::text;
 
 /// Mean of the cycles of a record, over equal parts of the period.
@@ -43,7 +44,7 @@ impl Cycle {
 const POINTS: usize = 400;
 
 /// Fraction of the largest speed that the slider must exceed between two reversals: slower motion is noise (chosen).
-pub(super) const TURN: f64 = 0.05;
+pub(crate) const TURN: f64 = 0.05;
 
 /// Standard deviation of the displacement among cycles, relative to the mean stroke, above which they are different
 /// motions (chosen): the mean of strokes of different length has a friction that never occurred.
@@ -83,7 +84,7 @@ fn statistics(time: &[f64], values: &[f64], starts: &[f64], phase: f64) -> (f64,
 }
 
 /// Times at which the slider begins to move forwards.
-pub(super) fn starts(record: &Record) -> Vec<f64> {
+pub(crate) fn starts(record: &Record) -> Vec<f64> {
     let threshold = TURN * record.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     let (mut starts, mut crossing, mut was_back) = (Vec::new(), None, false);
     for (at, pair) in record.velocity.windows(2).enumerate() {

@@ -1,16 +1,16 @@
 //! From the tables of a rig to a record: checks, clocks, filters.
 
-use super::clock::{Clocks, Pair, range_around};
-use super::error::short;
-use super::matched_filter::{self, Filter, OF_ARM, TERMS};
-use super::plausible;
-use super::polynomial::Local;
-use super::quality::{noise, quality, rounding};
-use super::record::{Delay, Direction, Quality, Record, Setup};
-use super::statistics::{extremes, median};
-use super::stencil::derivatives;
-use super::window::{Signal, degree, order, shortest};
-use super::{MeasuredError, Movement};
+use crate::clock::{Clocks, Pair, range_around};
+use crate::error::{MeasuredError, short};
+use crate::matched_filter::{self, Filter, OF_ARM, TERMS};
+use crate::movement::Movement;
+use crate::plausible;
+use crate::polynomial::Local;
+use crate::quality::{noise, quality, rounding};
+use crate::record::{Delay, Direction, Quality, Record, Setup};
+use crate::statistics::{extremes, median};
+use crate::stencil::derivatives;
+use crate::window::{Signal, degree, order, shortest};
 use stribeck_sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, TIME, VELOCITY};
 
 /// Tolerance of a delay that was estimated without the law, in samples of the motion or standard deviations (chosen):
@@ -107,7 +107,8 @@ fn more_than_noise(name: &'static str, unit: &'static str, values: &[f64]) -> Re
     if range < STILL * noise { Err(MeasuredError::Still { name, range, noise, unit }) } else { Ok(()) }
 }
 
-pub(crate) fn load(sheet: &Sheet, setup: &Setup, movement: Movement) -> Result<Vec<f64>, MeasuredError> {
+/// Normal force of every sample: the column, or the value given.
+pub fn load(sheet: &Sheet, setup: &Setup, movement: Movement) -> Result<Vec<f64>, MeasuredError> {
     let Some(loads) = sheet.column(movement.quantity(&NORMAL_FORCE))? else {
         return setup.normal_force.map(|load| vec![load; sheet.len()]).ok_or(MeasuredError::NoLoad);
     };
@@ -362,7 +363,7 @@ impl Reduction<'_> {
 /// Most samples at which two filters are compared (chosen).
 const COMPARED: usize = 2000;
 
-pub(super) fn integral(time: &[f64], velocity: &[f64]) -> Vec<f64> {
+pub(crate) fn integral(time: &[f64], velocity: &[f64]) -> Vec<f64> {
     let mut displacement = vec![0.0];
     for at in 1..time.len() {
         let step = 0.5 * (velocity[at] + velocity[at - 1]) * (time[at] - time[at - 1]);

@@ -8,10 +8,10 @@
 //! (1988), doi:10.1090/S0025-5718-1988-0935077-0.
 
 /// Samples of a stencil.
-pub(super) const NODES: usize = 7;
+pub(crate) const NODES: usize = 7;
 
 /// Value, first and second derivative, at a time, of a signal with at least [`NODES`] samples.
-pub(super) fn derivatives(time: &[f64], values: &[f64], at: f64) -> [f64; 3] {
+pub(crate) fn derivatives(time: &[f64], values: &[f64], at: f64) -> [f64; 3] {
     let nearest = time.partition_point(|t| *t < at);
     // Of the two samples around the time the nearer one is in the middle.
     let is_left = nearest > 0 && (nearest == time.len() || at - time[nearest - 1] < time[nearest] - at);

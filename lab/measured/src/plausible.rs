@@ -1,7 +1,7 @@
 //! Plausibility of a record: time, window and energy.
 
-use super::error::short;
-use super::{MeasuredError, Record, Setup};
+use crate::error::{MeasuredError, short};
+use crate::record::{Record, Setup};
 
 /// Shortest window of a matched filter, in samples.
 const SHORTEST_MATCHED: f64 = 3.0;
@@ -10,7 +10,7 @@ const SHORTEST_MATCHED: f64 = 3.0;
 const LONGEST: f64 = 100.0;
 
 /// Rejects times that are not in s, a window that is too short for the samples, and friction that drives the slider.
-pub(super) fn check(record: &Record, setup: &Setup) -> Result<(), MeasuredError> {
+pub(crate) fn check(record: &Record, setup: &Setup) -> Result<(), MeasuredError> {
     if record.quality.interval > LONGEST {
         return Err(MeasuredError::Interval { interval: record.quality.interval, longest: LONGEST });
     }

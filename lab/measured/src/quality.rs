@@ -1,12 +1,12 @@
 //! Data quality of a record, before any fit.
 
-use super::Movement;
-use super::cycle::TURN;
-use super::record::{Gap, Quality, Record, Setup};
-use super::statistics::{extremes, median, reversals};
+use crate::cycle::TURN;
+use crate::movement::Movement;
+use crate::record::{Gap, Quality, Record, Setup};
+use crate::statistics::{extremes, median, reversals};
 
 /// Distance of two samples, in median intervals, above which there is a gap between them (chosen).
-pub(super) const GAP: f64 = 3.0;
+pub(crate) const GAP: f64 = 3.0;
 
 /// Fraction of the samples at a limit of the range above which it looks like saturation (chosen).
 const SATURATED: f64 = 0.01;
@@ -18,7 +18,7 @@ const FEW: f64 = 10.0;
 const ONE_LOAD: f64 = 0.1;
 
 /// Assesses a record.
-pub(super) fn quality(record: &Record, setup: &Setup) -> Quality {
+pub(crate) fn quality(record: &Record, setup: &Setup) -> Quality {
     let mut steps: Vec<f64> = record.time.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let interval = median(&mut steps);
     let fastest = record.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
@@ -103,7 +103,7 @@ pub fn noise(force: &[f64]) -> f64 {
 }
 
 /// Least change from one sample to the next; 0 if there is none.
-pub(super) fn resolution(values: &[f64]) -> f64 {
+pub(crate) fn resolution(values: &[f64]) -> f64 {
     let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).filter(|step| *step > 0.0);
     let least = steps.fold(f64::INFINITY, f64::min);
     if least.is_finite() { least } else { 0.0 }
@@ -117,7 +117,7 @@ const OFF: f64 = 0.01;
 
 /// Standard deviation of the quantisation error; 0 if the values do not look quantised: if changes are not multiples of
 /// the least one, or if there are neither single steps between equal samples nor steps of many sizes.
-pub(super) fn rounding(values: &[f64]) -> f64 {
+pub(crate) fn rounding(values: &[f64]) -> f64 {
     let resolution = resolution(values);
     let is_alone = |of: &[f64]| of[0] == of[1] && of[1] != of[2] && of[2] == of[3];
     let mut sizes = Vec::with_capacity(SIZES);

@@ -1,7 +1,8 @@
 //! A record: force and motion on one clock, and the friction that follows from them.
 
-use super::clock::Clocks;
-use super::{MeasuredError, Movement};
+use crate::clock::Clocks;
+use crate::error::MeasuredError;
+use crate::movement::Movement;
 use stribeck::number::Real;
 use stribeck_sheet::text;
 
@@ -117,13 +118,13 @@ pub struct Direction {
 
 impl Direction {
     /// Of angles.
-    pub(super) fn of(angles: &[f64]) -> Direction {
+    pub(crate) fn of(angles: &[f64]) -> Direction {
         let (cosine, sine) = angles.iter().map(|angle| (Real::cos(*angle), Real::sin(*angle))).unzip();
         Direction { cosine, sine }
     }
 
     /// The same, turned by these angles.
-    pub(crate) fn turned(&self, by: impl Iterator<Item = f64>) -> Direction {
+    pub fn turned(&self, by: impl Iterator<Item = f64>) -> Direction {
         let pairs = self.cosine.iter().zip(&self.sine).zip(by);
         let pairs = pairs.map(|((cosine, sine), by)| {
             let [c, s] = [Real::cos(by), Real::sin(by)];
@@ -184,7 +185,7 @@ pub struct Record {
 
 impl Record {
     /// Rejects derived columns that overflow.
-    pub(super) fn finite(&self) -> Result<(), MeasuredError> {
+    pub(crate) fn finite(&self) -> Result<(), MeasuredError> {
         let computed: [(&'static str, &[f64]); 4] = [
             ("displacement", &self.displacement),
             ("velocity", &self.velocity),

@@ -7,7 +7,7 @@
 //! torque of the joint = N K i,   angle of the joint = angle of the motor / N
 //! ```
 
-use super::MeasuredError;
+use crate::error::MeasuredError;
 use stribeck_sheet::{DISPLACEMENT, FORCE, Quantity, VELOCITY};
 
 /// Motor and gear of a joint.
@@ -31,7 +31,7 @@ impl Drive {
     }
 
     /// Rejects values that are 0 or not finite, and columns of the motor that there are not.
-    pub(super) fn check(&self) -> Result<(), MeasuredError> {
+    pub(crate) fn check(&self) -> Result<(), MeasuredError> {
         let values =
             [("torque_constant", self.torque_constant, "N m/A"), ("gear_ratio", self.gear_ratio, "turns per turn")];
         for (name, value, unit) in values {
@@ -52,7 +52,7 @@ impl Drive {
     }
 
     /// Factor of a column; None if it is that of the joint.
-    pub(super) fn factor(&self, name: &str) -> Option<f64> {
+    pub(crate) fn factor(&self, name: &str) -> Option<f64> {
         let is_force = name == FORCE.name;
         let is_geared =
             if self.motor_side.is_empty() { is_force } else { self.motor_side.iter().any(|one| one == name) };
