@@ -4905,6 +4905,84 @@ typedef enum stribeck_directional_stribeck_variable {
   STRIBECK_DIRECTIONAL_STRIBECK_STICKING = 553311409,
 } stribeck_directional_stribeck_variable;
 
+/** Guid of JointFriction for fmi2Instantiate. */
+#define STRIBECK_JOINT_FRICTION_GUID "{bc53ee26-3e85-6567-4e4f-cfe662bc3351}"
+
+/** Preset of JointFriction: Example of a joint with a gear, in N.m and rad/s at the arm; exponent of Bittencourt and Gunnarsson (2012). */
+#define STRIBECK_JOINT_FRICTION_PRESET_WARM_GEAR "warm_gear"
+
+/** JointFriction: Friction of a joint by load and temperature (Bittencourt and Gunnarsson). Variables of "JointFriction". */
+typedef enum stribeck_joint_friction_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_JOINT_FRICTION_VELOCITY = 846470194,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_JOINT_FRICTION_NORMAL_FORCE = 5891938,
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
+  STRIBECK_JOINT_FRICTION_EXTERNAL_FORCE = 1336490458,
+  /** in [K]: Temperature of the lubricant. (>= 0, default 293.15) */
+  STRIBECK_JOINT_FRICTION_TEMPERATURE = 1777510709,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_JOINT_FRICTION_MU_K = 1281456745,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_JOINT_FRICTION_MU_S = 1147235793,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_JOINT_FRICTION_STRIBECK_VELOCITY = 2117263402,
+  /** tunable [N]: Kinetic level of friction without load. (>= 0, default 0) */
+  STRIBECK_JOINT_FRICTION_KINETIC_FORCE = 12436976,
+  /** tunable [N]: Excess of the static over the kinetic level without load, at 20 degC. (>= 0, default 0) */
+  STRIBECK_JOINT_FRICTION_EXCESS_FORCE = 1955954170,
+  /** tunable [1/K]: Relative change of excess_force with temperature. (default 0) */
+  STRIBECK_JOINT_FRICTION_EXCESS_BY_TEMPERATURE = 1529109515,
+  /** tunable [m/s]: Speed at which the excess without load has fallen to 1/e, at 20 degC. (> 0, default 0.001) */
+  STRIBECK_JOINT_FRICTION_STRIBECK_VELOCITY_UNLOADED = 878093101,
+  /** tunable [1/K]: Relative change of stribeck_velocity_unloaded with temperature. (default 0) */
+  STRIBECK_JOINT_FRICTION_VELOCITY_BY_TEMPERATURE = 542047299,
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
+  STRIBECK_JOINT_FRICTION_STRIBECK_EXPONENT = 509292062,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_JOINT_FRICTION_VISCOUS_COEFFICIENT = 97539077,
+  /** tunable [N.s/m]: Viscous coefficient that is added at 20 degC, less in a warmer joint. (>= 0, default 0) */
+  STRIBECK_JOINT_FRICTION_VISCOUS_COEFFICIENT_COLD = 1841780376,
+  /** tunable [K]: Rise of temperature after which 1/e of viscous_coefficient_cold is left (start value chosen).
+   *  (> 0, default 20) */
+  STRIBECK_JOINT_FRICTION_VISCOUS_TEMPERATURE = 1390637406,
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
+   *  (>= 0, default 0) */
+  STRIBECK_JOINT_FRICTION_MASS = 1601648849,
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
+  STRIBECK_JOINT_FRICTION_EXCHANGE = 1692658528,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_JOINT_FRICTION_STEP_SIZE = 843244609,
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
+  STRIBECK_JOINT_FRICTION_PLANNING_STEP = 1287183179,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_JOINT_FRICTION_PLANNED_FORCE = 30514517,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_JOINT_FRICTION_END_VELOCITY = 1478402472,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_JOINT_FRICTION_END_EXTERNAL_FORCE = 1757063408,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_JOINT_FRICTION_END_NORMAL_FORCE = 962162212,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_JOINT_FRICTION_VELOCITY_CHANGE = 10986035,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_JOINT_FRICTION_EXTERNAL_FORCE_CHANGE = 1328420411,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_JOINT_FRICTION_NORMAL_FORCE_CHANGE = 2025029027,
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
+  STRIBECK_JOINT_FRICTION_PHASE = 1501573624,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_JOINT_FRICTION_DISSIPATED_ENERGY = 758404530,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_JOINT_FRICTION_FRICTION_FORCE = 1713976319,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_JOINT_FRICTION_DISSIPATED_POWER = 236926875,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_JOINT_FRICTION_STICKING = 553311409,
+} stribeck_joint_friction_variable;
+
 /** Guid of ShockAbsorber for fmi2Instantiate. */
 #define STRIBECK_SHOCK_ABSORBER_GUID "{8fd63df7-e430-2cb1-017a-438064337788}"
 

@@ -44,6 +44,7 @@ crate::model::family! {
     elasto_plastic_planar::ElastoPlasticPlanar,
     rolling_resistance::RollingResistance,
     directional_stribeck::DirectionalStribeck,
+    joint_friction::JointFriction,
 }
 
 // What a parameter is for decides its carrier in a strut and its range in a fit: a law that does not say it does not

@@ -25,9 +25,10 @@ const fn is_along(law: Declared) -> bool {
 }
 
 /// Whether the law is one of sliding along a line, whose level the contact sets by the coefficient of friction: one for
-/// both directions.
+/// both directions, and none without load.
 const fn is_scalar(law: Declared) -> bool {
-    is_along(law) && column(law, Meaning::FrictionForce).is_some() && kinetic_levels(law) == 1
+    let follows_load = kinetic_levels(law) == 1 && column(law, Meaning::Preload).is_none();
+    is_along(law) && column(law, Meaning::FrictionForce).is_some() && follows_load
 }
 
 const fn kinetic_levels(law: Declared) -> usize {

@@ -31,6 +31,8 @@ pub enum Meaning {
     StaticLevel,
     /// Coefficient of another level of friction.
     Level,
+    /// Level of friction without load, a force.
+    Preload,
     /// Viscous coefficient: force by velocity.
     Viscous,
     /// Coefficient of another part that grows with speed.

@@ -202,10 +202,10 @@ fn motion(bench: &Bench, sections: usize, seed: u64) -> Vec<Section> {
                 if dwells { 0.0 } else { random.signed() * 10f64.powf(-4.0 * random.next()) * 0.1 }
             } else if name == "normal_force" {
                 if keeps_load { *value } else { 20.0 * (1.2 * random.next() - 0.2).max(0.0) }
-            } else if name.starts_with("normal_") || name == "spin_rate" || name == "acceleration" {
-                *value
-            } else {
+            } else if name == "external_force" {
                 2.0 * random.signed()
+            } else {
+                *value
             };
         }
         // Where a law asks for the acceleration, it is that of the velocity.

@@ -30,6 +30,12 @@ pub(crate) trait Curve<T: Real> {
     fn kinks(&self) -> [T; 2] {
         [T::zero(); 2]
     }
+
+    /// Speed at which a curve that has turned from concave to convex turns back and begins to do so again; 0 if it does
+    /// not. Not for registers.
+    fn turning_again(&self) -> f64 {
+        0.0
+    }
 }
 
 /// The same law with the values of one lane as constants, in dual numbers: for the slope of its curve.
@@ -154,7 +160,18 @@ fn landing(law: &impl Curve<Dual>, marks: [f64; 5], inertia: f64, side: f64, vel
     // Below the last mark the curve has the sign of the velocity: at the velocity the body would reach without it, it is
     // not positive.
     let end = (velocity + load / inertia).min(marks[4].min(-f64::MIN_POSITIVE).next_down());
-    end_velocity::first(&residual, &marks, velocity, end)
+    let again = law.turning_again();
+    if again == 0.0 {
+        return end_velocity::first(&residual, &marks, velocity, end);
+    }
+    let mut all = [marks[0], marks[1], marks[2], marks[3], marks[4], again, -again];
+    all.sort_by(|a, b| b.total_cmp(a));
+    match end_velocity::first(&residual, &all, velocity, end) {
+        // The curve is smooth where it turns.
+        Landing::Jump(at) if all[at].abs() == again => Landing::Curve(all[at]),
+        Landing::Jump(at) => Landing::Jump(marks.iter().position(|mark| *mark == all[at]).unwrap_or(2)),
+        curve @ Landing::Curve(_) => curve,
+    }
 }
 
 impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {

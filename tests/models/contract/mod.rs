@@ -121,7 +121,9 @@ fn limit(bench: &mut Bench, velocity: f64) -> f64 {
     let viscous =
         bench.of_meaning(Meaning::Viscous).unwrap_or(0.0) * if power > 0.0 { speed.powf(power) } else { speed };
     let quadratic = value(bench, "quadratic_coefficient") * speed * speed;
-    overshoot * mu * load + viscous + quadratic + value(bench, "mu_v") * load * speed
+    let without_load = value(bench, "kinetic_force") + value(bench, "excess_force");
+    let cold = value(bench, "viscous_coefficient_cold") * speed;
+    overshoot * mu * load + without_load + viscous + cold + quadratic + value(bench, "mu_v") * load * speed
 }
 
 /// Whether the bonds of a random law reach so far that single ones push forwards. Its force is then a resistance only

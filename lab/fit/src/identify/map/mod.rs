@@ -7,6 +7,8 @@
 mod columns;
 mod few;
 mod judge;
+#[cfg(test)]
+mod load_tests;
 mod scatter;
 mod steady;
 #[cfg(test)]
