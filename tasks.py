@@ -45,11 +45,7 @@ AS_TESTED = ["--workspace", "--bench", "stribeck"]
 LINTED = {"RUSTC_WORKSPACE_WRAPPER": "clippy-driver", "CLIPPY_ARGS": "--deny__CLIPPY_HACKERY__warnings"}
 
 # Crates that a few runs and one fit do not repay optimising further.
-FOR_A_FEW_RUNS = [
-    *("--config", "profile.dev.package.stribeck-solve.opt-level=1"),
-    *("--config", "profile.dev.package.stribeck-fit.opt-level=1"),
-    *("--config", "profile.dev.package.stribeck-measured.opt-level=1"),
-]
+FOR_A_FEW_RUNS = [f"--config=profile.dev.package.stribeck-{it}.opt-level=1" for it in ("solve", "measured", "fit")]
 
 # Those of Table 6.5 of the thesis.
 LAWS_ON_BELT = ["Karnopp", "BengisuAkay", "Andersson", "Awrejcewicz"]
