@@ -16,6 +16,15 @@ pub(crate) fn not_below((of, mu_s): (&str, f64), (over, mu_k): (&str, f64)) -> R
     Ok(())
 }
 
+/// Refuses elements that are together weaker than the static level.
+pub(crate) fn carries_static_level(hysteresis_strength: f64) -> Result<(), Fault> {
+    if hysteresis_strength < 1.0 {
+        let rule = "must be >= 1, because the elements together must carry the static level";
+        return Err(Fault::new(format_args!("hysteresis_strength = {hysteresis_strength}: {rule}")));
+    }
+    Ok(())
+}
+
 /// Condition of laws with bristles in Model Exchange. Where the level is 0 the bristles carry nothing; a step drops
 /// their deflection there, but a solver that integrates it would keep its force.
 pub(crate) fn kinetic_friction_for_exchange(mu_k: f64) -> Result<(), Fault> {

@@ -1,6 +1,7 @@
 use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
+use crate::laws::passivity::Bristles;
 use crate::laws::stribeck;
 use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, integer};
 use crate::number::elementary::{exp, exp_m1, ln, ln_1p, pow, sin};
@@ -229,6 +230,18 @@ impl Model for ElastoPlastic {
             return Err(Fault::new(format_args!("plastic_exponent = {}: must be odd", self.plastic_exponent)));
         }
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn passivity(&self) -> Option<Fault> {
+        let bristles = Bristles {
+            coefficients: [self.mu_k, self.mu_s],
+            normal_force: self.normal_force,
+            fall: [self.stribeck_velocity, self.stribeck_exponent],
+            damping: self.sigma_1,
+            damping_velocity: self.damping_velocity,
+            exponent: self.plastic_exponent,
+        };
+        bristles.fault(self.viscous_coefficient)
     }
 
     fn check_model_exchange(&self) -> Result<(), Fault> {

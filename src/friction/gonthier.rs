@@ -236,6 +236,10 @@ impl Model for Gonthier {
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
+    fn passivity(&self) -> Option<Fault> {
+        crate::laws::passivity::equal_levels(self.mu_s, self.mu_k)
+    }
+
     fn step(&mut self, dt: f64) {
         if self.normal_force == 0.0 {
             (self.bristle_deflection, self.dwell) = (0.0, 0.0);

@@ -533,12 +533,12 @@ impl Model for Leuven {
 
     fn check(&self) -> Result<(), Fault> {
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)?;
-        let strength = self.hysteresis_strength;
-        if strength < 1.0 {
-            let rule = "the elements together must carry the static level";
-            return Err(Fault::new(format_args!("hysteresis_strength = {strength}: must be >= 1, because {rule}")));
-        }
-        Ok(())
+        crate::contact::conditions::carries_static_level(self.hysteresis_strength)
+    }
+
+    fn passivity(&self) -> Option<Fault> {
+        let excess = pow(self.mu_s / self.mu_k, self.approach_exponent) - 1.0;
+        crate::laws::passivity::least_viscous(self.viscous_coefficient, self.sigma_1 * excess)
     }
 
     fn step(&mut self, dt: f64) {

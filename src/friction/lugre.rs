@@ -1,6 +1,7 @@
 use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
+use crate::laws::passivity::Bristles;
 use crate::laws::stribeck;
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, change, in_lanes};
 use crate::number::{Real, choose};
@@ -247,6 +248,18 @@ impl Model for LuGre {
 
     fn check(&self) -> Result<(), Fault> {
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn passivity(&self) -> Option<Fault> {
+        let bristles = Bristles {
+            coefficients: [self.mu_k, self.mu_s],
+            normal_force: self.normal_force,
+            fall: [self.stribeck_velocity, self.stribeck_exponent],
+            damping: self.sigma_1,
+            damping_velocity: self.damping_velocity,
+            exponent: 1.0,
+        };
+        bristles.fault(self.viscous_coefficient)
     }
 
     in_lanes!();

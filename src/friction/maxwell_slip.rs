@@ -412,6 +412,10 @@ impl Model for MaxwellSlip {
 
     const PIECEWISE_LINEAR: bool = true;
 
+    fn passivity(&self) -> Option<Fault> {
+        crate::laws::passivity::equal_levels(self.mu_s, self.mu_k)
+    }
+
     fn check_model_exchange(&self) -> Result<(), Fault> {
         if self.count() > LISTED {
             let text = format_args!("in Model Exchange, because only the first {LISTED} elements have variables");

@@ -247,10 +247,11 @@ impl Instance {
         }
     }
 
-    /// Warning about values that were accepted although they make no sense.
+    /// Warning about values that were accepted although they make no sense, or else about parameters with which the
+    /// model is not passive.
     pub fn warning(&self) -> Option<Fault> {
         let of_steps = || self.consistency.as_ref()?.warning();
-        self.model.warning(&self.row).or_else(of_steps)
+        self.model.warning(&self.row).or_else(of_steps).or_else(|| self.model.passivity(&self.row))
     }
 
     fn check_step(&self, dt: f64) -> Result<(), Fault> {

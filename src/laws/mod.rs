@@ -2,6 +2,7 @@
 
 pub mod branches;
 pub mod elasto_plastic;
+pub mod passivity;
 pub mod regularised;
 pub mod specker;
 pub mod stribeck;

@@ -282,6 +282,12 @@ pub trait Model: Described + Law<Number = f64> {
         None
     }
 
+    /// Names the parameter with which the law can give back more energy than it took from a motion at constant load, and
+    /// the value that would keep it passive. None of a law that is passive, or never is: its page says which.
+    fn passivity(&self) -> Option<Fault> {
+        None
+    }
+
     /// Rejects inputs for which the equations give no number; called if a result is not finite, to name the limit.
     fn check_motion(&self) -> Result<(), Fault> {
         Ok(())

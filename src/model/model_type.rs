@@ -47,6 +47,7 @@ pub struct ModelType {
     /// Names the limit of an input for which a result is not finite.
     pub(crate) check_motion: fn(&[f64]) -> Result<(), Fault>,
     warning: fn(&[f64]) -> Option<Fault>,
+    passivity: fn(&[f64]) -> Option<Fault>,
     memory_in_use: fn(&[f64]) -> usize,
     /// As [`ModelType::advance`], without advice; row and memory are as they were if a result is not finite, or if the
     /// model panics. So with the three below.
@@ -92,14 +93,11 @@ impl ModelType {
             check: |row| view::<M, f64>(row).check(),
             check_motion: |row| view::<M, f64>(row).check_motion(),
             warning: |row| view::<M, f64>(row).warning(),
+            passivity: |row| view::<M, f64>(row).passivity(),
             memory_in_use: |row| view::<M, f64>(row).memory_in_use(),
             try_advance: advance::<M>,
             try_advance_ramp: advance_ramp::<M>,
-            try_output: |row, memory, room| {
-                commit::<M>(row, memory, room, const { first_result(M::TABLE) }, |model, memory| {
-                    model.output_with(memory)
-                })
-            },
+            try_output: output::<M>,
             advise: if has_advice(M::TABLE) { Some(advise::<M>) } else { None },
             output_dual_with: |row, memory| view_mut::<M::In<Dual>, Dual>(row).output_with(memory),
             rate_with: |row, memory, rate, memory_rate| {
@@ -175,6 +173,11 @@ impl ModelType {
     /// Warning about values that are accepted although they make no sense here.
     pub fn warning(&self, row: &[f64]) -> Option<Fault> {
         (self.warning)(row)
+    }
+
+    /// The value with which the model can give back more energy than it took: [`Model::passivity`].
+    pub fn passivity(&self, row: &[f64]) -> Option<Fault> {
+        (self.passivity)(row)
     }
 
     /// Number of values of the memory beside the row that the parameters ask for. The functions that work on a row
@@ -309,6 +312,10 @@ fn advance<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room, dt: f64) -
     commit::<M>(row, memory, room, const { first_result(M::TABLE) }, |model, memory| {
         model.step_and_output_with(memory, dt)
     })
+}
+
+fn output<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room) -> bool {
+    commit::<M>(row, memory, room, const { first_result(M::TABLE) }, |model, memory| model.output_with(memory))
 }
 
 fn advance_ramp<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room, slope: &[f64], dt: f64) -> bool {

@@ -220,7 +220,10 @@ fn run_from_zeros(model: &ModelType, name: &'static str, habit: Habit) -> Result
         }
         read(&importer, model)?;
     }
-    Ok(importer.heard.lock().expect("one thread").iter().any(|(status, ..)| *status == fmi2Warning))
+    let heard = importer.heard.lock().expect("one thread");
+    // The start values of some laws are not passive, which does not depend on the inputs.
+    let is_of_inputs = |text: &str| !text.contains("can give back more energy");
+    Ok(heard.iter().any(|(status, _, text)| *status == fmi2Warning && is_of_inputs(text)))
 }
 
 #[test]

@@ -31,6 +31,7 @@ export class LawView {
   private readonly title = h("h2", {});
   private readonly article = h("article", { class: "text" });
   private readonly note = h("p", { class: "progress", role: "status" });
+  private readonly warning = h("p", { class: "findings", id: "passivity" });
   private readonly plots: Record<"steady" | "way" | "speed", LoopPlot>;
   private readonly lanes = { steady: new Lane(), loop: new Lane() };
   private readonly questions = new Lane();
@@ -64,6 +65,7 @@ export class LawView {
       { class: "main", "aria-label": "Results" },
       this.title,
       this.note,
+      this.warning,
       h("div", { class: "plots" }, ...Object.values(this.plots).map((plot) => plot.root)),
       this.article,
       this.takeAway().root,
@@ -213,7 +215,8 @@ export class LawView {
     this.plots.steady.show(diagram);
   }
 
-  private showLoop({ every, period }: Loop, arrays: Float64Array[]): void {
+  private showLoop({ every, period, warning }: Loop, arrays: Float64Array[]): void {
+    this.warning.textContent = warning ?? "";
     const [way, speed, force] = [arrays[0]!, arrays[1]!, arrays[2]!];
     const { name } = this.model!;
     this.loop = { every, way, speed, force };

@@ -281,7 +281,11 @@ part: number,
  */
 time: number, };
 
-export type Loop = { every: number, period: number, };
+export type Loop = { every: number, period: number, 
+/**
+ * Parameter with which the law can give back more energy than it took.
+ */
+warning: string | null, };
 
 export type Files = { force: string, camera: string | null, truth: Record<string, number>, };
 

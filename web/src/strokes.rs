@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use serde_json::json;
+use stribeck::instance::Instance;
 use stribeck::model::Meaning;
+use stribeck::series::set_up;
 use stribeck_solve::job::literal;
 use stribeck_solve::system::Fault;
 use ts_rs::TS;
@@ -47,6 +49,8 @@ pub struct Strokes {
 pub struct Loop {
     every: f64,
     period: usize,
+    /// Parameter with which the law can give back more energy than it took.
+    warning: Option<String>,
 }
 
 /// Names of the inputs that move, and of the result.
@@ -143,7 +147,18 @@ impl Strokes {
             Some(*way)
         }));
         let ways = ways.collect();
-        Ok(Answer::with(Loop { every, period: PERIOD }, vec![ways, speeds, forces.swap_remove(0)]))
+        let warning = self.warning()?;
+        Ok(Answer::with(Loop { every, period: PERIOD, warning }, vec![ways, speeds, forces.swap_remove(0)]))
+    }
+
+    fn warning(&self) -> Result<Option<String>, Fault> {
+        let series = self.series(BTreeMap::new(), "");
+        let mut instance = Instance::new(series.model()?);
+        set_up(&mut instance, &series.parameters()?).map_err(Fault::value)?;
+        for (name, value) in self.held()? {
+            instance.set_by_name(&name, value).map_err(Fault::value)?;
+        }
+        Ok(instance.model().passivity(instance.row()).map(|warning| warning.to_string()))
     }
 
     /// The strokes, and the curve of a law along one line, in Python.

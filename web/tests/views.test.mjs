@@ -81,6 +81,13 @@ test("the curve and the strokes of a law follow its sliders, beside its equation
   const period = rows.slice(400);
   const area = period.slice(1).reduce((sum, [, x, , f], at) => sum + 0.5 * (f + period[at][3]) * (x - period[at][1]), 0);
   assert.ok(area > 0 && Math.abs(period.at(-1)[1] - period[0][1]) < 1e-15, `${area} J`);
+  // LuGre gives energy back, unless the viscous part takes it: 158 N s/m are 316 (0.15 - 0.1) / 0.1.
+  assert.equal(await page.locator("#passivity").textContent(), "");
+  await page.locator("#the-law").selectOption("LuGre");
+  await page.waitForFunction(() => /^viscous_coefficient = 0\.1: below 158\.114 /.test(document.querySelector("#passivity").textContent));
+  await page.locator("[id='set-friction_viscous_coefficient']").fill("158.114");
+  await page.keyboard.press("Tab");
+  await page.waitForFunction(() => document.querySelector("#passivity").textContent === "");
   // A law that keeps fluctuating has strokes, but no curve.
   await page.locator("#the-law").selectOption("Bristle");
   await page.waitForFunction(() => /No curve: the results do not settle/.test(document.querySelector("#law .progress").textContent), null, { timeout: 60_000 });

@@ -90,9 +90,12 @@ impl Component {
         }
     }
 
-    /// Starts a run.
+    /// Starts a run. Parameters with which the model is not passive are known now, whatever the inputs will be.
     pub fn begin(&mut self) {
         self.steps = 0;
+        if let Some(warning) = self.instance.model().passivity(self.instance.row()) {
+            self.log.warn(&warning.0);
+        }
     }
 
     /// Counts a step, and after steps 1, 2, 4, 8 and so on asks the model for warnings. The first step is not enough,

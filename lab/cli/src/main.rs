@@ -16,6 +16,7 @@ use std::process::ExitCode;
 use clap::{Arg, Command, CommandFactory, FromArgMatches, Parser, Subcommand};
 use ssp::parameter_set::text_of;
 use stribeck::catalogue;
+use stribeck::instance::Instance;
 use stribeck::model::{Kind, ModelType, Variable};
 use stribeck_solve::system::{BUILT_IN, Description, Fault};
 
@@ -142,12 +143,18 @@ fn show(name: &str) -> ExitCode {
     for (column, [name, role, value, help]) in rows.iter().enumerate() {
         println!("{column:>3} {name:<names$} {role:<roles$} {value:<values$} {help}");
     }
-    print!("{}", presets(model));
+    print!("{}{}", with_start_values(model), presets(model));
     ExitCode::SUCCESS
 }
 
+/// The parameters with which the start values are not passive.
+fn with_start_values(model: &'static ModelType) -> String {
+    let warning = model.passivity(Instance::new(model).row());
+    warning.map_or_else(String::new, |text| format!("\nwith start values, {text}\n"))
+}
+
 /// The presets, one value per line.
-fn presets(model: &ModelType) -> String {
+fn presets(model: &'static ModelType) -> String {
     let mut text = String::new();
     for preset in model.presets {
         text += &format!("\npreset {}: {}\n", preset.name, preset.source);
@@ -155,6 +162,9 @@ fn presets(model: &ModelType) -> String {
             let shown = model.find(name).map_or(number.to_string(), |column| in_unit(&model.table.at(column), *number));
             text += &format!("    {name} = {shown}\n");
         }
+        let mut instance = Instance::new(model);
+        instance.apply(preset.name);
+        text += &model.passivity(instance.row()).map_or_else(String::new, |warning| format!("    {warning}\n"));
     }
     text
 }

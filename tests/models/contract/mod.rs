@@ -8,6 +8,7 @@
 mod contact;
 mod events;
 mod inputs;
+mod passivity;
 mod steps;
 mod tables;
 

@@ -1,0 +1,151 @@
+//! Viscous friction without which the damping of bristles gives back more energy than the contact took.
+//!
+//! A bristle that an earlier motion has deflected up to the static level is beyond the level of the present speed, by a
+//! part r of it, y = 1 + r <= f_s / g(v). Its deflection then shrinks while the contact moves on, dz/dt = -r^i v, and its
+//! damping pushes. With the energy of the bristle stored apart, the contact takes the power
+//!
+//! ```text
+//! P = v^2 (sigma_2 - sigma_1(v) r^i) + g(v) |v| y (1 + r^i)
+//! ```
+//!
+//! which is not negative at any speed and deflection if
+//!
+//! ```text
+//! sigma_2 >= max (sigma_1(v) r^i - g(v) y (1 + r^i) / |v|)
+//! sigma_2 >= sigma_1 (f_s / f_C - 1)^i               with constant damping: the limit of high speeds
+//! ```
+//!
+//! # Source
+//! For LuGre with constant damping: N. Barabanov, R. Ortega, "Necessary and sufficient conditions for passivity of the
+//! LuGre friction model", IEEE Transactions on Automatic Control 45 (2000), 830-832, doi:10.1109/9.847131.
+
+use super::stribeck;
+use crate::number::Real;
+use crate::table::{Brief, Fault};
+
+/// Parameters of bristles with a Stribeck curve.
+pub struct Bristles {
+    /// mu_k and mu_s.
+    pub coefficients: [f64; 2],
+    /// f_n.
+    pub normal_force: f64,
+    /// v_S and its exponent.
+    pub fall: [f64; 2],
+    /// sigma_1.
+    pub damping: f64,
+    /// Speed at which sigma_1 fades; 0 for none.
+    pub damping_velocity: f64,
+    /// i.
+    pub exponent: f64,
+}
+
+impl Bristles {
+    /// Least viscous coefficient with which the contact is passive at constant load.
+    pub fn least_viscous(&self) -> f64 {
+        let [mu_k, mu_s] = self.coefficients;
+        if self.damping_velocity == 0.0 {
+            return self.damping * Real::powf(mu_s / mu_k - 1.0, self.exponent);
+        }
+        // Beyond three times the speed the damping is less than 1e-4 of what it was.
+        let speeds = (0..=400).map(|k| 3.0 * self.damping_velocity * Real::powf(1e-4, f64::from(k) / 400.0));
+        speeds.map(|speed| self.least_at(speed)).fold(0.0, f64::max)
+    }
+
+    fn least_at(&self, speed: f64) -> f64 {
+        let ([mu_k, mu_s], [v_s, delta]) = (self.coefficients, self.fall);
+        let mu = stribeck::level(speed, mu_k, mu_s, v_s, delta);
+        let level = mu * self.normal_force;
+        let u = speed / self.damping_velocity;
+        let damping = self.damping * Real::exp(-(u * u));
+        let pushed = |share: f64| {
+            let beyond = share * (mu_s / mu - 1.0);
+            let back = Real::powf(beyond, self.exponent);
+            damping * back - level * (1.0 + beyond) * (1.0 + back) / speed
+        };
+        (1..=16).map(|part| pushed(f64::from(part) / 16.0)).fold(0.0, f64::max)
+    }
+
+    /// Names a viscous coefficient that is too small, with the least one.
+    pub fn fault(&self, viscous_coefficient: f64) -> Option<Fault> {
+        least_viscous(viscous_coefficient, self.least_viscous())
+    }
+}
+
+/// Names a viscous coefficient that is below the least one.
+pub fn least_viscous(viscous_coefficient: f64, least: f64) -> Option<Fault> {
+    if least == f64::INFINITY {
+        let text =
+            "mu_k = 0: at high speeds the damping of the bristles can give back more energy than the contact took";
+        return Some(Fault::new(format_args!("{text}")));
+    }
+    // The least one is not a number if both coefficients are 0.
+    (viscous_coefficient < least).then(|| {
+        let [value, least] = [viscous_coefficient, rounded_up(least)].map(Brief);
+        Fault::new(format_args!(
+            "viscous_coefficient = {value}: below {least} the damping of the bristles can give back more energy than the \
+             contact took"
+        ))
+    })
+}
+
+/// The next larger number of six digits, of one that is positive.
+fn rounded_up(value: f64) -> f64 {
+    if !(1e-300..1e300).contains(&value) {
+        return value;
+    }
+    let mut scale = 1.0;
+    while value * scale < 1e5 {
+        scale *= 10.0;
+    }
+    while value * scale >= 1e6 {
+        scale *= 0.1;
+    }
+    (value * scale).ceil() / scale
+}
+
+/// Names a static level that lets the law give back more energy than it took: only equal levels do not.
+pub fn equal_levels(mu_s: f64, mu_k: f64) -> Option<Fault> {
+    (mu_s > mu_k).then(|| {
+        Fault::new(format_args!(
+            "mu_s = {}: above mu_k = {} a level that rises can give back more energy than the contact took",
+            Brief(mu_s),
+            Brief(mu_k)
+        ))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bristles(damping_velocity: f64) -> Bristles {
+        Bristles {
+            coefficients: [0.1, 0.15],
+            normal_force: 10.0,
+            fall: [1e-3, 2.0],
+            damping: 316.0,
+            damping_velocity,
+            exponent: 1.0,
+        }
+    }
+
+    #[test]
+    fn constant_damping_needs_its_share_of_the_excess() {
+        assert!((bristles(0.0).least_viscous() - 158.0).abs() < 1e-12);
+        assert!((Bristles { exponent: 3.0, ..bristles(0.0) }.least_viscous() - 39.5).abs() < 1e-12);
+        assert_eq!(bristles(0.0).fault(bristles(0.0).least_viscous()), None);
+        let text = "viscous_coefficient = 0.1: below 158 the damping of the bristles can give back more energy than the \
+                    contact took";
+        assert_eq!(bristles(0.0).fault(0.1).unwrap().0, text);
+        assert_eq!(Bristles { coefficients: [0.0, 0.0], ..bristles(0.0) }.fault(0.1), None);
+    }
+
+    /// Damping that fades at the Stribeck velocity has faded before it pushes; one that fades at 1 m/s has not.
+    #[test]
+    fn damping_that_fades_early_needs_nothing() {
+        assert_eq!(bristles(1e-3).least_viscous(), 0.0);
+        let late = bristles(1.0).least_viscous();
+        assert!((100.0..158.0).contains(&late), "{late}");
+        assert!((bristles(1e5).least_viscous() / 158.0 - 1.0).abs() < 1e-3);
+    }
+}
