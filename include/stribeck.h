@@ -7197,4 +7197,63 @@ typedef enum stribeck_axis_variable {
   STRIBECK_AXIS_NORMAL_FORCE = 5891938,
 } stribeck_axis_variable;
 
+/** Guid of MagnetorheologicalDamper for fmi2Instantiate. */
+#define STRIBECK_MAGNETORHEOLOGICAL_DAMPER_GUID "{549e80ec-5d47-e76d-f432-047c223b92fc}"
+
+/** Preset of MagnetorheologicalDamper: Spencer, Dyke, Sain, Carlson (1997), the printed parameters: N/cm as 100 N/m, cm^-2 as 10,000 m^-2. */
+#define STRIBECK_MAGNETORHEOLOGICAL_DAMPER_PRESET_SPENCER_1997 "spencer_1997"
+
+/** MagnetorheologicalDamper: Magnetorheological damper with hysteresis (Spencer). Variables of "MagnetorheologicalDamper". */
+typedef enum stribeck_magnetorheological_damper_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_VELOCITY = 846470194,
+  /** in [V]: Voltage at the current driver of the coil. (>= 0, default 0) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_VOLTAGE = 1637048165,
+  /** tunable [N.s/m]: Damping at high speeds without voltage. (>= 0, default 2100) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_C_0A = 1620367148,
+  /** tunable [N.s/(m.V)]: Increase of the damping at high speeds with the voltage. (>= 0, default 350) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_C_0B = 1670700005,
+  /** tunable [N/m]: Stiffness at high speeds. (>= 0, default 4690) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_K_0 = 896756493,
+  /** tunable [N.s/m]: Coefficient of the dashpot in series without voltage. (> 0, default 28300) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_C_1A = 2089993385,
+  /** tunable [N.s/(m.V)]: Increase of the coefficient of the dashpot in series with the voltage. (>= 0, default 295) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_C_1B = 2039660528,
+  /** tunable [N/m]: Stiffness of the accumulator. (>= 0, default 500) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_K_1 = 879978874,
+  /** tunable [m]: Displacement at which the accumulator carries nothing. (default 0.143) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_X_0 = 172254248,
+  /** tunable [N/m]: Stiffness of the hysteresis without voltage. (>= 0, default 14000) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_ALPHA_A = 1165949383,
+  /** tunable [N/(m.V)]: Increase of the stiffness of the hysteresis with the voltage. (>= 0, default 69500) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_ALPHA_B = 1182727002,
+  /** tunable [1/m2]: Form of the hysteresis: its part that acts in both directions of motion, in m^-n.
+   *  (>= 0, default 3630000) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_HYSTERESIS_GAMMA = 1416361652,
+  /** tunable [1/m2]: Form of the hysteresis: its part that changes sign with the motion, in m^-n; above -hysteresis_gamma.
+   *  (default 3630000) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_HYSTERESIS_BETA = 808569061,
+  /** tunable [1]: Slope of the evolutionary variable over the displacement where it is 0. (> 0, default 301) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_A = 1141634764,
+  /** tunable [1]: Exponent of the hysteresis: its transition to the saturated level is sharper if larger.
+   *  (>= 1, default 2) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_N = 1795961905,
+  /** tunable [1/s]: Rate at which the voltage on the fluid follows that at the driver. (> 0, default 190) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_VOLTAGE_RATE = 1590919820,
+  /** state, out [m]: Displacement of body 1 relative to body 2. (default 0) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_DISPLACEMENT = 81840086,
+  /** state [m]: Displacement of the dashpot in series. (default 0) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_Y = 2081181428,
+  /** state [m]: Evolutionary variable of the hysteresis. (default 0) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_Z = 2131514285,
+  /** state [V]: Voltage that acts on the fluid. (default 0) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_FILTERED_VOLTAGE = 573531939,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_DISSIPATED_ENERGY = 758404530,
+  /** out [N]: Force of the damper; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_FRICTION_FORCE = 1713976319,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_DISSIPATED_POWER = 236926875,
+} stribeck_magnetorheological_damper_variable;
+
 #endif /* STRIBECK_H */

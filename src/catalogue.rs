@@ -11,11 +11,14 @@ pub enum Family {
     ShockAbsorber,
     /// Mechanical systems that carry a friction force.
     Host,
+    /// Machine parts with friction that no normal force presses together.
+    Component,
 }
 
 /// Every model of the library, in the order of the families.
 pub fn models() -> impl Iterator<Item = &'static ModelType> {
-    crate::friction::MODELS.iter().chain(crate::shock_absorber::MODELS).chain(crate::host::MODELS)
+    let until_hosts = crate::friction::MODELS.iter().chain(crate::shock_absorber::MODELS).chain(crate::host::MODELS);
+    until_hosts.chain(crate::component::MODELS)
 }
 
 /// Shows every model of the library to a visitor, in the order of the families. Not for the library in an FMU: it knows
@@ -24,6 +27,7 @@ pub fn visit(visitor: &mut impl Visitor) {
     crate::friction::visit(visitor);
     crate::shock_absorber::visit(visitor);
     crate::host::visit(visitor);
+    crate::component::visit(visitor);
 }
 
 /// Every model of a family with its documentation page, in Markdown.
@@ -32,6 +36,7 @@ pub fn documented(family: Family) -> impl Iterator<Item = (&'static ModelType, &
         Family::Friction => (crate::friction::MODELS, crate::friction::PAGES),
         Family::ShockAbsorber => (crate::shock_absorber::MODELS, crate::shock_absorber::PAGES),
         Family::Host => (crate::host::MODELS, crate::host::PAGES),
+        Family::Component => (crate::component::MODELS, crate::component::PAGES),
     };
     models.iter().zip(pages.iter().copied())
 }

@@ -4,16 +4,17 @@
 //!
 //! A model is one row of `f64` with a declared table ([`mod@model`]); its outputs are written once for every [`number`]
 //! type. Models share [`numerics`], [`laws`] and the description of a [`contact`] over a step. [`friction`],
-//! [`shock_absorber`] and [`host`] hold one model per file, listed in the [`catalogue`]. An [`instance`] is a model in
-//! use, which [`series`] leads along samples of its inputs; a [`batch`] works on many rows of a law at once. The crate
-//! exports no C functions: those of FMI and of `stribeck.h` are in `stribeck-ffi`, from which the library in every FMU is
-//! made.
+//! [`component`], [`shock_absorber`] and [`host`] hold one model per file, listed in the [`catalogue`]. An [`instance`]
+//! is a model in use, which [`series`] leads along samples of its inputs; a [`batch`] works on many rows of a law at
+//! once. The crate exports no C functions: those of FMI and of `stribeck.h` are in `stribeck-ffi`, from which the
+//! library in every FMU is made.
 
 // Tests take another road.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 pub mod batch;
 pub mod catalogue;
+pub mod component;
 mod consistency;
 pub mod contact;
 pub mod friction;

@@ -14,6 +14,8 @@ pub struct Unit {
     pub m: i8,
     /// Exponent of the second.
     pub s: i8,
+    /// Exponent of the ampere.
+    pub ampere: i8,
     /// Exponent of the kelvin.
     pub kelvin: i8,
     /// Exponent of the radian.
@@ -46,14 +48,23 @@ const fn unit(
     [kg, m, s]: [i8; 3],
     display: &'static [DisplayUnit],
 ) -> Unit {
-    Unit { name, quantity, kg, m, s, kelvin: 0, rad: 0, display }
+    Unit { name, quantity, kg, m, s, ampere: 0, kelvin: 0, rad: 0, display }
 }
 
 impl Unit {
     /// The base units of this unit, each with its exponent.
     pub fn base_units(&self) -> impl Iterator<Item = (&'static str, i8)> {
-        let exponents = [("kg", self.kg), ("m", self.m), ("s", self.s), ("K", self.kelvin), ("rad", self.rad)];
-        exponents.into_iter().filter(|(_, exponent)| *exponent != 0)
+        ["kg", "m", "s", "A", "K", "rad"].into_iter().zip(self.exponents()).filter(|(_, exponent)| *exponent != 0)
+    }
+
+    /// Exponents of kg, m, s, A, K and rad.
+    pub const fn exponents(&self) -> [i8; 6] {
+        [self.kg, self.m, self.s, self.ampere, self.kelvin, self.rad]
+    }
+
+    const fn with_ampere(mut self, power: i8) -> Unit {
+        self.ampere = power;
+        self
     }
 
     const fn per_kelvin(mut self, power: i8) -> Unit {
@@ -68,7 +79,7 @@ impl Unit {
 }
 
 /// Every unit that a column may have.
-pub static UNITS: [Unit; 31] = [
+pub static UNITS: [Unit; 36] = [
     unit("1", "Ratio", [0, 0, 0], &[]),
     unit("m", "Length", [0, 1, 0], &[shown("mm", 1e3), shown("um", 1e6)]),
     unit("m/s", "Velocity", [0, 1, -1], &[shown("mm/s", 1e3)]),
@@ -100,6 +111,11 @@ pub static UNITS: [Unit; 31] = [
     unit("1/K", "PerTemperature", [0, 0, 0], &[]).per_kelvin(1),
     unit("J/K", "HeatCapacity", [1, 2, -2], &[]).per_kelvin(1),
     unit("W/K", "ThermalConductance", [1, 2, -3], &[]).per_kelvin(1),
+    unit("1/m2", "PerArea", [0, -2, 0], &[]),
+    unit("V", "Voltage", [1, 2, -3], &[]).with_ampere(-1),
+    unit("V/s", "VoltageRate", [1, 2, -4], &[]).with_ampere(-1),
+    unit("N/(m.V)", "StiffnessPerVoltage", [0, -2, 1], &[]).with_ampere(1),
+    unit("N.s/(m.V)", "ViscousCoefficientPerVoltage", [0, -2, 2], &[]).with_ampere(1),
 ];
 
 /// The unit of this name. A column with an unknown unit does not compile.

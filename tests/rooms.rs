@@ -28,6 +28,7 @@ const HOUSES: &[House] = &[
             "laws",
             "contact",
             "friction",
+            "component",
             "host",
             "shock_absorber",
             "catalogue",

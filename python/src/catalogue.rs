@@ -38,8 +38,12 @@ pub fn preset<'a>(model: &'static ModelType, name: Option<&'a str>) -> PyResult<
     }
 }
 
-const FAMILIES: [(Family, &str); 3] =
-    [(Family::Friction, "friction"), (Family::ShockAbsorber, "shock absorber"), (Family::Host, "host")];
+const FAMILIES: [(Family, &str); 4] = [
+    (Family::Friction, "friction"),
+    (Family::ShockAbsorber, "shock absorber"),
+    (Family::Host, "host"),
+    (Family::Component, "component"),
+];
 
 /// Name, family and one line on each model.
 #[pyfunction]

@@ -82,7 +82,7 @@ class Description:
     name: str
     summary: str
     family: str
-    """`friction`, `shock absorber` or `host`."""
+    """`friction`, `shock absorber`, `host` or `component`."""
     page: str = field(repr=False)
     """Documentation, in Markdown: equations, symbols, sign, limits, source."""
     variables: dict[str, Variable] = field(repr=False)
@@ -219,7 +219,7 @@ def law(name: str | Description) -> Description:
 
 
 def models() -> list[Description]:
-    """Lists all models: friction laws, the shock absorber and its parts, systems that carry friction."""
+    """Lists all models: friction laws, the shock absorber and its parts, systems that carry friction, machine parts."""
     return [_described(name) for name in _names()]
 
 

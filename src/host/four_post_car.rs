@@ -1,6 +1,5 @@
-use crate::host::integrate;
 use crate::host::vertical::{Axle, Body, Car, Corner, Motion, Wheel};
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, integrate, real};
 use crate::number::Scalar;
 
 crate::part! {

@@ -1,6 +1,5 @@
 //! Hosts: the mechanical systems that carry friction models and struts in a test.
 
-mod integrate;
 mod oscillator;
 pub mod vertical;
 

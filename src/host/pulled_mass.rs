@@ -149,7 +149,8 @@ mod tests {
     use approx::assert_abs_diff_eq;
 
     use super::*;
-    use crate::host::{BeltRig, integrate};
+    use crate::host::BeltRig;
+    use crate::model::integrate;
 
     /// Seen from the belt, the block of the rig is pulled backwards by a spring whose end moves at -v_b.
     #[test]

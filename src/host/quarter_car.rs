@@ -1,6 +1,5 @@
-use crate::host::integrate;
 use crate::host::vertical::{GRAVITY, Motion, Suspension, Wheel};
-use crate::model::{Derivatives, Law, Model, ModelExchange, real};
+use crate::model::{Derivatives, Law, Model, ModelExchange, integrate, real};
 use crate::number::Scalar;
 
 crate::model! {

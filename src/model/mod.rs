@@ -9,6 +9,7 @@ mod declare;
 mod equations;
 mod evaluate;
 mod family;
+pub(crate) mod integrate;
 mod kernels;
 mod model_type;
 pub(crate) mod ramp;

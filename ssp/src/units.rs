@@ -30,6 +30,8 @@ struct BaseUnit {
     m: i8,
     #[serde(rename = "@s", skip_serializing_if = "is_zero")]
     s: i8,
+    #[serde(rename = "@A", skip_serializing_if = "is_zero")]
+    ampere: i8,
     #[serde(rename = "@K", skip_serializing_if = "is_zero")]
     kelvin: i8,
     #[serde(rename = "@rad", skip_serializing_if = "is_zero")]
@@ -45,8 +47,8 @@ impl Units {
     pub fn of(units: impl IntoIterator<Item = &'static unit::Unit>) -> Option<Units> {
         let sorted: BTreeMap<&str, &unit::Unit> = units.into_iter().map(|unit| (unit.name, unit)).collect();
         let definition = |unit: &unit::Unit| {
-            let unit::Unit { name, kg, m, s, kelvin, rad, .. } = *unit;
-            Unit { name, base: BaseUnit { kg, m, s, kelvin, rad } }
+            let unit::Unit { name, kg, m, s, ampere, kelvin, rad, .. } = *unit;
+            Unit { name, base: BaseUnit { kg, m, s, ampere, kelvin, rad } }
         };
         (!sorted.is_empty()).then(|| Units { units: sorted.into_values().map(definition).collect() })
     }

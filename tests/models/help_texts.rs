@@ -87,7 +87,7 @@ fn the_transition_velocity_of_ambrosio_is_the_end_of_no_friction() {
 /// A page recommends Model Exchange only if the model supports it.
 #[test]
 fn pages_recommend_model_exchange_only_where_it_is_supported() {
-    let families = [Family::Friction, Family::ShockAbsorber, Family::Host];
+    let families = [Family::Friction, Family::ShockAbsorber, Family::Host, Family::Component];
     for (model, page) in families.into_iter().flat_map(catalogue::documented) {
         let text = page.split_whitespace().collect::<Vec<_>>().join(" ");
         let recommends =

@@ -5,6 +5,7 @@
 mod common;
 
 mod belt;
+mod components;
 mod contract;
 mod falling_load;
 mod help_texts;

@@ -6,8 +6,8 @@ import { dashes } from "./theme";
 import type { Catalogue, Model, SystemEntry } from "./types";
 
 /** The model of this name. */
-export function modelOf({ laws, hosts, shock_absorber }: Catalogue, name: string): Model | undefined {
-  return [...laws, ...hosts, ...shock_absorber].find((model) => model.name === name);
+export function modelOf({ laws, hosts, shock_absorber, components }: Catalogue, name: string): Model | undefined {
+  return [...laws, ...hosts, ...shock_absorber, ...components].find((model) => model.name === name);
 }
 
 /** A list with a label. */

@@ -161,7 +161,7 @@ export type Written = {
  */
 text: string, };
 
-export type Catalogue = { version: string, laws: Array<Model>, shock_absorber: Array<Model>, hosts: Array<Model>, systems: Array<SystemEntry>, solvers: Array<Named>, 
+export type Catalogue = { version: string, laws: Array<Model>, shock_absorber: Array<Model>, hosts: Array<Model>, components: Array<Model>, systems: Array<SystemEntry>, solvers: Array<Named>, 
 /**
  * Laws that can be fitted.
  */

@@ -22,6 +22,7 @@ pub struct Catalogue {
     laws: Vec<Model>,
     shock_absorber: Vec<Model>,
     hosts: Vec<Model>,
+    components: Vec<Model>,
     systems: Vec<SystemEntry>,
     solvers: Vec<Named>,
     /// Laws that can be fitted.
@@ -128,6 +129,7 @@ pub fn catalogue() -> Result<Answer, Fault> {
         laws: family(Family::Friction),
         shock_absorber: family(Family::ShockAbsorber),
         hosts: family(Family::Host),
+        components: family(Family::Component),
         systems: BUILT_IN.iter().map(|(name, text)| system(name, text)).collect::<Result<_, Fault>>()?,
         solvers: Solver::value_variants().iter().filter_map(ValueEnum::to_possible_value).map(solver).collect(),
         fitted: stribeck_fit::identify::laws().map(|law| law.name).collect(),

@@ -32,7 +32,8 @@ pub fn entries() -> Vec<Entry> {
         let entry = move |(model, documentation)| Entry { model, family, documentation };
         catalogue::documented(family).map(entry)
     };
-    of(Family::Friction).chain(of(Family::ShockAbsorber)).chain(of(Family::Host)).collect()
+    let families = [Family::Friction, Family::ShockAbsorber, Family::Host, Family::Component];
+    families.into_iter().flat_map(of).collect()
 }
 
 #[cfg(test)]

@@ -130,8 +130,9 @@ fn interface(
 /// The unit of the time derivative of a state.
 fn unit_of_rate(state: &Variable) -> Option<&'static Unit> {
     let Kind::Real(unit) = state.kind else { return None };
-    let exponents = |unit: &Unit| (unit.kg, unit.m, unit.kelvin, unit.rad);
-    UNITS.iter().find(|rate| exponents(rate) == exponents(unit) && rate.s == unit.s - 1)
+    let mut exponents = unit.exponents();
+    exponents[2] -= 1;
+    UNITS.iter().find(|rate| rate.exponents() == exponents)
 }
 
 /// The unit of the independent variable.
@@ -575,7 +576,9 @@ mod tests {
                 };
                 assert_eq!(exponent(*declaration, "s"), exponent(state, "s") - 1.0, "{node:?}");
                 assert!(
-                    ["kg", "m", "K", "rad"].iter().all(|base| exponent(*declaration, base) == exponent(state, base))
+                    ["kg", "m", "A", "K", "rad"]
+                        .iter()
+                        .all(|base| exponent(*declaration, base) == exponent(state, base))
                 );
             }
         });

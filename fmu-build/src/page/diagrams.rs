@@ -14,7 +14,7 @@ use crate::page::sweep::{self, Sweep};
 pub fn html(model: &'static ModelType, family: Family) -> Result<String> {
     let figures = match family {
         Family::Friction => of_law(&Law::new(model, None)?),
-        Family::ShockAbsorber => of_part(model),
+        Family::ShockAbsorber | Family::Component => of_part(model),
         Family::Host => of_host(model),
     };
     let figures = figures.with_context(|| format!("cannot draw the diagrams of {}", model.name))?;
@@ -197,7 +197,7 @@ mod tests {
                 assert!(high > low, "{}", model.name);
             }
         }
-        for (model, _) in documented(Family::ShockAbsorber) {
+        for (model, _) in documented(Family::ShockAbsorber).chain(documented(Family::Component)) {
             assert_eq!(of_part(model).unwrap().len(), 1, "{}", model.name);
         }
         for (model, _) in documented(Family::Host) {

@@ -1,5 +1,5 @@
-//! model.png of an FMU, drawn from the model itself: force over velocity for a friction law, a cycle of a
-//! part of the shock absorber, the motion of a host.
+//! model.png of an FMU, drawn from the model itself: force over velocity for a friction law, a cycle of a part of the
+//! shock absorber or of another machine, the motion of a host.
 
 use anyhow::{Context, Result, ensure};
 #[cfg(test)]
@@ -26,7 +26,7 @@ const CURVE: [u8; 3] = [0xff, 0xb0, 0x3b];
 pub fn png(model: &'static ModelType, family: Family) -> Result<Vec<u8>> {
     let curve = match family {
         Family::Friction => force_over_velocity(model),
-        Family::ShockAbsorber => sweep::of(model).map(|sweep| sweep.curve),
+        Family::ShockAbsorber | Family::Component => sweep::of(model).map(|sweep| sweep.curve),
         Family::Host => motion::motion(model).map(|motion| motion.values),
     };
     curve.and_then(|curve| draw(&curve)).with_context(|| format!("cannot draw the icon of {}", model.name))
@@ -111,7 +111,7 @@ mod tests {
 
     #[test]
     fn every_model_has_an_icon_that_can_be_reproduced() {
-        for family in [Family::Friction, Family::ShockAbsorber, Family::Host] {
+        for family in [Family::Friction, Family::ShockAbsorber, Family::Host, Family::Component] {
             for (model, _) in catalogue::documented(family) {
                 let icon = png(model, family).unwrap();
                 let pixmap = Pixmap::decode_png(&icon).unwrap();

@@ -1,5 +1,4 @@
-//! Response of a part of the shock absorber to motion: force over velocity, over travel, or over the input it depends
-//! on.
+//! Response of a part to motion: force over velocity, over travel, or over the input it depends on.
 
 use std::f64::consts::TAU;
 
@@ -27,6 +26,8 @@ pub struct Sweep {
 enum Motion {
     /// A travel, and its velocity if that is also an input.
     Travel { travel: usize, velocity: Option<usize>, shown: usize, amplitude: f64 },
+    /// A velocity to and fro, for a part that follows the displacement itself.
+    Strokes { velocity: usize, displacement: usize, amplitude: f64 },
     /// A single input, slowly.
     Slow { input: usize, amplitude: f64 },
 }
@@ -64,6 +65,10 @@ impl Motion {
             // Over the stroke and a little beyond, if the travel begins at 0; else to both sides of the start.
             return Ok(Motion::Travel { travel, velocity, shown, amplitude: 0.02 });
         }
+        if let Some((velocity, displacement)) = velocity.zip(model.find("displacement")) {
+            let amplitude = 2.0 * model.table.at(displacement).nominal;
+            return Ok(Motion::Strokes { velocity, displacement, amplitude });
+        }
         if let Some(input) = velocity {
             return Ok(Motion::Slow { input, amplitude: 0.3 });
         }
@@ -78,6 +83,7 @@ impl Motion {
     fn shown(&self) -> usize {
         match *self {
             Motion::Travel { shown, .. } => shown,
+            Motion::Strokes { displacement, .. } => displacement,
             Motion::Slow { input, .. } => input,
         }
     }
@@ -91,6 +97,9 @@ impl Motion {
                 instance.set_column(travel, middle + amplitude * phase.sin())?;
                 velocity.map_or(Ok(()), |column| instance.set_column(column, amplitude * TAU / PERIOD * phase.cos()))
             }
+            Motion::Strokes { velocity, amplitude, .. } => {
+                instance.set_column(velocity, amplitude * TAU / PERIOD * phase.cos())
+            }
             Motion::Slow { input, amplitude } => instance.set_column(input, start[input] + amplitude * phase.sin()),
         }
     }
@@ -98,7 +107,7 @@ impl Motion {
     /// Slow motion has settled at each point.
     fn time_step(&self) -> f64 {
         match self {
-            Motion::Travel { .. } => PERIOD / f64::from(STEPS),
+            Motion::Travel { .. } | Motion::Strokes { .. } => PERIOD / f64::from(STEPS),
             Motion::Slow { .. } => 1e4,
         }
     }

@@ -479,25 +479,22 @@ impl Part {
 pub struct Dimension {
     /// Name.
     pub name: String,
-    /// Exponents of kg, m, s, K, rad.
-    pub exponents: [i8; 5],
+    /// Exponents of kg, m, s, A, K, rad.
+    pub exponents: [i8; 6],
 }
 
 impl Dimension {
     fn of(variable: &Variable) -> Dimension {
         match variable.kind {
-            Kind::Real(unit) => {
-                Dimension { name: unit.name.to_owned(), exponents: [unit.kg, unit.m, unit.s, unit.kelvin, unit.rad] }
-            }
-            _ => Dimension { name: "1".to_owned(), exponents: [0; 5] },
+            Kind::Real(unit) => Dimension { name: unit.name.to_owned(), exponents: unit.exponents() },
+            _ => Dimension { name: "1".to_owned(), exponents: [0; 6] },
         }
     }
 
     fn per_second(self) -> Dimension {
         let mut exponents = self.exponents;
         exponents[2] -= 1;
-        let known =
-            stribeck::unit::UNITS.iter().find(|unit| [unit.kg, unit.m, unit.s, unit.kelvin, unit.rad] == exponents);
+        let known = stribeck::unit::UNITS.iter().find(|unit| unit.exponents() == exponents);
         Dimension { name: known.map_or_else(|| format!("{}/s", self.name), |unit| unit.name.to_owned()), exponents }
     }
 }

@@ -1,4 +1,4 @@
-//! Integration of a host whose rates follow from its states and its inputs.
+//! Integration of a model whose rates follow from its states and its inputs.
 
 use crate::model::ramp::{Inputs, set_inputs};
 use crate::model::{Described, Model, row_of, row_of_mut};
