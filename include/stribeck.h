@@ -7256,4 +7256,40 @@ typedef enum stribeck_magnetorheological_damper_variable {
   STRIBECK_MAGNETORHEOLOGICAL_DAMPER_DISSIPATED_POWER = 236926875,
 } stribeck_magnetorheological_damper_variable;
 
+/** Guid of RubberMount for fmi2Instantiate. */
+#define STRIBECK_RUBBER_MOUNT_GUID "{f2722950-45e3-66c7-c9ef-49a84181c558}"
+
+/** RubberMount: Rubber mount with friction that remembers the last turning point (Berg). Variables of "RubberMount". */
+typedef enum stribeck_rubber_mount_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_RUBBER_MOUNT_VELOCITY = 846470194,
+  /** tunable [N/m]: Elastic stiffness (default chosen). (>= 0, default 500000) */
+  STRIBECK_RUBBER_MOUNT_K_E = 1618142526,
+  /** fixed [N/m]: Stiffness in series with the damper; 0 = no damper (default chosen). (>= 0, default 100000) */
+  STRIBECK_RUBBER_MOUNT_K_V = 1869806811,
+  /** tunable [N.s/m]: Coefficient of the damper (default chosen). (> 0, default 2000) */
+  STRIBECK_RUBBER_MOUNT_C = 1712073810,
+  /** tunable [N]: Largest friction (default chosen). (>= 0, default 100) */
+  STRIBECK_RUBBER_MOUNT_F_MAX = 201386388,
+  /** tunable [m]: Displacement from rest at which the friction is half of the largest (default chosen).
+   *  (> 0, default 0.0002) */
+  STRIBECK_RUBBER_MOUNT_X_2 = 205809486,
+  /** state, out [m]: Displacement of body 1 relative to body 2. (default 0) */
+  STRIBECK_RUBBER_MOUNT_DISPLACEMENT = 81840086,
+  /** state [1]: Friction as a part of the largest. (>= -1, <= 1, default 0) */
+  STRIBECK_RUBBER_MOUNT_FRICTION_SHARE = 341380551,
+  /** state [1]: Friction at the last turning point as a part of the largest. (>= -1, <= 1, default 0) */
+  STRIBECK_RUBBER_MOUNT_TURNING_SHARE = 671000178,
+  /** state [Boolean]: Was the last motion towards positive displacements? (default true) */
+  STRIBECK_RUBBER_MOUNT_RISING = 1838359547,
+  /** state [N]: Force of the damper and its spring. (default 0) */
+  STRIBECK_RUBBER_MOUNT_DAMPER_FORCE = 1578574060,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_RUBBER_MOUNT_DISSIPATED_ENERGY = 758404530,
+  /** out [N]: Force of the mount, elastic part included; resists a displacement. Body 1 feels its negative. */
+  STRIBECK_RUBBER_MOUNT_FRICTION_FORCE = 1713976319,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_RUBBER_MOUNT_DISSIPATED_POWER = 236926875,
+} stribeck_rubber_mount_variable;
+
 #endif /* STRIBECK_H */

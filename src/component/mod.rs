@@ -5,4 +5,5 @@
 
 crate::model::family! {
     magnetorheological_damper::MagnetorheologicalDamper,
+    rubber_mount::RubberMount,
 }

@@ -28,7 +28,7 @@ fn warning(bench: &Bench) -> Option<String> {
 #[test]
 fn every_model_steps_from_zeros() {
     let mut tested = 0;
-    for family in [Family::ShockAbsorber, Family::Host] {
+    for family in [Family::ShockAbsorber, Family::Host, Family::Component] {
         for (model, _) in documented(family) {
             let settings: &[&[(&str, f64)]] = match model.name {
                 "ShockAbsorber" => {
