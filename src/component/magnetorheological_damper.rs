@@ -291,8 +291,7 @@ mod tests {
         };
         let drive = |t: f64| [zigzag(t), 2.25 * t / 0.2];
         let (expected, force) = printed(drive, 0.2, 400_000);
-        let mut damper = MagnetorheologicalDamper::default();
-        damper.velocity = 0.2;
+        let mut damper = MagnetorheologicalDamper { velocity: 0.2, ..Default::default() };
         for slope in [-8.0, 8.0, -8.0, 8.0] {
             let rates = MagnetorheologicalDamper { velocity: slope, voltage: 11.25, ..held(&damper) };
             damper.step_ramp(&rates, 0.05);
