@@ -1,0 +1,88 @@
+//! A mass that a component stops, solved by its rates and events, against closed forms and the balance of energy.
+
+use std::path::PathBuf;
+
+use stribeck::numerics::root::bisect;
+use stribeck_solve::run::{Outcome, Settings, run};
+use stribeck_solve::system::{Description, Source, System};
+
+/// A free mass of 1 kg at this speed, and a component between it and the ground.
+fn stopped(component: &str, speed: f64, set: &str, input: &str, until: f64) -> Outcome {
+    let text = format!(
+        "title = \"mass\"\nuntil = {until}\nevery = {}\n\
+         [part.mass]\nmodel = \"PulledMass\"\n[part.mass.set]\nstiffness = 0.0\nvelocity = {speed}\n\
+         [part.stop]\nmodel = \"{component}\"\n[part.stop.set]\n{set}\n\
+         [connect]\n\"mass.friction_force\" = \"stop.friction_force\"\n\"stop.velocity\" = \"mass.velocity\"\n\
+         [input]\n\"mass.pull_velocity\" = 0.0\n{input}\n",
+        until / 1000.0
+    );
+    let description = Description::parse(&text).unwrap();
+    let system = System::assemble(&Source { description, folder: PathBuf::new() }, None, &[]).unwrap();
+    let settings = Settings { tolerance: 1e-10, ..Settings::of(&system) };
+    let shown =
+        ["mass.position", "mass.velocity", "stop.displacement", "stop.dissipated_energy", "stop.friction_force"];
+    let mut shown: Vec<String> = shown.map(str::to_owned).to_vec();
+    if component == "RubberMount" {
+        shown.push("stop.turning_share".to_owned());
+    }
+    run(&system, &settings, &shown).unwrap()
+}
+
+/// What the mass has lost, the component has taken; and the component follows the mass.
+fn assert_balance(outcome: &Outcome, speed: f64) {
+    let of = |name: &str| outcome.values(name).unwrap();
+    let motion = of("mass.velocity").iter().zip(of("stop.dissipated_energy"));
+    for (velocity, energy) in motion {
+        let missing = 0.5 * (speed * speed - velocity * velocity) - energy;
+        assert!(missing.abs() < 1e-7 * speed * speed, "{missing} J");
+    }
+    for (mass, component) in of("mass.position").iter().zip(of("stop.displacement")) {
+        assert!((mass - component).abs() < 1e-9, "{mass} {component}");
+    }
+}
+
+/// Shares of the friction at the turning points of a mass of 1 kg on a spring and Berg's friction, from the balance of
+/// energy between two turning points: with the share f at the last one, the friction takes
+/// `F_max (d - x_2 (1 + f)^2 ln(1 + d / (x_2 (1 + f))))` over the distance d to the next.
+fn turning_shares(speed: f64, count: usize) -> Vec<f64> {
+    let (stiffness, f_max, x_2) = (5e5, 100.0, 2e-4);
+    let spring = |x: f64| 0.5 * stiffness * x * x;
+    let first = bisect(|x| spring(x) + f_max * (x - x_2 * (x / x_2).ln_1p()) - 0.5 * speed * speed, 0.0, 1.0);
+    let (mut x, mut share) = (first, first / (x_2 + first));
+    let mut shares = vec![share];
+    while shares.len() < count {
+        let length = x_2 * (1.0 + share);
+        let taken = |d: f64| f_max * (d - length * (1.0 + share) * (d / length).ln_1p());
+        // Past the middle the energy missing grows with the distance.
+        let distance = bisect(|d| spring(d - x) + taken(d) - spring(x), x, 2.0 * x);
+        (x, share) = (distance - x, 1.0 - (1.0 + share) / (1.0 + distance / length));
+        shares.push(share);
+    }
+    shares
+}
+
+#[test]
+fn a_mass_on_a_rubber_mount_turns_where_the_energy_says() {
+    let outcome = stopped("RubberMount", 0.3, "k_v = 0.0", "", 0.03);
+    assert_balance(&outcome, 0.3);
+    let mut found: Vec<f64> = outcome.values("stop.turning_share").unwrap().to_vec();
+    found.dedup();
+    assert_eq!(found.remove(0), 0.0);
+    let expected = turning_shares(0.3, found.len());
+    assert!(found.len() >= 5 && outcome.events.len() == found.len(), "{found:?}");
+    for (turn, (found, expected)) in found.iter().zip(expected).enumerate() {
+        let sign = if turn % 2 == 0 { 1.0 } else { -1.0 };
+        assert!((found - sign * expected).abs() < 1e-7, "turn {turn}: {found} {expected}");
+    }
+}
+
+#[test]
+fn a_mass_in_a_magnetorheological_damper_loses_what_the_damper_takes() {
+    for voltage in [0.0, 1.5] {
+        let outcome =
+            stopped("MagnetorheologicalDamper", 0.5, "k_1 = 0.0", &format!("\"stop.voltage\" = {voltage:?}"), 0.05);
+        assert_balance(&outcome, 0.5);
+        let taken = *outcome.values("stop.dissipated_energy").unwrap().last().unwrap();
+        assert!(taken > 0.9 * 0.125, "{voltage} V: {taken} J");
+    }
+}
