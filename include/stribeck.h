@@ -7143,7 +7143,7 @@ typedef enum stribeck_incline_variable {
 } stribeck_incline_variable;
 
 /** Guid of PulledMass for fmi2Instantiate. */
-#define STRIBECK_PULLED_MASS_GUID "{7f1ee994-af9f-6c78-920a-9026cd14ee4f}"
+#define STRIBECK_PULLED_MASS_GUID "{86ce4f8e-f547-17b9-743b-030eb3eeea48}"
 
 /** PulledMass: Mass pulled by a spring. Variables of "PulledMass". */
 typedef enum stribeck_pulled_mass_variable {
@@ -7157,6 +7157,8 @@ typedef enum stribeck_pulled_mass_variable {
   STRIBECK_PULLED_MASS_STIFFNESS = 1230999982,
   /** fixed [N.s/m]: Damping beside the spring. (>= 0, default 0) */
   STRIBECK_PULLED_MASS_DAMPING = 996259989,
+  /** fixed [N]: Force of the spring where its elongation is 0. (default 0) */
+  STRIBECK_PULLED_MASS_PRELOAD = 1930668294,
   /** tunable [m/s2]: Acceleration of gravity. (>= 0, default 9.81) */
   STRIBECK_PULLED_MASS_GRAVITY = 1376386885,
   /** state, out [m]: Position of the mass. (default 0) */

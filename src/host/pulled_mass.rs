@@ -11,7 +11,7 @@ crate::model! {
     /// ```text
     /// m d2x/dt2 = f_e - f_f
     /// de/dt = u - dx/dt
-    /// f_e = k e + c (u - dx/dt)
+    /// f_e = f_0 + k e + c (u - dx/dt)
     /// f_n = m g
     /// ```
     ///
@@ -22,6 +22,7 @@ crate::model! {
     /// | m      | `mass`           | kg    | mass                                                |
     /// | k      | `stiffness`      | N/m   | stiffness of the spring                             |
     /// | c      | `damping`        | N.s/m | damping beside the spring                           |
+    /// | f_0    | `preload`        | N     | force of the spring where its elongation is 0       |
     /// | g      | `gravity`        | m/s2  | acceleration of gravity                             |
     /// | x      | `position`       | m     | position of the mass                                |
     /// | dx/dt  | `velocity`       | m/s   | velocity of the mass                                |
@@ -75,6 +76,8 @@ crate::model! {
         stiffness: fixed = real("N/m", 2.0).at_least(0.0),
         /// Damping beside the spring.
         damping: fixed = real("N.s/m", 0.0).at_least(0.0),
+        /// Force of the spring where its elongation is 0.
+        preload: fixed = real("N", 0.0),
         /// Acceleration of gravity.
         gravity: tunable = real("m/s2", GRAVITY).at_least(0.0),
         /// Position of the mass.
@@ -92,7 +95,7 @@ crate::model! {
 
 impl<T: Real> PulledMass<T> {
     fn pull(&self) -> T {
-        self.stiffness * self.elongation + self.damping * (self.pull_velocity - self.velocity)
+        self.preload + self.stiffness * self.elongation + self.damping * (self.pull_velocity - self.velocity)
     }
 
     fn acceleration(&self) -> T {
@@ -121,7 +124,8 @@ impl PulledMass {
     /// Exact motion while friction force and pull velocity move at constant rates. In a frame that begins at rest and
     /// has the acceleration u' of the pull, the end of the spring moves at constant velocity.
     fn advance(&mut self, [force_rate, speeding]: [f64; 2], t: f64) {
-        let resting = self.stiffness * self.elongation + self.damping * self.pull_velocity - self.friction_force;
+        let pull = self.preload + self.stiffness * self.elongation + self.damping * self.pull_velocity;
+        let resting = pull - self.friction_force;
         let forces = [resting / self.mass - speeding, (self.stiffness * self.pull_velocity - force_rate) / self.mass];
         let oscillator = [0.5 * self.damping / self.mass, self.stiffness / self.mass];
         let [shift, velocity] = damped(self.velocity, forces, oscillator, t);
@@ -179,7 +183,7 @@ mod tests {
     fn ramps_agree_with_the_integrated_rates() {
         for damping in [0.0, 0.3, 2.0 * 2f64.sqrt(), 5.0, 60.0] {
             for t in [1e-3, 0.5, 4.0] {
-                let begin = PulledMass { damping, elongation: 0.2, velocity: -0.1, ..Default::default() };
+                let begin = PulledMass { damping, elongation: 0.2, velocity: -0.1, preload: 0.3, ..Default::default() };
                 let slope = PulledMass { friction_force: 0.4, pull_velocity: -0.3, ..ramp::held_inputs(&begin) };
                 let (mut exact, mut integrated) = (begin, begin);
                 exact.step_ramp(&slope, t);
