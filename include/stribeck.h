@@ -782,6 +782,8 @@ typedef enum stribeck_friction_model {
   STRIBECK_FRICTION_MODEL_LEUVEN = 32,
   /** Bristle friction with dwell time (Gonthier) */
   STRIBECK_FRICTION_MODEL_GONTHIER = 33,
+  /** Friction of rock, by the speed and the age of its contacts (Dieterich, Ruina) */
+  STRIBECK_FRICTION_MODEL_RATE_AND_STATE = 34,
 } stribeck_friction_model;
 
 /** Choices of a variable of the type FrictionStart. */
@@ -879,6 +881,14 @@ typedef enum stribeck_phase {
   /** Slides with negative velocity. */
   STRIBECK_PHASE_BACKWARD = 4,
 } stribeck_phase;
+
+/** Choices of a variable of the type RateAndStateVariant. */
+typedef enum stribeck_rate_and_state_variant {
+  /** Contacts age with time, also at rest (Dieterich). */
+  STRIBECK_RATE_AND_STATE_VARIANT_AGEING = 1,
+  /** Contacts change only by sliding (Ruina). */
+  STRIBECK_RATE_AND_STATE_VARIANT_SLIP = 2,
+} stribeck_rate_and_state_variant;
 
 /** Choices of a variable of the type RooneyDeraviVariant. */
 typedef enum stribeck_rooney_deravi_variant {
@@ -4983,8 +4993,53 @@ typedef enum stribeck_joint_friction_variable {
   STRIBECK_JOINT_FRICTION_STICKING = 553311409,
 } stribeck_joint_friction_variable;
 
+/** Guid of RateAndState for fmi2Instantiate. */
+#define STRIBECK_RATE_AND_STATE_GUID "{d6cab9cd-d5b2-3f86-1c7e-9b5bc92df04c}"
+
+/** Preset of RateAndState: SEAS benchmark BP1, where friction weakens: Erickson et al. (2020), doi:10.1785/0220190248. */
+#define STRIBECK_RATE_AND_STATE_PRESET_SEAS_BP1 "seas_bp1"
+
+/** Preset of RateAndState: Example of a contact that creeps steadily: a = 0.015 above b = 0.010. */
+#define STRIBECK_RATE_AND_STATE_PRESET_STRENGTHENING "strengthening"
+
+/** RateAndState: Friction of rock, by the speed and the age of its contacts (Dieterich, Ruina). Variables of "RateAndState". */
+typedef enum stribeck_rate_and_state_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_RATE_AND_STATE_VELOCITY = 846470194,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_RATE_AND_STATE_NORMAL_FORCE = 5891938,
+  /** tunable [1]: Coefficient of friction in steady sliding at the reference velocity. (>= 0, default 0.6) */
+  STRIBECK_RATE_AND_STATE_MU_0 = 23186904,
+  /** tunable [1]: Direct effect: change of the coefficient of friction with the logarithm of the speed, at once.
+   *  (> 0, default 0.01) */
+  STRIBECK_RATE_AND_STATE_DIRECT_EFFECT = 1669853328,
+  /** tunable [1]: Evolution effect: change of the coefficient of friction with the logarithm of the age of the contacts.
+   *  (>= 0, default 0.015) */
+  STRIBECK_RATE_AND_STATE_EVOLUTION_EFFECT = 365637878,
+  /** tunable [m]: Characteristic slip distance, on which sliding renews the contacts (default chosen).
+   *  (> 0, default 1e-5) */
+  STRIBECK_RATE_AND_STATE_SLIP_DISTANCE = 1501476103,
+  /** tunable [m/s]: Speed of steady sliding at which the coefficient of friction is mu_0. (> 0, default 1e-6) */
+  STRIBECK_RATE_AND_STATE_REFERENCE_VELOCITY = 1862806520,
+  /** fixed [stribeck_rate_and_state_variant]: Variant of the law. (default Ageing) */
+  STRIBECK_RATE_AND_STATE_VARIANT = 1125473670,
+  /** state [1]: Logarithm of the age of the contacts, relative to that of steady sliding at the reference velocity.
+   *  (default 0) */
+  STRIBECK_RATE_AND_STATE_LOG_AGE = 2101967429,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_RATE_AND_STATE_DISSIPATED_ENERGY = 758404530,
+  /** out [s]: Age of the contacts. */
+  STRIBECK_RATE_AND_STATE_AGE = 742476188,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_RATE_AND_STATE_FRICTION_FORCE = 1713976319,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_RATE_AND_STATE_DISSIPATED_POWER = 236926875,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_RATE_AND_STATE_STICKING = 553311409,
+} stribeck_rate_and_state_variable;
+
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{8fd63df7-e430-2cb1-017a-438064337788}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{08307e8c-bf02-101e-822b-62c0536e40a9}"
 
 /** Preset of ShockAbsorber: Formula Student, front axle: the start values. */
 #define STRIBECK_SHOCK_ABSORBER_PRESET_FRONT "front"
@@ -5516,6 +5571,19 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_GONTHIER_TRANSITION_VELOCITY = 2083171682,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_DWELL_TIME_CONSTANT = 1275370588,
+  /** tunable [1]: Direct effect: change of the coefficient of friction with the logarithm of the speed, at once.
+   *  (> 0, default 0.01) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DIRECT_EFFECT = 498517662,
+  /** tunable [1]: Evolution effect: change of the coefficient of friction with the logarithm of the age of the contacts.
+   *  (>= 0, default 0.015) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_EVOLUTION_EFFECT = 1498888872,
+  /** tunable [m]: Characteristic slip distance, on which sliding renews the contacts (default chosen).
+   *  (> 0, default 1e-5) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIP_DISTANCE = 2114707449,
+  /** tunable [m/s]: Speed of steady sliding at which the coefficient of friction is mu_0. (> 0, default 1e-6) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_REFERENCE_VELOCITY = 608358510,
+  /** fixed [stribeck_rate_and_state_variant]: Variant of the law. (default Ageing) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_RATEANDSTATE_VARIANT = 832537648,
   /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.15) */
   STRIBECK_SHOCK_ABSORBER_C1_MU_S = 577759937,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
@@ -5689,7 +5757,7 @@ typedef enum stribeck_telescopic_joint_variable {
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
-#define STRIBECK_GUIDE_CONTACT_GUID "{07832e0b-f58b-b54a-6cf6-effa8476aecc}"
+#define STRIBECK_GUIDE_CONTACT_GUID "{1b5bdd44-c28e-89d6-5280-4f9cf63f7e11}"
 
 /** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Variables of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {
@@ -5933,6 +6001,19 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_GONTHIER_TRANSITION_VELOCITY = 2083171682,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
   STRIBECK_GUIDE_CONTACT_FRICTION_DWELL_TIME_CONSTANT = 1275370588,
+  /** tunable [1]: Direct effect: change of the coefficient of friction with the logarithm of the speed, at once.
+   *  (> 0, default 0.01) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_DIRECT_EFFECT = 498517662,
+  /** tunable [1]: Evolution effect: change of the coefficient of friction with the logarithm of the age of the contacts.
+   *  (>= 0, default 0.015) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_EVOLUTION_EFFECT = 1498888872,
+  /** tunable [m]: Characteristic slip distance, on which sliding renews the contacts (default chosen).
+   *  (> 0, default 1e-5) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SLIP_DISTANCE = 2114707449,
+  /** tunable [m/s]: Speed of steady sliding at which the coefficient of friction is mu_0. (> 0, default 1e-6) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_REFERENCE_VELOCITY = 608358510,
+  /** fixed [stribeck_rate_and_state_variant]: Variant of the law. (default Ageing) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_RATEANDSTATE_VARIANT = 832537648,
   /** state [1]: States of the friction law, in SI units: its continuous states in their order. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_1 = 1672239013,
   /** state [1]: States of the friction law, in SI units: its continuous states in their order. (default 0) */

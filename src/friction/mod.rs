@@ -45,6 +45,7 @@ crate::model::family! {
     rolling_resistance::RollingResistance,
     directional_stribeck::DirectionalStribeck,
     joint_friction::JointFriction,
+    rate_and_state::RateAndState,
 }
 
 // What a parameter is for decides its carrier in a strut and its range in a fit: a law that does not say it does not

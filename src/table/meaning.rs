@@ -41,6 +41,8 @@ pub enum Meaning {
     FallSpeed,
     /// Speed that sets the width of a regularised band around rest.
     TransitionSpeed,
+    /// Speed to which a logarithmic law refers: another one is the same law with other levels, so that a fit holds it.
+    ReferenceSpeed,
     /// Exponent, order or share: a shape of the law, which a fit holds unless it is asked to fit it.
     Shape,
     /// Stiffness of the contact.

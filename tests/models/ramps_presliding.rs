@@ -20,11 +20,12 @@ fn axis(bench: &Bench) -> (&'static str, &'static str) {
 
 // ---- Rest
 
-/// Whether the memory of a law lives in time and not in the path, since it has a time or knows the acceleration: a rest
-/// changes the force, as its page says.
+/// Whether the memory of a law lives in time and not in the path, since it has a time, be it a result, or knows the
+/// acceleration: a rest changes the force, as its page says.
 fn is_in_time(law: &ModelType) -> bool {
     let is_time = |one: &Variable| {
-        matches!(one.role, Role::Fixed | Role::Tunable) && matches!(one.kind, Kind::Real(unit) if unit.name == "s")
+        matches!(one.role, Role::Fixed | Role::Tunable | Role::Output)
+            && matches!(one.kind, Kind::Real(unit) if unit.name == "s")
     };
     law.table.of(Meaning::Acceleration).is_some() || law.table.iter().any(|one| is_time(&one))
 }

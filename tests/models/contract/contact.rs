@@ -122,6 +122,7 @@ fn a_band_around_rest_is_sticking_within_its_edge() {
         ("Threlfall", "transition_velocity"),
         ("Ambrosio", "sliding_velocity"),
         ("Specker", "peak_velocity"),
+        ("RateAndState", "reference_velocity"),
     ] {
         let mut bench = Bench::new(model, &[]);
         let edge = bench.get(edge);

@@ -114,8 +114,8 @@ fn limit(bench: &mut Bench, velocity: f64) -> f64 {
     let value = |bench: &mut Bench, name: &str| if bench.has(name) { bench.get(name) } else { 0.0 };
     let rolling = if bench.has("lever_arm") { bench.get("lever_arm") / bench.get("wheel_radius") } else { 0.0 };
     let levels = [Meaning::StaticLevel, Meaning::KineticLevel].map(|level| bench.of_meaning(level).unwrap_or(0.0));
-    let mu = rolling.max(levels[0]).max(levels[1]);
     let (load, speed) = (bench.get("normal_force"), velocity.abs());
+    let mu = rolling.max(levels[0]).max(levels[1] + logarithmic(bench, speed));
     // Specker's law passes through the static level and has its maximum, at most 11 % higher, beyond.
     let overshoot = if bench.has("peak_velocity") { 1.11 } else { 1.0 };
     let power = if value(bench, "variant") == 2.0 { value(bench, "viscous_exponent") } else { 0.0 };
@@ -125,6 +125,17 @@ fn limit(bench: &mut Bench, velocity: f64) -> f64 {
     let without_load = value(bench, "kinetic_force") + value(bench, "excess_force");
     let cold = value(bench, "viscous_coefficient_cold") * speed;
     overshoot * mu * load + without_load + viscous + cold + quadratic + value(bench, "mu_v") * load * speed
+}
+
+/// What a logarithmic law adds to its level in steady sliding: a asinh(y / 2) <= a ln(1 + y) <= max(0, a ln y) + a ln 2,
+/// with a ln y = mu_0 + (a - b) ln(v / v_0).
+fn logarithmic(bench: &mut Bench, speed: f64) -> f64 {
+    if !bench.has("direct_effect") {
+        return 0.0;
+    }
+    let names = ["mu_0", "direct_effect", "evolution_effect", "reference_velocity"];
+    let [mu_0, a, b, v_0] = names.map(|name| bench.get(name));
+    ((a - b) * (speed / v_0).ln()).max(-mu_0) + a * 2f64.ln()
 }
 
 /// Whether the bonds of a random law reach so far that single ones push forwards. Its force is then a resistance only

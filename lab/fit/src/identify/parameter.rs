@@ -226,10 +226,10 @@ fn around_start(variable: &Variable) -> ([f64; 2], Scale) {
 }
 
 /// Whether a variable is fitted unless it is named: a real parameter of the contact, no exponent, no share of an
-/// element, no option that is off at its start value.
+/// element, no speed that another level makes up for, no option that is off at its start value.
 fn is_usual(variable: &Variable) -> bool {
     let is_off = variable.start == 0.0 && matches!(variable.kind, Kind::Real(unit) if unit.name == "m/s");
-    is_parameter(variable) && !is_off && variable.meaning != Meaning::Shape
+    is_parameter(variable) && !is_off && ![Meaning::Shape, Meaning::ReferenceSpeed].contains(&variable.meaning)
 }
 
 /// Whether it is the coefficient of a level of friction.
