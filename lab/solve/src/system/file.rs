@@ -16,6 +16,7 @@ pub const BUILT_IN: &[(&str, &str)] = &[
     ("two-blocks", include_str!("built_in/two-blocks.toml")),
     ("incline", include_str!("built_in/incline.toml")),
     ("pulled-mass", include_str!("built_in/pulled-mass.toml")),
+    ("spring-slider", include_str!("built_in/spring-slider.toml")),
     ("axis", include_str!("built_in/axis.toml")),
     ("motion", include_str!("built_in/motion.toml")),
     ("dyno", include_str!("built_in/dyno.toml")),

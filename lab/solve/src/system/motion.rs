@@ -361,9 +361,12 @@ fn states(system: &System, recorded: &[WireSource]) -> Vec<Place> {
 }
 
 /// Sizes of the states, for the absolute tolerance. That of a velocity is at most the lowest speed at which a law of the
-/// system, chosen in a strut or not, passes from rest to sliding: an error of that size would carry the contact across.
+/// system, chosen in a strut or not, passes from rest to sliding, or to which it refers: an error of that size would carry
+/// the contact across.
 fn scales(system: &System, states: &[Place]) -> Vec<f64> {
-    let is_passed = |variable: &Variable| matches!(variable.meaning, Meaning::FallSpeed | Meaning::TransitionSpeed);
+    let is_passed = |variable: &Variable| {
+        matches!(variable.meaning, Meaning::FallSpeed | Meaning::TransitionSpeed | Meaning::ReferenceSpeed)
+    };
     let speeds = system.parts.iter().flat_map(|part| {
         let passed = part.model.variables().filter(|(_, variable)| is_passed(variable));
         passed.map(|(column, _)| part.row[column])
