@@ -7375,4 +7375,33 @@ typedef enum stribeck_rubber_mount_variable {
   STRIBECK_RUBBER_MOUNT_DISSIPATED_POWER = 236926875,
 } stribeck_rubber_mount_variable;
 
+/** Guid of GearEfficiency for fmi2Instantiate. */
+#define STRIBECK_GEAR_EFFICIENCY_GUID "{cab5fe18-9e7a-dbf2-80e6-0688cf66e8cd}"
+
+/** Preset of GearEfficiency: Example of a worm gear, in N.m and rad/s, which the load cannot drive back. */
+#define STRIBECK_GEAR_EFFICIENCY_PRESET_SELF_LOCKING "self_locking"
+
+/** GearEfficiency: Gear with an efficiency of driving and one of driving back. Variables of "GearEfficiency". */
+typedef enum stribeck_gear_efficiency_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_GEAR_EFFICIENCY_VELOCITY = 846470194,
+  /** in [N]: Force of the motor at the output, positive in the direction of the velocity (default chosen).
+   *  (default 10) */
+  STRIBECK_GEAR_EFFICIENCY_TRANSMITTED_FORCE = 678577350,
+  /** tunable [1]: Part of the force that is lost when driving (default chosen). (>= 0, default 0.2) */
+  STRIBECK_GEAR_EFFICIENCY_MU_DRIVING = 151834187,
+  /** tunable [1]: Part of the force that resists when the load drives back (default chosen). (>= 0, default 0.3) */
+  STRIBECK_GEAR_EFFICIENCY_MU_BACKDRIVING = 591977642,
+  /** tunable [m]: Way after which 1/e of a change of the direction is left (default chosen). (> 0, default 0.001) */
+  STRIBECK_GEAR_EFFICIENCY_RELAXATION_DISTANCE = 1884902156,
+  /** state [1]: Direction of the motion. (>= -1, <= 1, default 0) */
+  STRIBECK_GEAR_EFFICIENCY_DIRECTION = 1601029994,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_GEAR_EFFICIENCY_DISSIPATED_ENERGY = 758404530,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_GEAR_EFFICIENCY_FRICTION_FORCE = 1713976319,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_GEAR_EFFICIENCY_DISSIPATED_POWER = 236926875,
+} stribeck_gear_efficiency_variable;
+
 #endif /* STRIBECK_H */

@@ -6,4 +6,5 @@
 crate::model::family! {
     magnetorheological_damper::MagnetorheologicalDamper,
     rubber_mount::RubberMount,
+    gear_efficiency::GearEfficiency,
 }
