@@ -336,6 +336,12 @@ pub trait Model: Described + Law<Number = f64> {
         visitor.visit::<Self>();
     }
 
+    /// Whether [`Model::step`] leaves the inputs at other values, because it lets them move on.
+    #[inline(always)]
+    fn moves_inputs(&self) -> bool {
+        false
+    }
+
     /// Advances the states by `dt` > 0 while the inputs are held.
     fn step(&mut self, dt: f64);
 

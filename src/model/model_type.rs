@@ -309,9 +309,8 @@ const fn guid_of<M: Model>() -> GuidText {
 }
 
 fn advance<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room, dt: f64) -> bool {
-    commit::<M>(row, memory, room, const { first_result(M::TABLE) }, |model, memory| {
-        model.step_and_output_with(memory, dt)
-    })
+    let first = if view::<M, f64>(row).moves_inputs() { 0 } else { const { first_result(M::TABLE) } };
+    commit::<M>(row, memory, room, first, |model, memory| model.step_and_output_with(memory, dt))
 }
 
 fn output<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room) -> bool {
@@ -343,7 +342,8 @@ fn advise<M: Model>(row: &mut [f64], room: Room) -> bool {
     commit::<M>(row, &mut [], room, const { first_result(M::TABLE) }, |model, _| model.advise())
 }
 
-/// The first column that a step or the outputs may change: those before it are inputs and parameters.
+/// The first column that the outputs may change, and a step that does not move the inputs: those before it are inputs and
+/// parameters.
 const fn first_result(table: &[Variable]) -> usize {
     let mut first = 0;
     while first < table.len() && (table[first].role.is_parameter() || matches!(table[first].role, Role::Input)) {

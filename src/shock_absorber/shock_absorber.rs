@@ -499,9 +499,14 @@ impl Model for ShockAbsorber {
         }
     }
 
+    #[inline(always)]
+    fn moves_inputs(&self) -> bool {
+        InputMode::of(self.setting.num.input_mode) == InputMode::Linear
+    }
+
     fn step(&mut self, dt: f64) {
         self.begin(dt);
-        if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
+        if self.moves_inputs() {
             self.step_along_the_motion(None, dt);
         } else {
             self.hold(&self.setting.touches(&self.setting.motion()), dt);
@@ -510,7 +515,7 @@ impl Model for ShockAbsorber {
 
     fn step_and_output(&mut self, dt: f64) {
         self.begin(dt);
-        if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
+        if self.moves_inputs() {
             self.step_along_the_motion(None, dt);
             return self.output();
         }
@@ -523,7 +528,7 @@ impl Model for ShockAbsorber {
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         self.begin(dt);
-        if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
+        if self.moves_inputs() {
             self.step_along_the_motion(Some(slope), dt);
         } else {
             self.follow(slope, dt);

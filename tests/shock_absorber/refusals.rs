@@ -52,3 +52,15 @@ fn a_strut_without_overlap_left_says_so() {
     let text = strut.instance.step(1e-3).unwrap_err().to_string();
     assert!(text.contains("with geom.h_reg = 0 m"), "{text}");
 }
+
+/// A step that moves the length with the velocity, into where there is no gas volume left: the length is where it was.
+#[test]
+fn a_refused_step_along_the_motion_changes_nothing() {
+    let mut strut = strut(&[("num.input_mode", 2.0), ("gas.V0", 1e-5), ("velocity", -1.0)]);
+    strut.step(1e-3);
+    let before = strut.instance.save();
+    let text = strut.instance.step(0.2).unwrap_err().to_string();
+    assert!(text.ends_with("nothing was changed"), "{text}");
+    assert_eq!(strut.instance.save(), before);
+    strut.step(1e-3);
+}
