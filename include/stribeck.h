@@ -417,8 +417,9 @@ stribeck_status stribeck_restore(stribeck_instance *instance, const void *buffer
 
 /**
  * Warning about the present values, if some were accepted although they make no sense, such as an unconnected input at
- * 0; otherwise an empty text. Best called after the first step; the library does not report warnings by itself. The
- * text lives until the next call of this function on the handle. For NULL it says that the handle is NULL.
+ * 0, or if the model can give back more energy than it took with these parameters; otherwise an empty text. Best
+ * called after the first step; the library does not report warnings by itself. The text lives until the next call of
+ * this function on the handle. For NULL it says that the handle is NULL.
  */
 const char *stribeck_warning(stribeck_instance *instance);
 

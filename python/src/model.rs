@@ -91,8 +91,8 @@ impl Instance {
         self.row().time()
     }
 
-    /// Warning about values that make no sense here.
+    /// Warning about values that make no sense here, or with which the model is not passive.
     fn warning(&self) -> Option<String> {
-        self.row().warning().map(|warning| warning.to_string())
+        self.row().warning_or_passivity().map(|warning| warning.to_string())
     }
 }

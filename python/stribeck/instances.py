@@ -82,7 +82,7 @@ class Model(Part):
 
     @property
     def warning(self) -> str | None:
-        """Warning about present values that make no sense, if there are any."""
+        """Warning about present values that make no sense, or with which the model is not passive, if there are any."""
         return self._instance.warning()
 
     def set(self, **values: Any) -> None:

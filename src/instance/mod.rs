@@ -247,11 +247,15 @@ impl Instance {
         }
     }
 
-    /// Warning about values that were accepted although they make no sense, or else about parameters with which the
-    /// model is not passive.
+    /// Warning about values that were accepted although they make no sense.
     pub fn warning(&self) -> Option<Fault> {
         let of_steps = || self.consistency.as_ref()?.warning();
-        self.model.warning(&self.row).or_else(of_steps).or_else(|| self.model.passivity(&self.row))
+        self.model.warning(&self.row).or_else(of_steps)
+    }
+
+    /// The same, or else a warning about parameters with which the model is not passive.
+    pub fn warning_or_passivity(&self) -> Option<Fault> {
+        self.warning().or_else(|| self.model.passivity(&self.row))
     }
 
     fn check_step(&self, dt: f64) -> Result<(), Fault> {

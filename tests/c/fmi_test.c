@@ -223,7 +223,8 @@ static void plain_run_reaches_steady_sliding(const functions *fmi) {
     CHECK(get(fmi, slave, STRIBECK_LUGRE_FRICTION_FORCE) == 0.0);
     CHECK(get(fmi, slave, STRIBECK_LUGRE_VELOCITY) == 0.0);
     fmi->FreeInstance(slave);
-    CHECK(log.count == 0);
+    /* Both runs say that the parameters are not passive. */
+    CHECK(log.count == 2 && strstr(log.text, "below 158.114 the damping of the bristles") != NULL);
 }
 
 /* The free block is an oscillator: after a period it is where it was, whatever the size of the steps. */
@@ -373,7 +374,8 @@ static void state_travels_between_instances(const functions *fmi) {
     CHECK(get(fmi, other, STRIBECK_LUGRE_FRICTION_FORCE) == force);
     fmi->FreeInstance(one);
     fmi->FreeInstance(other);
-    CHECK(log.count == 0);
+    /* Each says that its parameters are not passive. */
+    CHECK(log.count == 2);
 }
 
 /* Importers unload the library after every run, and load it again for the next one. */

@@ -8,8 +8,9 @@ use super::{STRIBECK_OK, enter, stribeck_instance};
 use stribeck::memory::{self, OUT_OF_MEMORY};
 
 /// Warning about the present values, if some were accepted although they make no sense, such as an unconnected input at
-/// 0; otherwise an empty text. Best called after the first step; the library does not report warnings by itself. The
-/// text lives until the next call of this function on the handle. For NULL it says that the handle is NULL.
+/// 0, or if the model can give back more energy than it took with these parameters; otherwise an empty text. Best
+/// called after the first step; the library does not report warnings by itself. The text lives until the next call of
+/// this function on the handle. For NULL it says that the handle is NULL.
 ///
 /// # Safety
 /// As the module says of handles.
@@ -17,7 +18,7 @@ use stribeck::memory::{self, OUT_OF_MEMORY};
 pub unsafe extern "C" fn stribeck_warning(instance: *mut stribeck_instance) -> *const c_char {
     let mut text: *const c_char = c"the handle is NULL".as_ptr();
     let body = |handle: &mut stribeck_instance| {
-        handle.warning = match handle.instance.warning() {
+        handle.warning = match handle.instance.warning_or_passivity() {
             None => Cow::Borrowed(c""),
             Some(warning) => memory::c_text(&warning.0).map_or(Cow::Borrowed(OUT_OF_MEMORY), Cow::Owned),
         };

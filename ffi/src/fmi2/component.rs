@@ -94,7 +94,7 @@ impl Component {
     pub fn begin(&mut self) {
         self.steps = 0;
         if let Some(warning) = self.instance.model().passivity(self.instance.row()) {
-            self.log.warn(&warning.0);
+            self.log.note(&warning.0);
         }
     }
 

@@ -54,6 +54,8 @@ pub(super) struct Log {
 #[derive(Clone, Copy)]
 struct Hears {
     warning: bool,
+    /// Warnings of parameters that are those of the literature.
+    note: bool,
     discard: bool,
     /// Answers to a solver's trials and to queries, which are discarded in the ordinary course of a run.
     trial: bool,
@@ -66,7 +68,7 @@ impl Log {
         Ok(Log {
             callbacks,
             instance_name: memory::c_copy(instance_name)?,
-            hears: Hears { warning: true, discard: true, trial: debug, error: true },
+            hears: Hears { warning: true, note: debug, discard: true, trial: debug, error: true },
             message: None,
             waiting: None,
             told: Told::default(),
@@ -77,13 +79,13 @@ impl Log {
     pub fn switch(&mut self, category: &CStr, enabled: bool) -> Option<()> {
         let hears = &mut self.hears;
         if category == WARNING.name {
-            hears.warning = enabled;
+            (hears.warning, hears.note) = (enabled, enabled);
         } else if category == DISCARD.name {
             (hears.discard, hears.trial) = (enabled, enabled);
         } else if category == ERROR.name {
             hears.error = enabled;
         } else if category == ALL.name {
-            *hears = Hears { warning: enabled, discard: enabled, trial: enabled, error: enabled };
+            *hears = Hears { warning: enabled, note: enabled, discard: enabled, trial: enabled, error: enabled };
         } else {
             return None;
         }
@@ -94,6 +96,7 @@ impl Log {
     pub fn keep(&mut self, reason: Reason, text: fmt::Arguments) {
         let is_heard = match reason {
             Reason::Warning => self.hears.warning,
+            Reason::Note => self.hears.note,
             Reason::Discard => self.hears.discard,
             Reason::Trial => self.hears.trial,
             Reason::Error => self.hears.error,
@@ -111,6 +114,11 @@ impl Log {
         }
     }
 
+    /// Stores a warning that the importer hears only with `loggingOn`.
+    pub fn note(&mut self, text: &str) {
+        self.keep(Reason::Note, format_args!("{text}"));
+    }
+
     /// Whether a message is pending.
     #[inline(always)]
     pub fn is_waiting(&self) -> bool {
@@ -123,7 +131,7 @@ impl Log {
     pub fn tell(&mut self) {
         let (status, category) = match self.waiting.take() {
             None => return,
-            Some(Reason::Warning) => (fmi2Status::fmi2Warning, &WARNING),
+            Some(Reason::Warning | Reason::Note) => (fmi2Status::fmi2Warning, &WARNING),
             Some(Reason::Discard | Reason::Trial) => (fmi2Status::fmi2Discard, &DISCARD),
             Some(Reason::Error) => (fmi2Status::fmi2Error, &ERROR),
         };
@@ -139,6 +147,8 @@ impl Log {
 pub(super) enum Reason {
     /// Done, but it makes no sense.
     Warning,
+    /// Done, with parameters of which there is something to say.
+    Note,
     /// A value was refused.
     Discard,
     /// A solver's trial or a query was discarded.
