@@ -4917,7 +4917,7 @@ typedef enum stribeck_directional_stribeck_variable {
 } stribeck_directional_stribeck_variable;
 
 /** Guid of JointFriction for fmi2Instantiate. */
-#define STRIBECK_JOINT_FRICTION_GUID "{bc53ee26-3e85-6567-4e4f-cfe662bc3351}"
+#define STRIBECK_JOINT_FRICTION_GUID "{58d15beb-6971-91c2-2861-fdcfa4bef305}"
 
 /** Preset of JointFriction: Example of a joint with a gear, in N.m and rad/s at the arm; exponent of Bittencourt and Gunnarsson (2012). */
 #define STRIBECK_JOINT_FRICTION_PRESET_WARM_GEAR "warm_gear"
@@ -4930,8 +4930,6 @@ typedef enum stribeck_joint_friction_variable {
   STRIBECK_JOINT_FRICTION_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_JOINT_FRICTION_EXTERNAL_FORCE = 1336490458,
-  /** in [K]: Temperature of the lubricant. (>= 0, default 293.15) */
-  STRIBECK_JOINT_FRICTION_TEMPERATURE = 1777510709,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_JOINT_FRICTION_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
@@ -4958,6 +4956,8 @@ typedef enum stribeck_joint_friction_variable {
   /** tunable [K]: Rise of temperature after which 1/e of viscous_coefficient_cold is left (start value chosen).
    *  (> 0, default 20) */
   STRIBECK_JOINT_FRICTION_VISCOUS_TEMPERATURE = 1390637406,
+  /** tunable [K]: Temperature of the lubricant. (>= 0, default 293.15) */
+  STRIBECK_JOINT_FRICTION_TEMPERATURE = 1777510709,
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_JOINT_FRICTION_MASS = 1601648849,

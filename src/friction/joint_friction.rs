@@ -2,7 +2,7 @@ use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::{stribeck, viscous};
 use crate::model::{Fault, Meaning, Model, Preset, real};
-use crate::number::{Real, choose};
+use crate::number::Real;
 
 /// Temperature at which the parameters hold, in K (chosen: 20 degC).
 const REFERENCE: f64 = 293.15;
@@ -34,7 +34,6 @@ crate::model! {
     /// | v      | `velocity`                   | m/s   | velocity of body 1 relative to body 2              |
     /// | f_n    | `normal_force`               | N     | force pressing the surfaces together: the load     |
     /// | f_e    | `external_force`             | N     | all other tangential forces on body 1              |
-    /// | T      | `temperature`                | K     | temperature of the lubricant                       |
     /// | mu_k   | `mu_k`                       | 1     | kinetic coefficient of friction of the load        |
     /// | mu_s   | `mu_s`                       | 1     | static coefficient of friction of the load         |
     /// | v_S    | `stribeck_velocity`          | m/s   | Stribeck velocity of the load's excess             |
@@ -47,6 +46,7 @@ crate::model! {
     /// | f_v    | `viscous_coefficient`        | N.s/m | viscous coefficient of a hot joint                 |
     /// | f_w    | `viscous_coefficient_cold`   | N.s/m | what is added to it at T_0                         |
     /// | T_v    | `viscous_temperature`        | K     | rise of temperature after which 1/e of f_w is left |
+    /// | T      | `temperature`                | K     | temperature of the lubricant                       |
     /// | T_0    |                              | K     | 293.15, 20 degC                                    |
     /// | m      | `mass`                       | kg    | effective mass of the host, 0 = the printed law    |
     /// | h      | `step_size`                  | s     | last communication step                            |
@@ -69,12 +69,12 @@ crate::model! {
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
-    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; a temperature at which $F$ would be negative, or $V$ not
-    /// positive.
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; a temperature at which $F$ would be negative, $V$ not
+    /// positive, or $B$ not finite.
     ///
     /// # Limits
     /// Without `kinetic_force`, `excess_force` and `viscous_coefficient_cold` it is `Stribeck` with `curve` =
-    /// BoPavelescu. The load and the temperature are inputs: the law does not heat itself. No pre-sliding displacement.
+    /// BoPavelescu. The law does not heat itself: what heats the joint changes `temperature` between steps. No pre-sliding displacement.
     /// The falling branches take a driven body through stick-slip; with `mass` a long step crosses them in one go.
     /// Where `normal_force`, `kinetic_force` and `excess_force` are all 0, nothing presses the surfaces together: force
     /// 0, also of the viscous part. `sticking` means that the step ends at rest or, without `mass`, that $v = 0$ and
@@ -104,8 +104,6 @@ crate::model! {
         velocity: input = VELOCITY,
         normal_force: input = NORMAL_FORCE,
         external_force: input = EXTERNAL_FORCE,
-        /// Temperature of the lubricant.
-        temperature: input = real("K", REFERENCE).at_least(0.0).nominal(300.0).shown_in("degC").means(Meaning::Own),
         mu_k: tunable = MU_K,
         mu_s: tunable = MU_S,
         stribeck_velocity: tunable = STRIBECK_VELOCITY,
@@ -125,6 +123,8 @@ crate::model! {
         viscous_coefficient_cold: tunable = real("N.s/m", 0.0).at_least(0.0).means(Meaning::Shape),
         /// Rise of temperature after which 1/e of viscous_coefficient_cold is left (start value chosen).
         viscous_temperature: tunable = real("K", 20.0).positive().nominal(20.0).means(Meaning::Shape),
+        /// Temperature of the lubricant.
+        temperature: tunable = real("K", REFERENCE).at_least(0.0).nominal(300.0).shown_in("degC").means(Meaning::Shape),
         /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         dissipated_energy: state_output = DISSIPATED_ENERGY,
@@ -147,18 +147,16 @@ impl<T: Real> JointFriction<T> {
         (self.mu_s - self.mu_k) * self.normal_force
     }
 
-    /// F; not a number at a temperature that makes it negative.
+    /// F.
     #[inline(always)]
     fn excess(&self) -> T {
-        let factor = T::from(1.0) + self.excess_by_temperature * self.warming();
-        self.excess_force * choose!(factor.below(T::zero()), T::from(f64::NAN), factor)
+        self.excess_force * (T::from(1.0) + self.excess_by_temperature * self.warming())
     }
 
-    /// V; not a number at a temperature that makes it 0 or negative.
+    /// V.
     #[inline(always)]
     fn speed_of_excess(&self) -> T {
-        let factor = T::from(1.0) + self.velocity_by_temperature * self.warming();
-        self.stribeck_velocity_unloaded * choose!(factor.is_positive(), factor, T::from(f64::NAN))
+        self.stribeck_velocity_unloaded * (T::from(1.0) + self.velocity_by_temperature * self.warming())
     }
 
     /// B.
@@ -226,21 +224,17 @@ impl Model for JointFriction {
     }];
 
     fn check(&self) -> Result<(), Fault> {
-        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
-    }
-
-    /// The temperatures at which the level has no meaning.
-    fn check_motion(&self) -> Result<(), Fault> {
-        let refuse = |name, sign| {
-            let temperature = self.temperature;
-            Err(Fault::new(format_args!(
-                "temperature = {temperature}: 1 + {name} (temperature - {REFERENCE}) must be {sign} 0"
-            )))
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)?;
+        let rule = if self.excess() < 0.0 {
+            "1 + excess_by_temperature (temperature - 293.15) must be >= 0"
+        } else if self.speed_of_excess() <= 0.0 {
+            "1 + velocity_by_temperature (temperature - 293.15) must be > 0"
+        } else if !self.viscous().is_finite() {
+            "viscous_coefficient_cold exp((293.15 - temperature) / viscous_temperature) must be finite"
+        } else {
+            return Ok(());
         };
-        if self.excess().is_nan() {
-            return refuse("excess_by_temperature", ">=");
-        }
-        if self.speed_of_excess().is_nan() { refuse("velocity_by_temperature", ">") } else { Ok(()) }
+        Err(Fault::new(format_args!("temperature = {}: {rule}", self.temperature)))
     }
 
     memoryless!();
@@ -301,25 +295,15 @@ mod tests {
 
     #[test]
     fn temperatures_without_a_level_are_refused_by_name() {
-        let cold = |temperature| {
-            let law = JointFriction { temperature, ..joint(0.1) };
-            (force(law).is_nan(), law.check_motion().map_err(|fault| fault.to_string()))
-        };
-        assert_eq!(cold(273.16), (false, Ok(())));
+        let check = |law: JointFriction| law.check().map_err(|fault| fault.to_string());
+        let cold = |temperature| check(JointFriction { temperature, ..joint(0.1) });
+        assert_eq!(cold(273.16), Ok(()));
         let text = "temperature = 273.15: 1 + velocity_by_temperature (temperature - 293.15) must be > 0";
-        assert_eq!(cold(273.15), (true, Err(text.to_owned())));
+        assert_eq!(cold(273.15), Err(text.to_owned()));
         let text = "temperature = 243: 1 + excess_by_temperature (temperature - 293.15) must be >= 0";
-        assert_eq!(cold(243.0), (true, Err(text.to_owned())));
-        let instance = |temperature: f64| {
-            let mut instance = crate::instance::Instance::new(crate::catalogue::by_name("JointFriction").unwrap());
-            let values = [("velocity_by_temperature", 0.05), ("temperature", temperature), ("velocity", 0.1)];
-            for (name, value) in values {
-                instance.set_column(instance.model().find(name).unwrap(), value).unwrap();
-            }
-            instance.step(1e-3).map_err(|fault| fault.to_string())
-        };
-        assert!(instance(280.0).is_ok());
-        assert!(instance(270.0).unwrap_err().contains("temperature = 270"));
+        assert_eq!(cold(243.0), Err(text.to_owned()));
+        let thick = JointFriction { temperature: 290.0, viscous_temperature: 1e-3, ..joint(0.1) };
+        assert!(check(thick).unwrap_err().ends_with("must be finite"));
     }
 
     /// With one curve and no temperature it is Stribeck's law, along a motion with jumps, turns and rest.

@@ -44,7 +44,7 @@ const TURNED: [&Quantity; 4] = [
 ];
 
 /// Units of a body that slides, and those in their place for one that turns.
-const UNITS: [(&str, &str); 16] = [
+const UNITS: [(&str, &str); 18] = [
     ("N", "N.m"),
     ("m", "rad"),
     ("m/s", "rad/s"),
@@ -61,6 +61,8 @@ const UNITS: [(&str, &str); 16] = [
     ("s", "s"),
     ("1/s", "1/s"),
     ("J", "J"),
+    ("K", "K"),
+    ("1/K", "1/K"),
 ];
 
 impl Movement {

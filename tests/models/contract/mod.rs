@@ -122,8 +122,11 @@ fn limit(bench: &mut Bench, velocity: f64) -> f64 {
     let viscous =
         bench.of_meaning(Meaning::Viscous).unwrap_or(0.0) * if power > 0.0 { speed.powf(power) } else { speed };
     let quadratic = value(bench, "quadratic_coefficient") * speed * speed;
-    let without_load = value(bench, "kinetic_force") + value(bench, "excess_force");
-    let cold = value(bench, "viscous_coefficient_cold") * speed;
+    let warming = if bench.has("temperature") { bench.get("temperature") - 293.15 } else { 0.0 };
+    let excess = value(bench, "excess_force") * (1.0 + value(bench, "excess_by_temperature") * warming);
+    let without_load = value(bench, "kinetic_force") + excess;
+    let thinning = if warming == 0.0 { 1.0 } else { (-warming / bench.get("viscous_temperature")).exp() };
+    let cold = value(bench, "viscous_coefficient_cold") * thinning * speed;
     overshoot * mu * load + without_load + viscous + cold + quadratic + value(bench, "mu_v") * load * speed
 }
 

@@ -206,7 +206,7 @@ fn every_unit_that_a_fit_shows_has_one_for_joints() {
     let units = of_laws.filter_map(|kind| if let Kind::Real(unit) = kind { Some(unit.name) } else { None });
     for unit in units.chain(["N", "m", "m/s", "m/s2", "kg", "s"]).collect::<BTreeSet<_>>() {
         let turned = Movement::Rotation.unit(unit);
-        assert_eq!(turned == unit, ["1", "s", "1/s", "J"].contains(&unit), "{unit} {turned}");
+        assert_eq!(turned == unit, ["1", "s", "1/s", "J", "K", "1/K"].contains(&unit), "{unit} {turned}");
         assert_eq!(Movement::Translation.unit(unit), unit);
     }
 }
