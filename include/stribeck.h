@@ -783,8 +783,6 @@ typedef enum stribeck_friction_model {
   STRIBECK_FRICTION_MODEL_LEUVEN = 32,
   /** Bristle friction with dwell time (Gonthier) */
   STRIBECK_FRICTION_MODEL_GONTHIER = 33,
-  /** Friction of rock, by the speed and the age of its contacts (Dieterich, Ruina) */
-  STRIBECK_FRICTION_MODEL_RATE_AND_STATE = 34,
 } stribeck_friction_model;
 
 /** Choices of a variable of the type FrictionStart. */
@@ -5040,7 +5038,7 @@ typedef enum stribeck_rate_and_state_variable {
 } stribeck_rate_and_state_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{08307e8c-bf02-101e-822b-62c0536e40a9}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{8fd63df7-e430-2cb1-017a-438064337788}"
 
 /** Preset of ShockAbsorber: Formula Student, front axle: the start values. */
 #define STRIBECK_SHOCK_ABSORBER_PRESET_FRONT "front"
@@ -5572,19 +5570,6 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_GONTHIER_TRANSITION_VELOCITY = 2083171682,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_DWELL_TIME_CONSTANT = 1275370588,
-  /** tunable [1]: Direct effect: change of the coefficient of friction with the logarithm of the speed, at once.
-   *  (> 0, default 0.01) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DIRECT_EFFECT = 498517662,
-  /** tunable [1]: Evolution effect: change of the coefficient of friction with the logarithm of the age of the contacts.
-   *  (>= 0, default 0.015) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_EVOLUTION_EFFECT = 1498888872,
-  /** tunable [m]: Characteristic slip distance, on which sliding renews the contacts (default chosen).
-   *  (> 0, default 1e-5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIP_DISTANCE = 2114707449,
-  /** tunable [m/s]: Speed of steady sliding at which the coefficient of friction is mu_0. (> 0, default 1e-6) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_REFERENCE_VELOCITY = 608358510,
-  /** fixed [stribeck_rate_and_state_variant]: Variant of the law. (default Ageing) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_RATEANDSTATE_VARIANT = 832537648,
   /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.15) */
   STRIBECK_SHOCK_ABSORBER_C1_MU_S = 577759937,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
@@ -5758,7 +5743,7 @@ typedef enum stribeck_telescopic_joint_variable {
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
-#define STRIBECK_GUIDE_CONTACT_GUID "{1b5bdd44-c28e-89d6-5280-4f9cf63f7e11}"
+#define STRIBECK_GUIDE_CONTACT_GUID "{07832e0b-f58b-b54a-6cf6-effa8476aecc}"
 
 /** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Variables of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {
@@ -6002,19 +5987,6 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_GONTHIER_TRANSITION_VELOCITY = 2083171682,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
   STRIBECK_GUIDE_CONTACT_FRICTION_DWELL_TIME_CONSTANT = 1275370588,
-  /** tunable [1]: Direct effect: change of the coefficient of friction with the logarithm of the speed, at once.
-   *  (> 0, default 0.01) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DIRECT_EFFECT = 498517662,
-  /** tunable [1]: Evolution effect: change of the coefficient of friction with the logarithm of the age of the contacts.
-   *  (>= 0, default 0.015) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_EVOLUTION_EFFECT = 1498888872,
-  /** tunable [m]: Characteristic slip distance, on which sliding renews the contacts (default chosen).
-   *  (> 0, default 1e-5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SLIP_DISTANCE = 2114707449,
-  /** tunable [m/s]: Speed of steady sliding at which the coefficient of friction is mu_0. (> 0, default 1e-6) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_REFERENCE_VELOCITY = 608358510,
-  /** fixed [stribeck_rate_and_state_variant]: Variant of the law. (default Ageing) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_RATEANDSTATE_VARIANT = 832537648,
   /** state [1]: States of the friction law, in SI units: its continuous states in their order. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_1 = 1672239013,
   /** state [1]: States of the friction law, in SI units: its continuous states in their order. (default 0) */

@@ -95,7 +95,8 @@ crate::model! {
     /// $a < b$ weakens with speed: a spring softer than $(b - a) f_n / D_c$ then gives stick-slip. Fits are made around
     /// $v_0$; far from it the logarithm goes on, down to a friction of 0, which it does not pass. Only the product of
     /// normal force and coefficient is described: a change of the load does not change the age. `normal_force` = 0
-    /// releases the contact: force 0, and the next step or event begins anew with $psi = 0$.
+    /// releases the contact: force 0, and the next step or event begins anew with $psi = 0$. A strut does not have the law:
+    /// its contacts scale all of a law with one coefficient.
     ///
     /// # Source
     /// Dieterich (1979), doi:10.1029/JB084iB05p02161; Ruina (1983), doi:10.1029/JB088iB12p10359, both with the

@@ -25,9 +25,10 @@ const fn is_along(law: Declared) -> bool {
 }
 
 /// Whether the law is one of sliding along a line, whose level the contact sets by the coefficient of friction: one for
-/// both directions, and none without load.
+/// both directions, none without load, and not that of one speed only.
 const fn is_scalar(law: Declared) -> bool {
-    let follows_load = kinetic_levels(law) == 1 && column(law, Meaning::Preload).is_none();
+    let has_others = column(law, Meaning::Preload).is_some() || column(law, Meaning::ReferenceSpeed).is_some();
+    let follows_load = kinetic_levels(law) == 1 && !has_others;
     is_along(law) && column(law, Meaning::FrictionForce).is_some() && follows_load
 }
 

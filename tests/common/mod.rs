@@ -39,10 +39,13 @@ pub fn scalar_laws() -> impl Iterator<Item = &'static ModelType> {
     catalogue::documented(Family::Friction).map(|(law, _)| law).filter(slides)
 }
 
-/// Those that a contact of a strut can have: it sets one level for both directions, and none without load.
+/// Those that a contact of a strut can have: it sets one level for both directions and all speeds, and none without load.
 pub fn laws_of_strut() -> impl Iterator<Item = &'static ModelType> {
     let levels = |law: &ModelType| law.table.iter().filter(|one| one.meaning == Meaning::KineticLevel).count();
-    scalar_laws().filter(move |law| levels(law) == 1 && law.table.of(Meaning::Preload).is_none())
+    scalar_laws().filter(move |law| {
+        let others = [Meaning::Preload, Meaning::ReferenceSpeed];
+        levels(law) == 1 && others.into_iter().all(|other| law.table.of(other).is_none())
+    })
 }
 
 /// Laws that know the mass of a body and hold it at rest, without a band in which it creeps.

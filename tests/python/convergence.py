@@ -29,6 +29,8 @@ class Converged:
 def first_step(model: str, fmu_dir: Path = FMUS) -> float:
     """A step well below that at which a block at rest would chatter."""
     step, limit = LONGEST, limit_of_step(model, fmu_dir)
+    if limit < LONGEST / 2**HALVINGS:
+        raise CouplingError(f"{model}: a block at rest needs steps below {limit:g} s")
     while step > 0.5 * limit:
         step *= 0.5
     return step

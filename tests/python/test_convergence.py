@@ -13,12 +13,19 @@ from belt import BeltRun, is_random, run_belt
 
 from examples.fmpy.coupling import FMUS, CouplingError, laws_in
 
+# Their force passes from one level to the other at rest within a speed that no step resolves.
+STEEP = ["RateAndState"]
+
 # Long enough for the second slip of every law with stiction, and for three turns without.
 DURATION = 20.0
 
 
 @pytest.mark.parametrize("law", laws_in(FMUS))
 def test_every_law_on_the_belt_has_the_motion_of_its_own_solution(law):
+    if law in STEEP:
+        with pytest.raises(CouplingError, match="a block at rest needs steps below"):
+            convergence.converged(law, DURATION)
+        return
     found = convergence.converged(law, DURATION)
     assert abs(found.difference) <= AGREEMENT
     expected = belt_solutions.periods().get(law)

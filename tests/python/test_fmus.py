@@ -1,5 +1,6 @@
 """Every packed FMU through fmpy, as used by an importer: alone, side by side, saved, differentiated, and misused."""
 
+import math
 import os
 import re
 import subprocess
@@ -48,8 +49,12 @@ def kinetic(model: str) -> str | None:
     return next((name for name, one in described if one.description.startswith("Kinetic coefficient of fr")), None)
 
 
-def coefficient(model: str) -> float:
-    """Kinetic coefficient of friction by default; for a rolling wheel that of its resistance."""
+def coefficient(model: str, speed: float) -> float:
+    """Kinetic coefficient of friction by default; for a rolling wheel that of its resistance, for rock that of steady
+    sliding, mu_0 + (a - b) ln(v / v_0)."""
+    if known := start(model, "mu_0"):
+        slope = start(model, "direct_effect") - start(model, "evolution_effect")
+        return known + slope * math.log(speed / start(model, "reference_velocity"))
     name = kinetic(model)
     return start(model, name) if name else start(model, "lever_arm") / start(model, "wheel_radius")
 
@@ -78,7 +83,7 @@ def test_steady_sliding_resists_with_the_kinetic_level(model, velocity):
         [(0.0, velocity, WEIGHT)], dtype=[("time", float), ("velocity", float), ("normal_force", float)]
     )
     result = simulate_fmu(str(path_of(model)), stop_time=1.0, output_interval=1e-2, input=signals)
-    level = coefficient(model) * WEIGHT + start(model, "viscous_coefficient") * abs(velocity)
+    level = coefficient(model, abs(velocity)) * WEIGHT + start(model, "viscous_coefficient") * abs(velocity)
     # A random law has the level on average; four standard deviations of its force, sigma Delta sqrt(N / 18).
     noise = 0.0
     if "bristle_count" in variables_of(path_of(model)):
@@ -102,10 +107,11 @@ def test_simulates_with_an_input_signal(model):
         input=signals,
         output=["friction_force", "dissipated_energy"],
     )
-    assert result["friction_force"][25] > 0.9 * coefficient(model) * 10.0
-    assert result["friction_force"][75] < -0.9 * coefficient(model) * 10.0
+    level = coefficient(model, 0.05)
+    assert result["friction_force"][25] > 0.9 * level * 10.0
+    assert result["friction_force"][75] < -0.9 * level * 10.0
     path = 4.0 * 0.05 / (2.0 * numpy.pi)
-    assert result["dissipated_energy"][-1] == pytest.approx(coefficient(model) * WEIGHT * path, rel=0.1)
+    assert result["dissipated_energy"][-1] == pytest.approx(level * WEIGHT * path, rel=0.1)
 
 
 def test_all_models_live_side_by_side():
@@ -273,7 +279,7 @@ def test_output_derivative_of_dahl():
 
 @pytest.mark.parametrize("model", FRICTION_MODELS)
 def test_a_parameter_outside_its_bound_is_rejected_with_name_value_and_limit(model, capfd):
-    parameter = kinetic(model) or "lever_arm"
+    parameter = kinetic(model) or ("mu_0" if start(model, "mu_0") else "lever_arm")
     refusal = f"{model}: fmi2SetReal: {parameter} = NaN: must be >=? 0 and finite"
     with pytest.raises(CouplingError, match=refusal):
         with open_fmu(path_of(model), {parameter: "nan"}):

@@ -13,10 +13,6 @@ fn every_law_of_the_catalogue_works_in_the_strut() {
     assert_eq!(offered, names, "every law of sliding along a line, in the order of the catalogue");
     for name in names {
         let mut strut = strut(&[law(name)]);
-        // Where the level is that of steady sliding at one speed, it is the largest one here.
-        if by_name(name).unwrap().find("reference_velocity").is_some() {
-            strut.set("friction.reference_velocity", 0.15);
-        }
         let (mut work, mut largest) = (0.0, 0f64);
         for k in 0..1000 {
             let phase = 4.0 * std::f64::consts::PI * 1e-3 * f64::from(k);
