@@ -166,7 +166,8 @@ def _is_friction_model(path: Path, axis: str = "") -> bool:
     causality = {name: variable.causality for name, variable in variables_of(path).items()}
     # A contact with a choice of laws is a part of the shock absorber.
     is_law = "friction.model" not in causality
-    return is_law and causality.get(f"velocity{axis}") == "input" and causality.get(f"friction_force{axis}") == "output"
+    moves = causality.get(f"velocity{axis}") == causality.get("normal_force") == "input"
+    return is_law and moves and causality.get(f"friction_force{axis}") == "output"
 
 
 def _is_law(path: Path) -> bool:

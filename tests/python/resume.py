@@ -13,11 +13,13 @@ def drive(fmu: Fmu, begin: int, end: int) -> None:
     """Steps an FMU with inputs that depend only on the number of the step."""
     names = fmu.names("input")
     inputs = fmu.references(*names)
-    starts = {v.name: float(v.start) for v in fmu.description.modelVariables if v.causality == "input"}
+    given = [v for v in fmu.description.modelVariables if v.causality == "input"]
+    starts, bounded = {v.name: float(v.start) for v in given}, {v.name for v in given if v.min is not None}
     for at in range(begin, end):
         wave = 1.0 + 1.5 * math.sin(0.05 * at)
-        # Loads sometimes vanish, everything else varies a little about its start value.
-        values = [abs(10.0 * wave) if name == "normal_force" else starts[name] + 1e-2 * wave for name in names]
+        # Loads sometimes vanish, everything else varies a little about its start value, or above it.
+        small = {name: 1e-2 * (abs(wave) if name in bounded else wave) for name in names}
+        values = [abs(10.0 * wave) if name == "normal_force" else starts[name] + small[name] for name in names]
         fmu.slave.setReal(inputs, values)
         fmu.slave.doStep(at * STEP, STEP)
 

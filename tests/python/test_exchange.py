@@ -15,7 +15,7 @@ MODELS = [model for model, description in DESCRIPTIONS.items() if description.mo
 
 # Variation of inputs about their start values, by unit.
 SWING = {"1": 0.1, "m/s": 2e-3, "m": 2e-3, "N": 0.5, "m/s2": 0.0, "rad": 0.02, "rad/s": 0.1}
-SWING |= {"W": 10.0, "K": 5.0, "N.m": 0.1}
+SWING |= {"W": 10.0, "K": 5.0, "N.m": 0.1, "V": 0.5}
 PIECES, PIECE, STEP = 20, 0.01, 1e-3
 
 # Advice on the communication step, which a solver does not have.
@@ -27,6 +27,12 @@ def real_inputs(model: str) -> list:
     return [v for v in DESCRIPTIONS[model].modelVariables if v.causality == "input" and v.type == "Real"]
 
 
+def admitted(variable, change: float) -> float:
+    """A value so far from the start value, on the other side of it if it would be below the minimum."""
+    start = float(variable.start)
+    return start - change if variable.min is not None and start + change < float(variable.min) else start + change
+
+
 def staircase(model: str) -> numpy.ndarray | None:
     """Inputs that are held for a while and then jump, in both directions: both kinds of FMU see the same."""
     inputs = real_inputs(model)
@@ -34,7 +40,7 @@ def staircase(model: str) -> numpy.ndarray | None:
         return None
     rows = []
     for piece in range(PIECES):
-        values = [float(v.start) + SWING[v.unit] * math.sin(2.3 * piece + at + 0.5) for at, v in enumerate(inputs)]
+        values = [admitted(v, SWING[v.unit] * math.sin(2.3 * piece + at + 0.5)) for at, v in enumerate(inputs)]
         rows += [(piece * PIECE, *values), ((piece + 1) * PIECE, *values)]
     return numpy.array(rows, dtype=[("time", float)] + [(v.name, float) for v in inputs])
 
