@@ -7,6 +7,9 @@ use crate::number::Real;
 /// Temperature at which the parameters hold, in K (chosen: 20 degC).
 const REFERENCE: f64 = 293.15;
 
+/// Logarithm of the factor by which the cold part of the viscous coefficient may grow (chosen: 22,000 times).
+const THICKEST: f64 = 10.0;
+
 crate::model! {
     /// Friction of a joint of a robot with its gear: levels that grow with the load and a lubricant that thins with the
     /// temperature, and a contact that holds at rest.
@@ -70,7 +73,7 @@ crate::model! {
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; a temperature at which $F$ would be negative, $V$ not
-    /// positive, or $B$ not finite.
+    /// positive, or the part $f_w$ of $B$ more than e^10 = 22,000 times as large as at $T_0$.
     ///
     /// # Limits
     /// Without `kinetic_force`, `excess_force` and `viscous_coefficient_cold` it is `Stribeck` with `curve` =
@@ -229,8 +232,8 @@ impl Model for JointFriction {
             "1 + excess_by_temperature (temperature - 293.15) must be >= 0"
         } else if self.speed_of_excess() <= 0.0 {
             "1 + velocity_by_temperature (temperature - 293.15) must be > 0"
-        } else if !self.viscous().is_finite() {
-            "viscous_coefficient_cold exp((293.15 - temperature) / viscous_temperature) must be finite"
+        } else if self.viscous_coefficient_cold > 0.0 && -self.warming() > THICKEST * self.viscous_temperature {
+            "(293.15 - temperature) / viscous_temperature must be <= 10"
         } else {
             return Ok(());
         };
@@ -302,8 +305,17 @@ mod tests {
         assert_eq!(cold(273.15), Err(text.to_owned()));
         let text = "temperature = 243: 1 + excess_by_temperature (temperature - 293.15) must be >= 0";
         assert_eq!(cold(243.0), Err(text.to_owned()));
-        let thick = JointFriction { temperature: 290.0, viscous_temperature: 1e-3, ..joint(0.1) };
-        assert!(check(thick).unwrap_err().ends_with("must be finite"));
+        let thick = |viscous_coefficient_cold| {
+            check(JointFriction {
+                temperature: 290.0,
+                viscous_temperature: 0.3,
+                viscous_coefficient_cold,
+                ..joint(0.1)
+            })
+        };
+        assert_eq!(thick(0.0), Ok(()));
+        let text = "temperature = 290: (293.15 - temperature) / viscous_temperature must be <= 10";
+        assert_eq!(thick(7.0), Err(text.to_owned()));
     }
 
     /// With one curve and no temperature it is Stribeck's law, along a motion with jumps, turns and rest.
