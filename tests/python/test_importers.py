@@ -13,7 +13,9 @@ from importers import IMPORTERS, difference, fmutool_errors, in_fmpy, rust_maste
 from examples.fmpy.coupling import FMUS, CouplingError, friction_models_in, models_in, path_of, variables_of
 
 MODELS = models_in(FMUS)
-LAWS = friction_models_in(FMUS)
+# Without the law whose force passes from one level to the other at rest within a speed that no step resolves: what it
+# does there depends on the last digit.
+LAWS = [law for law in friction_models_in(FMUS) if "reference_velocity" not in variables_of(path_of(law))]
 CORNERS = ["fl", "fr", "rl", "rr"]
 # 2 ms as a power of two that is a whole number of nanoseconds, in which libcosim counts: with others its steps differ
 # in the last digits from those of a master that counts in seconds.
