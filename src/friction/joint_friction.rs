@@ -2,7 +2,7 @@ use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::{stribeck, viscous};
 use crate::model::{Fault, Meaning, Model, Preset, real};
-use crate::number::Real;
+use crate::number::{Real, choose};
 
 /// Temperature at which the parameters hold, in K (chosen: 20 degC).
 const REFERENCE: f64 = 293.15;
@@ -165,7 +165,10 @@ impl<T: Real> JointFriction<T> {
     /// B.
     #[inline(always)]
     fn viscous(&self) -> T {
-        self.viscous_coefficient + self.viscous_coefficient_cold * (-self.warming() / self.viscous_temperature).exp()
+        let thinning = || (-self.warming() / self.viscous_temperature).exp();
+        let cold = self.viscous_coefficient_cold;
+        // Of nothing, nothing is left in any cold.
+        self.viscous_coefficient + choose!(cold.is_positive(), cold * thinning(), T::zero())
     }
 
     /// S - S(infinity) + the kinetic levels.

@@ -380,6 +380,7 @@ fn reasons_are_logged_even_with_logging_off() {
             assert_eq!(fmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2OK);
             assert_eq!(fmi2EnterInitializationMode(c), fmi2OK);
             assert_eq!(fmi2ExitInitializationMode(c), fmi2OK);
+            assert_eq!(count(), debug as usize, "parameters that are not passive");
             assert_eq!(fmi2NewDiscreteStates(c, &mut { NO_EVENT }), fmi2OK);
             assert_eq!(fmi2EnterContinuousTimeMode(c), fmi2OK);
             let velocity = reference::of(&model::Path::root("velocity"));
