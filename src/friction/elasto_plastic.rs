@@ -1,7 +1,7 @@
 use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::laws::passivity::Bristles;
+use crate::laws::passivity::names_least_viscous;
 use crate::laws::stribeck;
 use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, integer};
 use crate::number::elementary::{exp, exp_m1, ln, ln_1p, pow, sin};
@@ -232,17 +232,7 @@ impl Model for ElastoPlastic {
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
-    fn passivity(&self) -> Option<Fault> {
-        let bristles = Bristles {
-            coefficients: [self.mu_k, self.mu_s],
-            normal_force: self.normal_force,
-            fall: [self.stribeck_velocity, self.stribeck_exponent],
-            damping: self.sigma_1,
-            damping_velocity: self.damping_velocity,
-            exponent: self.plastic_exponent,
-        };
-        bristles.fault(self.viscous_coefficient)
-    }
+    names_least_viscous!(|law| law.plastic_exponent);
 
     fn check_model_exchange(&self) -> Result<(), Fault> {
         crate::contact::conditions::kinetic_friction_for_exchange(self.mu_k)

@@ -167,7 +167,7 @@ impl<T: Real> JointFriction<T> {
     fn viscous(&self) -> T {
         let thinning = || (-self.warming() / self.viscous_temperature).exp();
         let cold = self.viscous_coefficient_cold;
-        // Of nothing, nothing is left in any cold.
+        // Without it the exponential does not matter, even where it overflows.
         self.viscous_coefficient + choose!(cold.is_positive(), cold * thinning(), T::zero())
     }
 
@@ -231,16 +231,17 @@ impl Model for JointFriction {
 
     fn check(&self) -> Result<(), Fault> {
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)?;
-        let rule = if self.excess() < 0.0 {
-            "1 + excess_by_temperature (temperature - 293.15) must be >= 0"
-        } else if self.speed_of_excess() <= 0.0 {
-            "1 + velocity_by_temperature (temperature - 293.15) must be > 0"
-        } else if self.viscous_coefficient_cold > 0.0 && -self.warming() > THICKEST * self.viscous_temperature {
-            "(293.15 - temperature) / viscous_temperature must be <= 10"
-        } else {
-            return Ok(());
-        };
-        Err(Fault::new(format_args!("temperature = {}: {rule}", self.temperature)))
+        let refuse = |rule| Err(Fault::new(format_args!("temperature = {}: {rule}", self.temperature)));
+        if self.excess() < 0.0 {
+            return refuse(format_args!("1 + excess_by_temperature (temperature - {REFERENCE}) must be >= 0"));
+        }
+        if self.speed_of_excess() <= 0.0 {
+            return refuse(format_args!("1 + velocity_by_temperature (temperature - {REFERENCE}) must be > 0"));
+        }
+        if self.viscous_coefficient_cold > 0.0 && -self.warming() > THICKEST * self.viscous_temperature {
+            return refuse(format_args!("({REFERENCE} - temperature) / viscous_temperature must be <= {THICKEST}"));
+        }
+        Ok(())
     }
 
     memoryless!();

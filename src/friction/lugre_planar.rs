@@ -3,7 +3,7 @@ use nalgebra::Vector2;
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::laws::passivity::Bristles;
+use crate::laws::passivity::names_least_viscous;
 use crate::laws::stribeck;
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, change, in_lanes};
 use crate::number::choose;
@@ -245,17 +245,7 @@ impl Model for LuGrePlanar {
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
-    fn passivity(&self) -> Option<Fault> {
-        let bristles = Bristles {
-            coefficients: [self.mu_k, self.mu_s],
-            normal_force: self.normal_force,
-            fall: [self.stribeck_velocity, self.stribeck_exponent],
-            damping: self.sigma_1,
-            damping_velocity: self.damping_velocity,
-            exponent: 1.0,
-        };
-        bristles.fault(self.viscous_coefficient)
-    }
+    names_least_viscous!(|_law| 1.0);
 
     fn check_model_exchange(&self) -> Result<(), Fault> {
         crate::contact::conditions::kinetic_friction_for_exchange(self.mu_k)

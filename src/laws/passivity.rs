@@ -71,6 +71,25 @@ impl Bristles {
     }
 }
 
+/// The method `passivity` of a model whose bristles have a Stribeck curve and this exponent i.
+macro_rules! names_least_viscous {
+    (|$law:ident| $exponent:expr) => {
+        fn passivity(&self) -> Option<$crate::model::Fault> {
+            let $law = self;
+            let bristles = $crate::laws::passivity::Bristles {
+                coefficients: [self.mu_k, self.mu_s],
+                normal_force: self.normal_force,
+                fall: [self.stribeck_velocity, self.stribeck_exponent],
+                damping: self.sigma_1,
+                damping_velocity: self.damping_velocity,
+                exponent: $exponent,
+            };
+            bristles.fault(self.viscous_coefficient)
+        }
+    };
+}
+pub(crate) use names_least_viscous;
+
 /// Names a viscous coefficient that is below the least one.
 pub fn least_viscous(viscous_coefficient: f64, least: f64) -> Option<Fault> {
     if least == f64::INFINITY {

@@ -52,7 +52,7 @@ pub fn hyperbolic<T: Real>(velocity: T, coulomb: T, breakaway: T, stribeck_veloc
 /// C(s) = sum e_i p_i exp(-p_i s) (delta p_i s - (delta - 1))
 /// ```
 ///
-/// Between the inflections s_1 < s_2 of both parts, in between of which they differ in sign, the logarithm of their ratio
+/// Between the inflections s_1 < s_2 of the parts their curvatures differ in sign, and the logarithm of their ratio
 /// has the slope (s_2 - s_1) / ((s - s_1) (s_2 - s)) - (p_1 - p_2): the ratio falls between the zeros of that, if at all.
 pub fn turning_again(parts: [[f64; 2]; 2], exponent: f64) -> f64 {
     let rates = parts.map(|[_, speed]| Real::powf(speed, -exponent));

@@ -283,7 +283,7 @@ pub trait Model: Described + Law<Number = f64> {
     }
 
     /// Names the parameter with which the law can give back more energy than it took from a motion at constant load, and
-    /// the value that would keep it passive. None of a law that is passive, or never is: its page says which.
+    /// the value that would keep it passive. None for a law that always is passive, or never: its page says which.
     fn passivity(&self) -> Option<Fault> {
         None
     }

@@ -53,7 +53,7 @@ fn a_strut_without_overlap_left_says_so() {
     assert!(text.contains("with geom.h_reg = 0 m"), "{text}");
 }
 
-/// A step that moves the length with the velocity, into where there is no gas volume left: the length is where it was.
+/// A step that moves the length with the velocity until no gas volume is left is refused, and the length stays.
 #[test]
 fn a_refused_step_along_the_motion_changes_nothing() {
     let mut strut = strut(&[("num.input_mode", 2.0), ("gas.V0", 1e-5), ("velocity", -1.0)]);

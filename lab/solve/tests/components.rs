@@ -28,7 +28,7 @@ fn stopped(component: &str, speed: f64, set: &str, input: &str, until: f64) -> O
     run(&system, &settings, &shown).unwrap()
 }
 
-/// What the mass has lost, the component has taken; and the component follows the mass.
+/// Checks that the component has taken the energy that the mass has lost, and has followed the mass.
 fn assert_balance(outcome: &Outcome, speed: f64) {
     let of = |name: &str| outcome.values(name).unwrap();
     let motion = of("mass.velocity").iter().zip(of("stop.dissipated_energy"));

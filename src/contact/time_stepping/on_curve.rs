@@ -31,8 +31,8 @@ pub(crate) trait Curve<T: Real> {
         [T::zero(); 2]
     }
 
-    /// Speed at which a curve that has turned from concave to convex turns back and begins to do so again; 0 if it does
-    /// not. Not for registers.
+    /// Speed at which a curve with two humps, each concave and then convex, becomes concave again; 0 if it does not. Not
+    /// for registers.
     fn turning_again(&self) -> f64 {
         0.0
     }
@@ -169,7 +169,7 @@ fn landing(law: &impl Curve<Dual>, marks: [f64; 5], inertia: f64, side: f64, vel
     match end_velocity::first(&residual, &all, velocity, end) {
         // The curve is smooth where it turns.
         Landing::Jump(at) if all[at].abs() == again => Landing::Curve(all[at]),
-        Landing::Jump(at) => Landing::Jump(marks.iter().position(|mark| *mark == all[at]).unwrap_or(2)),
+        Landing::Jump(at) => Landing::Jump(marks.iter().filter(|mark| **mark > all[at]).count()),
         curve @ Landing::Curve(_) => curve,
     }
 }

@@ -130,8 +130,8 @@ fn limit(bench: &mut Bench, velocity: f64) -> f64 {
     overshoot * mu * load + without_load + viscous + cold + quadratic + value(bench, "mu_v") * load * speed
 }
 
-/// What a logarithmic law adds to its level in steady sliding: a asinh(y / 2) <= a ln(1 + y) <= max(0, a ln y) + a ln 2,
-/// with a ln y = mu_0 + (a - b) ln(v / v_0).
+/// Upper bound of what a logarithmic law adds to its level in steady sliding:
+/// a asinh(y / 2) <= a ln(1 + y) <= max(0, a ln y) + a ln 2, with a ln y = mu_0 + (a - b) ln(v / v_0).
 fn logarithmic(bench: &mut Bench, speed: f64) -> f64 {
     if !bench.has("direct_effect") {
         return 0.0;
