@@ -7377,4 +7377,187 @@ typedef enum stribeck_gear_efficiency_variable {
   STRIBECK_GEAR_EFFICIENCY_DISSIPATED_POWER = 236926875,
 } stribeck_gear_efficiency_variable;
 
+/** Guid of ServoFriction for fmi2Instantiate. */
+#define STRIBECK_SERVO_FRICTION_GUID "{4f773f77-aafa-2304-f705-46b88939b5c6}"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-106, model M1; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_MX106_M1 "mx106_m1"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-106, model M2; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_MX106_M2 "mx106_m2"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-106, model M3; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_MX106_M3 "mx106_m3"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-106, model M4; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_MX106_M4 "mx106_m4"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-106, model M5; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_MX106_M5 "mx106_m5"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-106, model M6; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_MX106_M6 "mx106_m6"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-64, model M1; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_MX64_M1 "mx64_m1"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-64, model M2; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_MX64_M2 "mx64_m2"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-64, model M3; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_MX64_M3 "mx64_m3"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-64, model M4; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_MX64_M4 "mx64_m4"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-64, model M5; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_MX64_M5 "mx64_m5"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-64, model M6; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_MX64_M6 "mx64_m6"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-320, model M1; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_XL320_M1 "xl320_m1"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-320, model M2; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_XL320_M2 "xl320_m2"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-320, model M3; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_XL320_M3 "xl320_m3"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-320, model M4; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_XL320_M4 "xl320_m4"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-320, model M5; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_XL320_M5 "xl320_m5"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-320, model M6; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_XL320_M6 "xl320_m6"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-330, model M1; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_XL330_M1 "xl330_m1"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-330, model M2; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_XL330_M2 "xl330_m2"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-330, model M3; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_XL330_M3 "xl330_m3"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-330, model M4; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_XL330_M4 "xl330_m4"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-330, model M5; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_XL330_M5 "xl330_m5"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-330, model M6; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_XL330_M6 "xl330_m6"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:50, model M1; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_EROB80_50_M1 "erob80_50_m1"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:50, model M2; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_EROB80_50_M2 "erob80_50_m2"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:50, model M3; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_EROB80_50_M3 "erob80_50_m3"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:50, model M4; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_EROB80_50_M4 "erob80_50_m4"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:50, model M5; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_EROB80_50_M5 "erob80_50_m5"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:50, model M6; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_EROB80_50_M6 "erob80_50_m6"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:100, model M1; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_EROB80_100_M1 "erob80_100_m1"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:100, model M2; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_EROB80_100_M2 "erob80_100_m2"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:100, model M3; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_EROB80_100_M3 "erob80_100_m3"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:100, model M4; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_EROB80_100_M4 "erob80_100_m4"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:100, model M5; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_EROB80_100_M5 "erob80_100_m5"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:100, model M6; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_EROB80_100_M6 "erob80_100_m6"
+
+/** Preset of ServoFriction: Duclusaud et al. (2025), Feetech STS3215, 7.4 V, model M1; N.m and rad/s. */
+#define STRIBECK_SERVO_FRICTION_PRESET_STS3215_M1 "sts3215_m1"
+
+/** ServoFriction: Friction of a servo drive by the torques of its motor and its load (Duclusaud and others). Variables of "ServoFriction". */
+typedef enum stribeck_servo_friction_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_SERVO_FRICTION_VELOCITY = 846470194,
+  /** in [N]: Force of the motor at the output, positive in the direction of the velocity. (default 0) */
+  STRIBECK_SERVO_FRICTION_MOTOR_FORCE = 1103735874,
+  /** in [N]: Force of the load on the output, positive in the direction of the velocity. (default 0) */
+  STRIBECK_SERVO_FRICTION_LOAD_FORCE = 1613682665,
+  /** tunable [N]: Kinetic level of friction without load. (>= 0, default 0) */
+  STRIBECK_SERVO_FRICTION_KINETIC_FORCE = 12436976,
+  /** tunable [N]: Excess of the static over the kinetic level without load. (>= 0, default 0.1049) */
+  STRIBECK_SERVO_FRICTION_EXCESS_FORCE = 1955954170,
+  /** tunable [1]: Kinetic level of friction by the force of the motor. (>= 0, default 0.00915) */
+  STRIBECK_SERVO_FRICTION_MOTOR_COEFFICIENT = 389200416,
+  /** tunable [1]: Kinetic level of friction by the force of the load. (>= 0, default 0.00915) */
+  STRIBECK_SERVO_FRICTION_LOAD_COEFFICIENT = 419002735,
+  /** tunable [1]: Excess of the static over the kinetic level by the force of the motor. (>= 0, default 0.2224) */
+  STRIBECK_SERVO_FRICTION_MOTOR_EXCESS = 1551683256,
+  /** tunable [1]: Excess of the static over the kinetic level by the force of the load. (>= 0, default 0.2224) */
+  STRIBECK_SERVO_FRICTION_LOAD_EXCESS = 952738817,
+  /** tunable [1/N]: Excess by the square of the force of the motor, where a larger load opposes it.
+   *  (>= 0, default 0) */
+  STRIBECK_SERVO_FRICTION_MOTOR_QUADRATIC_EXCESS = 591972707,
+  /** tunable [1/N]: Excess by the square of the force of the load, where a larger force of the motor opposes it.
+   *  (>= 0, default 0) */
+  STRIBECK_SERVO_FRICTION_LOAD_QUADRATIC_EXCESS = 1977134430,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 1.623) */
+  STRIBECK_SERVO_FRICTION_STRIBECK_VELOCITY = 2117263402,
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 1.323) */
+  STRIBECK_SERVO_FRICTION_STRIBECK_EXPONENT = 509292062,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.05096) */
+  STRIBECK_SERVO_FRICTION_VISCOUS_COEFFICIENT = 97539077,
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
+   *  (>= 0, default 0) */
+  STRIBECK_SERVO_FRICTION_MASS = 1601648849,
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
+  STRIBECK_SERVO_FRICTION_EXCHANGE = 1692658528,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_SERVO_FRICTION_STEP_SIZE = 843244609,
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
+  STRIBECK_SERVO_FRICTION_PLANNING_STEP = 1287183179,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_SERVO_FRICTION_PLANNED_FORCE = 30514517,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_SERVO_FRICTION_END_VELOCITY = 1478402472,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_SERVO_FRICTION_END_EXTERNAL_FORCE = 1757063408,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_SERVO_FRICTION_END_NORMAL_FORCE = 962162212,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_SERVO_FRICTION_VELOCITY_CHANGE = 10986035,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_SERVO_FRICTION_EXTERNAL_FORCE_CHANGE = 1328420411,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_SERVO_FRICTION_NORMAL_FORCE_CHANGE = 2025029027,
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
+  STRIBECK_SERVO_FRICTION_PHASE = 1501573624,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_SERVO_FRICTION_DISSIPATED_ENERGY = 758404530,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_SERVO_FRICTION_FRICTION_FORCE = 1713976319,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_SERVO_FRICTION_DISSIPATED_POWER = 236926875,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_SERVO_FRICTION_STICKING = 553311409,
+} stribeck_servo_friction_variable;
+
 #endif /* STRIBECK_H */

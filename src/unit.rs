@@ -76,10 +76,15 @@ impl Unit {
         self.rad = 1;
         self
     }
+
+    const fn per_radian(mut self) -> Unit {
+        self.rad = -1;
+        self
+    }
 }
 
 /// Every unit that a column may have.
-pub static UNITS: [Unit; 36] = [
+pub static UNITS: [Unit; 40] = [
     unit("1", "Ratio", [0, 0, 0], &[]),
     unit("m", "Length", [0, 1, 0], &[shown("mm", 1e3), shown("um", 1e6)]),
     unit("m/s", "Velocity", [0, 1, -1], &[shown("mm/s", 1e3)]),
@@ -112,7 +117,11 @@ pub static UNITS: [Unit; 36] = [
     unit("J/K", "HeatCapacity", [1, 2, -2], &[]).per_kelvin(1),
     unit("W/K", "ThermalConductance", [1, 2, -3], &[]).per_kelvin(1),
     unit("1/m2", "PerArea", [0, -2, 0], &[]),
+    unit("1/N", "PerForce", [-1, -1, 2], &[]),
     unit("V", "Voltage", [1, 2, -3], &[]).with_ampere(-1),
+    unit("V/rad", "VoltagePerAngle", [1, 2, -3], &[]).with_ampere(-1).per_radian(),
+    unit("Ohm", "Resistance", [1, 2, -3], &[]).with_ampere(-2),
+    unit("N.m/A", "TorquePerCurrent", [1, 2, -2], &[]).with_ampere(-1),
     unit("V/s", "VoltageRate", [1, 2, -4], &[]).with_ampere(-1),
     unit("N/(m.V)", "StiffnessPerVoltage", [0, -2, 1], &[]).with_ampere(1),
     unit("N.s/(m.V)", "ViscousCoefficientPerVoltage", [0, -2, 2], &[]).with_ampere(1),

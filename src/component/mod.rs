@@ -7,4 +7,5 @@ crate::model::family! {
     magnetorheological_damper::MagnetorheologicalDamper,
     rubber_mount::RubberMount,
     gear_efficiency::GearEfficiency,
+    servo_friction::ServoFriction,
 }

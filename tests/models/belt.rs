@@ -3,6 +3,7 @@
 use crate::common::{Bench, Exchange, Sample, belt, belt_of_master, extrema, holding_laws};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use stribeck::catalogue;
+use stribeck::model::ModelType;
 
 /// Closed form for m = 1 kg, k = 2 N/m, v_b = 0.1 m/s, f_C = 0.981 N, f_s = 1.4715 N (12 digits):
 /// T = 2 D / v_b + (2 / w) (pi - atan(D w / v_b)) with D = (f_s - f_C) / k, w = sqrt(k / m).
@@ -89,7 +90,9 @@ const FORCE: Slope = ("external_force", force_rate);
 
 /// Laws that know the mass of the body.
 fn laws_with_mass() -> Vec<&'static str> {
-    catalogue::models().filter(|model| model.find("planned_force").is_some()).map(|model| model.name).collect()
+    let is_contact =
+        |model: &&ModelType| ["planned_force", "normal_force"].iter().all(|name| model.find(name).is_some());
+    catalogue::models().filter(is_contact).map(|model| model.name).collect()
 }
 
 /// The mean of a load that moved over the last step says nothing of a load that is set after it.

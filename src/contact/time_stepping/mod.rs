@@ -324,9 +324,14 @@ pub(crate) fn step_ramp<M: Model + Holding<f64>>(law: &mut M, slope: &M, dt: f64
     step_from(law, begin, dt);
 }
 
-/// Methods of [`Holding`] that access the inputs of a law.
+/// Methods of [`Holding`] that access the columns of a law: all of them, or only the inputs or the time stepping.
 macro_rules! holding {
     ($T:ident) => {
+        $crate::contact::time_stepping::holding!(time stepping, $T);
+        $crate::contact::time_stepping::holding!(inputs of a contact, $T);
+    };
+
+    (time stepping, $T:ident) => {
         #[inline(always)]
         fn time_stepping(&self) -> &$crate::contact::time_stepping::TimeStepping<$T> {
             &self.time_stepping
@@ -336,7 +341,9 @@ macro_rules! holding {
         fn time_stepping_mut(&mut self) -> &mut $crate::contact::time_stepping::TimeStepping<$T> {
             &mut self.time_stepping
         }
+    };
 
+    (inputs of a contact, $T:ident) => {
         #[inline(always)]
         fn inputs(&self) -> $crate::contact::time_stepping::Inputs<$T> {
             $crate::contact::time_stepping::Inputs {

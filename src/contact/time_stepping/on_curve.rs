@@ -235,14 +235,15 @@ impl<L: Curve<f64>> OnCurve<'_, f64, L> {
         Band { phase: Phase::of(self.phase.0), velocity: self.velocity, width }
     }
 
+    /// Positive until the phase has to change.
+    pub(crate) fn indicator_of_phase(&self) -> f64 {
+        self.law.band().map_or_else(|| self.rest().indicator(), |width| self.around_rest(width).indicator())
+    }
+
     pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
         let distance = |kink: f64| if kink > 0.0 { self.velocity.abs() / kink - 1.0 } else { NO_EVENT };
         let [near, far] = self.law.kinks().map(distance);
-        let phase = match self.law.band() {
-            Some(width) => self.around_rest(width).indicator(),
-            None => self.rest().indicator(),
-        };
-        indicators.copy_from_slice(&[phase, near, far, unloading::load(self.normal_force)]);
+        indicators.copy_from_slice(&[self.indicator_of_phase(), near, far, unloading::load(self.normal_force)]);
     }
 
     /// Phase of the contact after an event.
@@ -252,13 +253,27 @@ impl<L: Curve<f64>> OnCurve<'_, f64, L> {
 }
 
 /// Common code of all laws with a [`Curve`]: outputs, step and energy. `memoryless!(Law)` generates the outputs, with
-/// `|law|` and a statement those that only this law has; `memoryless!();` inside `impl Model` generates the step.
+/// `|law|` and a statement those that only this law has; `memoryless!();` inside `impl Model` generates the step. A part
+/// that has other inputs than a contact gives `memoryless!(Law, { ... })` their methods of [`Holding`](super::Holding), and
+/// `memoryless!(without events);` leaves the events to it.
 macro_rules! memoryless {
     ($Law:ident) => {
         $crate::contact::time_stepping::memoryless!($Law, |_law| ());
     };
 
     ($Law:ident, |$law:ident| $others:expr) => {
+        $crate::contact::time_stepping::memoryless!(
+            $Law,
+            { $crate::contact::time_stepping::holding!(inputs of a contact, T); },
+            |$law| $others
+        );
+    };
+
+    ($Law:ident, { $($inputs:tt)* }) => {
+        $crate::contact::time_stepping::memoryless!($Law, { $($inputs)* }, |_law| ());
+    };
+
+    ($Law:ident, { $($inputs:tt)* }, |$law:ident| $others:expr) => {
         impl<T: Real> $crate::contact::time_stepping::Holding<T> for $Law<T> {
             type Contact<'a>
                 = $crate::contact::time_stepping::OnCurve<'a, T, Self>
@@ -267,16 +282,18 @@ macro_rules! memoryless {
 
             #[inline(always)]
             fn contact(&self) -> $crate::contact::time_stepping::OnCurve<'_, T, Self> {
+                let inputs = $crate::contact::time_stepping::Holding::inputs(self);
                 $crate::contact::time_stepping::OnCurve {
                     law: self,
-                    velocity: self.velocity,
-                    normal_force: self.normal_force,
-                    external_force: self.external_force,
+                    velocity: inputs.velocity,
+                    normal_force: inputs.normal_force,
+                    external_force: inputs.external_force,
                     phase: self.time_stepping.phase(),
                 }
             }
 
-            $crate::contact::time_stepping::holding!(T);
+            $crate::contact::time_stepping::holding!(time stepping, T);
+            $($inputs)*
 
             #[inline(always)]
             fn remember(&mut self, done: $crate::contact::time_stepping::Done<T>) {
@@ -342,6 +359,14 @@ macro_rules! memoryless {
     () => {
         const EVENT_INDICATORS: usize = $crate::contact::time_stepping::EVENTS_ON_CURVE;
 
+        fn event_indicators(&self, indicators: &mut [f64]) {
+            $crate::contact::time_stepping::Holding::contact(self).write_indicators(indicators);
+        }
+
+        $crate::contact::time_stepping::memoryless!(without events);
+    };
+
+    (without events) => {
         $crate::model::in_lanes!();
 
         fn kinks(&self) -> [f64; 2] {
@@ -360,10 +385,6 @@ macro_rules! memoryless {
             // A curve through rest is followed without; its phase only says whether it counts as sticking.
             let band = $crate::contact::time_stepping::Curve::band(self);
             band.map_or_else(|| Err($crate::model::rests_at_events()), |_| Ok(()))
-        }
-
-        fn event_indicators(&self, indicators: &mut [f64]) {
-            $crate::contact::time_stepping::Holding::contact(self).write_indicators(indicators);
         }
 
         fn at_event(&mut self) {
