@@ -7253,6 +7253,138 @@ typedef enum stribeck_axis_variable {
   STRIBECK_AXIS_NORMAL_FORCE = 5891938,
 } stribeck_axis_variable;
 
+/** Guid of ServoArm for fmi2Instantiate. */
+#define STRIBECK_SERVO_ARM_GUID "{a3ef530d-1201-9a07-3aed-5c598fb8584a}"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-106, model M1. */
+#define STRIBECK_SERVO_ARM_PRESET_MX106_M1 "mx106_m1"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-106, model M2. */
+#define STRIBECK_SERVO_ARM_PRESET_MX106_M2 "mx106_m2"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-106, model M3. */
+#define STRIBECK_SERVO_ARM_PRESET_MX106_M3 "mx106_m3"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-106, model M4. */
+#define STRIBECK_SERVO_ARM_PRESET_MX106_M4 "mx106_m4"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-106, model M5. */
+#define STRIBECK_SERVO_ARM_PRESET_MX106_M5 "mx106_m5"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-106, model M6. */
+#define STRIBECK_SERVO_ARM_PRESET_MX106_M6 "mx106_m6"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-64, model M1. */
+#define STRIBECK_SERVO_ARM_PRESET_MX64_M1 "mx64_m1"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-64, model M2. */
+#define STRIBECK_SERVO_ARM_PRESET_MX64_M2 "mx64_m2"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-64, model M3. */
+#define STRIBECK_SERVO_ARM_PRESET_MX64_M3 "mx64_m3"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-64, model M4. */
+#define STRIBECK_SERVO_ARM_PRESET_MX64_M4 "mx64_m4"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-64, model M5. */
+#define STRIBECK_SERVO_ARM_PRESET_MX64_M5 "mx64_m5"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-64, model M6. */
+#define STRIBECK_SERVO_ARM_PRESET_MX64_M6 "mx64_m6"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-320, model M1. */
+#define STRIBECK_SERVO_ARM_PRESET_XL320_M1 "xl320_m1"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-320, model M2. */
+#define STRIBECK_SERVO_ARM_PRESET_XL320_M2 "xl320_m2"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-320, model M3. */
+#define STRIBECK_SERVO_ARM_PRESET_XL320_M3 "xl320_m3"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-320, model M4. */
+#define STRIBECK_SERVO_ARM_PRESET_XL320_M4 "xl320_m4"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-320, model M5. */
+#define STRIBECK_SERVO_ARM_PRESET_XL320_M5 "xl320_m5"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-320, model M6. */
+#define STRIBECK_SERVO_ARM_PRESET_XL320_M6 "xl320_m6"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-330, model M1. */
+#define STRIBECK_SERVO_ARM_PRESET_XL330_M1 "xl330_m1"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-330, model M2. */
+#define STRIBECK_SERVO_ARM_PRESET_XL330_M2 "xl330_m2"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-330, model M3. */
+#define STRIBECK_SERVO_ARM_PRESET_XL330_M3 "xl330_m3"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-330, model M4. */
+#define STRIBECK_SERVO_ARM_PRESET_XL330_M4 "xl330_m4"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-330, model M5. */
+#define STRIBECK_SERVO_ARM_PRESET_XL330_M5 "xl330_m5"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-330, model M6. */
+#define STRIBECK_SERVO_ARM_PRESET_XL330_M6 "xl330_m6"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of eRob80:50, model M1. */
+#define STRIBECK_SERVO_ARM_PRESET_EROB80_50_M1 "erob80_50_m1"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of eRob80:50, model M2. */
+#define STRIBECK_SERVO_ARM_PRESET_EROB80_50_M2 "erob80_50_m2"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of eRob80:50, model M3. */
+#define STRIBECK_SERVO_ARM_PRESET_EROB80_50_M3 "erob80_50_m3"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of eRob80:50, model M4. */
+#define STRIBECK_SERVO_ARM_PRESET_EROB80_50_M4 "erob80_50_m4"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of eRob80:50, model M5. */
+#define STRIBECK_SERVO_ARM_PRESET_EROB80_50_M5 "erob80_50_m5"
+
+/** Preset of ServoArm: Duclusaud et al. (2025), motor of eRob80:50, model M6. */
+#define STRIBECK_SERVO_ARM_PRESET_EROB80_50_M6 "erob80_50_m6"
+
+/** ServoArm: Arm with a load, held by a servo. Variables of "ServoArm". */
+typedef enum stribeck_servo_arm_variable {
+  /** in [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. (default 0) */
+  STRIBECK_SERVO_ARM_FRICTION_FORCE = 1713976319,
+  /** in [rad]: Angle that the arm should have. (default 0) */
+  STRIBECK_SERVO_ARM_TARGET_ANGLE = 655805416,
+  /** tunable [V/rad]: Gain of the controller: voltage by the error of the angle. (>= 0, default 75.84) */
+  STRIBECK_SERVO_ARM_GAIN = 458499838,
+  /** tunable [V]: Largest voltage of the motor, in both directions. (>= 0, default 14.4375) */
+  STRIBECK_SERVO_ARM_VOLTAGE_LIMIT = 556240253,
+  /** fixed [N.m/A]: Torque of the gear by the current of the motor, and voltage of the motor by the angular velocity of the gear.
+   *  (>= 0, default 2.231) */
+  STRIBECK_SERVO_ARM_MOTOR_CONSTANT = 2042307859,
+  /** fixed [Ohm]: Resistance of the motor. (> 0, default 2.372) */
+  STRIBECK_SERVO_ARM_RESISTANCE = 364324608,
+  /** fixed [kg.m2]: Moment of inertia of rotor and gear at the output. (> 0, default 0.02457) */
+  STRIBECK_SERVO_ARM_ARMATURE = 601504686,
+  /** fixed [kg]: Mass at the end of the arm (default chosen). (>= 0, default 0.5) */
+  STRIBECK_SERVO_ARM_LOAD_MASS = 1317756706,
+  /** fixed [m]: Length of the arm (default chosen). (>= 0, default 0.2) */
+  STRIBECK_SERVO_ARM_ARM_LENGTH = 786609978,
+  /** fixed [m]: Radius at which forces and velocity are counted. (> 0, default 1) */
+  STRIBECK_SERVO_ARM_RADIUS = 230313139,
+  /** tunable [m/s2]: Acceleration of gravity. (>= 0, default 9.81) */
+  STRIBECK_SERVO_ARM_GRAVITY = 1376386885,
+  /** state, out [rad]: Angle of the arm; 0 if it hangs down. (default 0) */
+  STRIBECK_SERVO_ARM_ANGLE = 760497176,
+  /** state, out [m/s]: Velocity at the radius. (default 0) */
+  STRIBECK_SERVO_ARM_VELOCITY = 846470194,
+  /** out [N]: Force of the motor at the radius. */
+  STRIBECK_SERVO_ARM_MOTOR_FORCE = 1103735874,
+  /** out [N]: Weight of the load, at the radius. */
+  STRIBECK_SERVO_ARM_LOAD_FORCE = 1613682665,
+  /** out [N]: Sum of the forces of motor and load. */
+  STRIBECK_SERVO_ARM_EXTERNAL_FORCE = 1336490458,
+  /** out [kg]: Moment of inertia of drive and load, as a mass at the radius. */
+  STRIBECK_SERVO_ARM_EFFECTIVE_MASS = 633907963,
+} stribeck_servo_arm_variable;
+
 /** Guid of MagnetorheologicalDamper for fmi2Instantiate. */
 #define STRIBECK_MAGNETORHEOLOGICAL_DAMPER_GUID "{549e80ec-5d47-e76d-f432-047c223b92fc}"
 

@@ -14,6 +14,7 @@ crate::model::family! {
     incline::Incline,
     pulled_mass::PulledMass,
     axis::Axis,
+    servo_arm::ServoArm,
 }
 
 mod magic_formula;

@@ -8,6 +8,7 @@ mod derivatives;
 mod hosts;
 mod model_exchange;
 mod saved_states;
+mod servo;
 mod setup;
 mod steps;
 mod values;
