@@ -130,7 +130,10 @@ pub fn catalogue() -> Result<Answer, Fault> {
         shock_absorber: family(Family::ShockAbsorber),
         hosts: family(Family::Host),
         components: family(Family::Component),
-        systems: BUILT_IN.iter().map(|(name, text)| system(name, text)).collect::<Result<_, Fault>>()?,
+        systems: BUILT_IN
+            .iter()
+            .filter_map(|(name, text)| system(name, text).transpose())
+            .collect::<Result<_, Fault>>()?,
         solvers: Solver::value_variants().iter().filter_map(ValueEnum::to_possible_value).map(solver).collect(),
         fitted: stribeck_fit::identify::laws().map(|law| law.name).collect(),
         thesis: Thesis { classes: CLASSES, times: TABLE_6_5 },
@@ -142,11 +145,16 @@ fn colours(&palette::Colours { paper, ink, grid, axis, laws }: &palette::Colours
     Colours { paper, ink, grid, axis, laws }
 }
 
-fn system(name: &'static str, text: &str) -> Result<SystemEntry, Fault> {
-    let Description { title, source, until, every, show, part, .. } = Description::parse(text)?;
+/// A system in which laws can be compared.
+fn system(name: &'static str, text: &str) -> Result<Option<SystemEntry>, Fault> {
+    let description = Description::parse(text)?;
+    if !description.takes_laws() {
+        return Ok(None);
+    }
+    let Description { title, source, until, every, show, part, .. } = description;
     // Either a part is a law, or parts contain one that can be chosen.
     let law = part.values().find_map(|part| part.law.clone());
-    Ok(SystemEntry { name, title, source, until, every, show, law })
+    Ok(Some(SystemEntry { name, title, source, until, every, show, law }))
 }
 
 fn described(model: &'static ModelType) -> Model {

@@ -78,7 +78,7 @@ pub fn co_simulation(
 pub fn hold(system: &mut System, exchange: Exchange) -> Result<(), Fault> {
     for (to, from) in system.description.hold.clone() {
         let (Ok(to), from) = (system.place(&to), system.place(&from)?) else { continue };
-        let value = system.parts[from.part].row[from.column];
+        let value = system.parts[from.part].known(from.column);
         system.parts[to.part].follow(to.column, value);
         let model = system.parts[to.part].model;
         if let Some(column) = model.find("exchange") {

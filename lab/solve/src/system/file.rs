@@ -18,6 +18,7 @@ pub const BUILT_IN: &[(&str, &str)] = &[
     ("pulled-mass", include_str!("built_in/pulled-mass.toml")),
     ("spring-slider", include_str!("built_in/spring-slider.toml")),
     ("axis", include_str!("built_in/axis.toml")),
+    ("servo-pendulum", include_str!("built_in/servo-pendulum.toml")),
     ("motion", include_str!("built_in/motion.toml")),
     ("dyno", include_str!("built_in/dyno.toml")),
     ("dyno-ramps", include_str!("built_in/dyno-ramps.toml")),
@@ -150,5 +151,10 @@ impl Description {
             }
         }
         Ok(description)
+    }
+
+    /// Whether the system has a place for a friction law: a part that can be any, or parts that contain one.
+    pub fn takes_laws(&self) -> bool {
+        !self.choose_law.is_empty() || self.part.values().any(|part| part.law.is_some())
     }
 }

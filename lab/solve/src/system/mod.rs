@@ -31,6 +31,8 @@ mod event_tests;
 #[cfg(test)]
 mod past_tests;
 #[cfg(test)]
+mod servo_arm_tests;
+#[cfg(test)]
 mod slider_tests;
 #[cfg(test)]
 mod strut_tests;

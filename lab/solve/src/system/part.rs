@@ -450,6 +450,13 @@ impl Part {
         }
     }
 
+    /// Value of a column at the beginning; an output follows from the others.
+    pub fn known(&self, column: usize) -> f64 {
+        let mut row = self.row.clone();
+        self.model.output(&mut row);
+        row[column]
+    }
+
     fn set(&mut self, variable: &str, value: &str) -> Result<(), Fault> {
         let column = column(self.model, &self.name, variable)?;
         let declared = &self.model.table.at(column);

@@ -329,6 +329,10 @@ fn every_law_runs_in_every_system() {
     let mut open = Vec::new();
     for (name, _) in BUILT_IN {
         let source = Source::open(name).unwrap();
+        if !source.description.takes_laws() {
+            assert_eq!(*name, "servo-pendulum");
+            continue;
+        }
         let offers_all = source.description.choose_law.is_empty();
         for (law, _) in stribeck::catalogue::documented(stribeck::catalogue::Family::Friction) {
             match System::assemble(&source, Some(law.name), &[]) {
