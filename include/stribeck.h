@@ -7385,6 +7385,41 @@ typedef enum stribeck_servo_arm_variable {
   STRIBECK_SERVO_ARM_EFFECTIVE_MASS = 633907963,
 } stribeck_servo_arm_variable;
 
+/** Guid of TopMount for fmi2Instantiate. */
+#define STRIBECK_TOP_MOUNT_GUID "{6857be8c-9a47-eb71-3f5e-64470ad47d73}"
+
+/** TopMount: Inner part of a top mount, between a strut and the rubber to the body. Variables of "TopMount". */
+typedef enum stribeck_top_mount_variable {
+  /** in [N]: Force of the strut. (default 1325.2555) */
+  STRIBECK_TOP_MOUNT_STRUT_FORCE = 1883817233,
+  /** in [N]: Force of the strut without its friction; only the external force depends on it. (default 1325.2555) */
+  STRIBECK_TOP_MOUNT_FORCE_WITHOUT_FRICTION = 1698389154,
+  /** in [N]: Force of the rubber, 0 at rest; pushes the inner part back where it is displaced. (default 0) */
+  STRIBECK_TOP_MOUNT_MOUNT_FORCE = 1043420746,
+  /** in [m]: Length of the strut if the mount were rigid. (default 0.1775) */
+  STRIBECK_TOP_MOUNT_DISTANCE = 783488098,
+  /** in [m/s]: Rate of the distance. (default 0) */
+  STRIBECK_TOP_MOUNT_DISTANCE_RATE = 1285949165,
+  /** in [N]: Force that the friction of a stuck strut would carry if the mount were rigid. (default 0) */
+  STRIBECK_TOP_MOUNT_RIGID_EXTERNAL_FORCE = 69084134,
+  /** fixed [kg]: Mass of the inner part, with the rod of the strut (default chosen). (> 0, default 0.3) */
+  STRIBECK_TOP_MOUNT_MASS = 1601648849,
+  /** fixed [kg]: Reduced mass of body and wheel, as the strut feels it. (> 0, default 12.225695) */
+  STRIBECK_TOP_MOUNT_REDUCED_MASS = 1196676018,
+  /** fixed [N]: Force of the strut at rest. (default 1325.2555) */
+  STRIBECK_TOP_MOUNT_STATIC_FORCE = 368777087,
+  /** state, out [m]: Displacement of the inner part relative to the body. (default 0) */
+  STRIBECK_TOP_MOUNT_DISPLACEMENT = 81840086,
+  /** state, out [m/s]: Velocity of the inner part relative to the body. (default 0) */
+  STRIBECK_TOP_MOUNT_INNER_VELOCITY = 1054248123,
+  /** out [m]: Length of the strut. */
+  STRIBECK_TOP_MOUNT_LENGTH = 63976981,
+  /** out [m/s]: Rate of the strut's length, positive in extension. */
+  STRIBECK_TOP_MOUNT_VELOCITY = 846470194,
+  /** out [N]: Force that the friction of a stuck strut carries. */
+  STRIBECK_TOP_MOUNT_EXTERNAL_FORCE = 1336490458,
+} stribeck_top_mount_variable;
+
 /** Guid of MagnetorheologicalDamper for fmi2Instantiate. */
 #define STRIBECK_MAGNETORHEOLOGICAL_DAMPER_GUID "{549e80ec-5d47-e76d-f432-047c223b92fc}"
 

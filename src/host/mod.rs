@@ -15,6 +15,7 @@ crate::model::family! {
     pulled_mass::PulledMass,
     axis::Axis,
     servo_arm::ServoArm,
+    top_mount::TopMount,
 }
 
 mod magic_formula;
