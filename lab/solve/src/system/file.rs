@@ -23,6 +23,7 @@ pub const BUILT_IN: &[(&str, &str)] = &[
     ("dyno", include_str!("built_in/dyno.toml")),
     ("dyno-ramps", include_str!("built_in/dyno-ramps.toml")),
     ("quarter-car", include_str!("built_in/quarter-car.toml")),
+    ("quarter-car-mount", include_str!("built_in/quarter-car-mount.toml")),
     ("four-post", include_str!("built_in/four-post.toml")),
 ];
 
