@@ -7727,4 +7727,41 @@ typedef enum stribeck_servo_friction_variable {
   STRIBECK_SERVO_FRICTION_STICKING = 553311409,
 } stribeck_servo_friction_variable;
 
+/** Guid of Capstan for fmi2Instantiate. */
+#define STRIBECK_CAPSTAN_GUID "{389727b8-4ff7-3541-baa5-cf9247e61df7}"
+
+/** Preset of Capstan: Example of a rope with three turns around a winch, held with 100 N. */
+#define STRIBECK_CAPSTAN_PRESET_WINCH "winch"
+
+/** Preset of Capstan: Example of a derailleur cable of a bicycle with 180 degrees of bends; mu_k = 0.06 was measured with 180 to 540 degrees (killasgarage.bike, "Cable Routing - Experimental Results", 2016). */
+#define STRIBECK_CAPSTAN_PRESET_BOWDEN_CABLE "bowden_cable"
+
+/** Capstan: Rope or Bowden cable over bends, with pre-sliding displacement (Euler and Eytelwein). Variables of "Capstan". */
+typedef enum stribeck_capstan_variable {
+  /** in [m/s]: Velocity of the rope relative to the drum, from side 1 to side 2. (default 0) */
+  STRIBECK_CAPSTAN_VELOCITY = 846470194,
+  /** in [N]: Tension on side 1 beside the preload (default chosen). (>= 0, default 10) */
+  STRIBECK_CAPSTAN_TENSION_1 = 1649628229,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_CAPSTAN_MU_K = 1281456745,
+  /** tunable [rad]: Angle of wrap, all bends and turns together (default chosen: half a turn).
+   *  (>= 0, default 3.141592653589793) */
+  STRIBECK_CAPSTAN_WRAP_ANGLE = 1384030741,
+  /** tunable [N]: Tension on side 1 without load. (>= 0, default 0) */
+  STRIBECK_CAPSTAN_PRELOAD = 1930668294,
+  /** tunable [m]: Way after which 1/e of a change of the friction share is left (default chosen).
+   *  (> 0, default 0.001) */
+  STRIBECK_CAPSTAN_RELAXATION_DISTANCE = 1884902156,
+  /** state [1]: Part of the angle whose friction acts, with the sign of the direction. (>= -1, <= 1, default 0) */
+  STRIBECK_CAPSTAN_FRICTION_SHARE = 341380551,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_CAPSTAN_DISSIPATED_ENERGY = 758404530,
+  /** out [N]: Tension on side 2 less that on side 1; has the sign of the velocity when sliding. The rope feels its negative. */
+  STRIBECK_CAPSTAN_FRICTION_FORCE = 1713976319,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_CAPSTAN_DISSIPATED_POWER = 236926875,
+  /** out [N]: Tension on side 2. */
+  STRIBECK_CAPSTAN_TENSION_2 = 1599295372,
+} stribeck_capstan_variable;
+
 #endif /* STRIBECK_H */

@@ -8,4 +8,5 @@ crate::model::family! {
     rubber_mount::RubberMount,
     gear_efficiency::GearEfficiency,
     servo_friction::ServoFriction,
+    capstan::Capstan,
 }
