@@ -6,6 +6,14 @@ use stribeck::numerics::root::bisect;
 use stribeck_solve::run::{Outcome, Settings, run};
 use stribeck_solve::system::{Description, Source, System};
 
+/// Solves a system to a tolerance of 1e-10.
+fn solved(text: &str, shown: &[String]) -> Outcome {
+    let description = Description::parse(text).unwrap();
+    let system = System::assemble(&Source { description, folder: PathBuf::new() }, None, &[]).unwrap();
+    let settings = Settings { tolerance: 1e-10, ..Settings::of(&system) };
+    run(&system, &settings, shown).unwrap()
+}
+
 /// A free mass of 1 kg at this speed, and a component between it and the ground.
 fn stopped(component: &str, speed: f64, set: &str, input: &str, until: f64) -> Outcome {
     let text = format!(
@@ -16,16 +24,13 @@ fn stopped(component: &str, speed: f64, set: &str, input: &str, until: f64) -> O
          [input]\n\"mass.pull_velocity\" = 0.0\n{input}\n",
         until / 1000.0
     );
-    let description = Description::parse(&text).unwrap();
-    let system = System::assemble(&Source { description, folder: PathBuf::new() }, None, &[]).unwrap();
-    let settings = Settings { tolerance: 1e-10, ..Settings::of(&system) };
     let shown =
         ["mass.position", "mass.velocity", "stop.displacement", "stop.dissipated_energy", "stop.friction_force"];
     let mut shown: Vec<String> = shown.map(str::to_owned).to_vec();
     if component == "RubberMount" {
         shown.push("stop.turning_share".to_owned());
     }
-    run(&system, &settings, &shown).unwrap()
+    solved(&text, &shown)
 }
 
 /// Checks that the component has taken the energy that the mass has lost, and has followed the mass.
@@ -85,4 +90,93 @@ fn a_mass_in_a_magnetorheological_damper_loses_what_the_damper_takes() {
         let taken = *outcome.values("stop.dissipated_energy").unwrap().last().unwrap();
         assert!(taken > 0.9 * 0.125, "{voltage} V: {taken} J");
     }
+}
+
+/// A mass of 1 kg at 0.2 m/s that pulls a load of 4 N over two bends, with mu phi = 0.8 together, and beside them one
+/// bend with this sum. All ropes slide already.
+const ROPE_DRIVE: &str = r#"
+title = "rope drive"
+until = 0.1
+every = 1e-4
+[part.mass]
+model = "PulledMass"
+[part.mass.set]
+stiffness = 0.0
+velocity = 0.2
+[part.first]
+model = "Capstan"
+[part.first.set]
+mu_k = 0.2
+wrap_angle = 1.0
+relaxation_distance = 5e-4
+friction_share = 1.0
+[part.second]
+model = "Capstan"
+[part.second.set]
+mu_k = 0.3
+wrap_angle = 2.0
+relaxation_distance = 5e-4
+friction_share = 1.0
+[part.whole]
+model = "Capstan"
+[part.whole.set]
+mu_k = 0.4
+wrap_angle = 2.0
+relaxation_distance = 5e-4
+friction_share = 1.0
+[connect]
+"first.velocity" = "mass.velocity"
+"second.velocity" = "mass.velocity"
+"whole.velocity" = "mass.velocity"
+"second.tension_1" = "first.tension_2"
+"mass.friction_force" = "second.tension_2"
+[input]
+"mass.pull_velocity" = 0.0
+"first.tension_1" = 4.0
+"whole.tension_1" = 4.0
+"#;
+
+/// Work of the rope on the mass that it pulls back by a distance, from the turn: the integral of
+/// `T exp(a (2 exp(-y / d) - 1))`.
+fn work_on_the_way_back(distance: f64) -> f64 {
+    let (exponent, tension, d) = (0.8, 4.0, 5e-4);
+    let (mut power, mut series) = (1.0, 0.0);
+    for k in 1..40 {
+        let k = f64::from(k);
+        power *= 2.0 * exponent / k;
+        series -= power / k * (-k * distance / d).exp_m1();
+    }
+    tension * f64::exp(-exponent) * (distance + d * series)
+}
+
+/// Against closed forms: the mass slows down by the tension of a sliding rope, and is then pulled back by one whose
+/// friction turns over.
+#[test]
+fn a_mass_pulls_a_load_over_two_bends_as_over_one() {
+    let names = ["mass.position", "mass.velocity", "second.tension_2", "whole.tension_2"];
+    let energies = ["first.dissipated_energy", "second.dissipated_energy", "whole.dissipated_energy"];
+    let outcome = solved(ROPE_DRIVE, &names.iter().chain(&energies).map(|name| (*name).to_owned()).collect::<Vec<_>>());
+    let of = |name: &str| outcome.values(name).unwrap();
+    let pull = 4.0 * 0.8f64.exp();
+    let farthest = 0.2 * 0.2 / (2.0 * pull);
+    let (mut forwards, mut longest) = (0, 0.0f64);
+    for (row, (position, velocity)) in of(names[0]).iter().zip(of(names[1])).enumerate() {
+        if *velocity > 0.0 {
+            let expected = 0.2 - pull * 1e-4 * row as f64;
+            assert!((velocity - expected).abs() < 1e-8, "{velocity} {expected}");
+            forwards += 1;
+        } else {
+            let distance = farthest - position;
+            let expected = -(2.0 * work_on_the_way_back(distance)).sqrt();
+            assert!((velocity - expected).abs() < 1e-6, "{velocity} {expected}");
+            longest = longest.max(distance);
+        }
+        let [two, one] = [of(names[2])[row], of(names[3])[row]];
+        assert!((two - one).abs() < 1e-9, "{two} {one}");
+        let [first, second, whole] = energies.map(|name| of(name)[row]);
+        assert!((first + second - whole).abs() < 1e-9, "{first} {second} {whole}");
+        let missing = 0.5 * (0.2 * 0.2 - velocity * velocity) - 4.0 * position - whole;
+        assert!(missing.abs() < 1e-8, "{missing} J");
+    }
+    assert!(forwards > 200 && longest > 4e-3, "{forwards} {longest}");
 }
