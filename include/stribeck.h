@@ -783,6 +783,8 @@ typedef enum stribeck_friction_model {
   STRIBECK_FRICTION_MODEL_LEUVEN = 32,
   /** Bristle friction with dwell time (Gonthier) */
   STRIBECK_FRICTION_MODEL_GONTHIER = 33,
+  /** Friction of a cylinder with a lubricant film that needs time (Tran and Yanada) */
+  STRIBECK_FRICTION_MODEL_CYLINDER_FRICTION = 34,
 } stribeck_friction_model;
 
 /** Choices of a variable of the type FrictionStart. */
@@ -5037,8 +5039,57 @@ typedef enum stribeck_rate_and_state_variable {
   STRIBECK_RATE_AND_STATE_STICKING = 553311409,
 } stribeck_rate_and_state_variable;
 
+/** Guid of CylinderFriction for fmi2Instantiate. */
+#define STRIBECK_CYLINDER_FRICTION_GUID "{b840a972-f6c9-c86c-e2d2-c9972a65cb8a}"
+
+/** Preset of CylinderFriction: Example of a hydraulic cylinder: 60 N at breakaway, 30 N of seals sliding, at a contact force of 300 N. */
+#define STRIBECK_CYLINDER_FRICTION_PRESET_HYDRAULIC_CYLINDER "hydraulic_cylinder"
+
+/** CylinderFriction: Friction of a cylinder with a lubricant film that needs time (Tran and Yanada). Variables of "CylinderFriction". */
+typedef enum stribeck_cylinder_friction_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_CYLINDER_FRICTION_VELOCITY = 846470194,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_CYLINDER_FRICTION_NORMAL_FORCE = 5891938,
+  /** tunable [1]: Kinetic coefficient of friction. (> 0, default 0.1) */
+  STRIBECK_CYLINDER_FRICTION_MU_K = 1281456745,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_CYLINDER_FRICTION_MU_S = 1147235793,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_CYLINDER_FRICTION_STRIBECK_VELOCITY = 2117263402,
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
+  STRIBECK_CYLINDER_FRICTION_STRIBECK_EXPONENT = 509292062,
+  /** tunable [m/s]: Speed from which on the film grows no further (default chosen). (> 0, default 0.002) */
+  STRIBECK_CYLINDER_FRICTION_FILM_VELOCITY = 356690951,
+  /** tunable [s]: Time constant of a film that grows (default chosen). (> 0, default 0.05) */
+  STRIBECK_CYLINDER_FRICTION_FILM_GROWTH_TIME_CONSTANT = 1440804158,
+  /** tunable [s]: Time constant of a film that thins in motion (default chosen). (> 0, default 0.2) */
+  STRIBECK_CYLINDER_FRICTION_FILM_DECAY_TIME_CONSTANT = 430338583,
+  /** tunable [s]: Time constant of a film that is squeezed out at rest (default chosen). (> 0, default 20) */
+  STRIBECK_CYLINDER_FRICTION_FILM_REST_TIME_CONSTANT = 1484153399,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_CYLINDER_FRICTION_SIGMA_0 = 206242323,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
+  STRIBECK_CYLINDER_FRICTION_SIGMA_1 = 189464704,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
+  STRIBECK_CYLINDER_FRICTION_VISCOUS_COEFFICIENT = 97539077,
+  /** state [m]: Mean elastic deflection of the bristles. (default 0) */
+  STRIBECK_CYLINDER_FRICTION_BRISTLE_DEFLECTION = 767148150,
+  /** state [1]: Thickness of the lubricant film: 0 = dry, 1 = carries all the load. (>= 0, <= 1, default 0) */
+  STRIBECK_CYLINDER_FRICTION_FILM_THICKNESS = 849709678,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_CYLINDER_FRICTION_DISSIPATED_ENERGY = 758404530,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_CYLINDER_FRICTION_FRICTION_FORCE = 1713976319,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_CYLINDER_FRICTION_DISSIPATED_POWER = 236926875,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_CYLINDER_FRICTION_STICKING = 553311409,
+} stribeck_cylinder_friction_variable;
+
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{8fd63df7-e430-2cb1-017a-438064337788}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{fae9e411-c32f-e8b4-41c3-81f098d6623e}"
 
 /** Preset of ShockAbsorber: Formula Student, front axle: the start values. */
 #define STRIBECK_SHOCK_ABSORBER_PRESET_FRONT "front"
@@ -5570,6 +5621,14 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_GONTHIER_TRANSITION_VELOCITY = 2083171682,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_DWELL_TIME_CONSTANT = 1275370588,
+  /** tunable [m/s]: Speed from which on the film grows no further (default chosen). (> 0, default 0.002) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_FILM_VELOCITY = 66355881,
+  /** tunable [s]: Time constant of a film that grows (default chosen). (> 0, default 0.05) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_FILM_GROWTH_TIME_CONSTANT = 2084465472,
+  /** tunable [s]: Time constant of a film that thins in motion (default chosen). (> 0, default 0.2) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_FILM_DECAY_TIME_CONSTANT = 1424495313,
+  /** tunable [s]: Time constant of a film that is squeezed out at rest (default chosen). (> 0, default 20) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_FILM_REST_TIME_CONSTANT = 942996753,
   /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.15) */
   STRIBECK_SHOCK_ABSORBER_C1_MU_S = 577759937,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
@@ -5743,7 +5802,7 @@ typedef enum stribeck_telescopic_joint_variable {
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
-#define STRIBECK_GUIDE_CONTACT_GUID "{07832e0b-f58b-b54a-6cf6-effa8476aecc}"
+#define STRIBECK_GUIDE_CONTACT_GUID "{9a847f7a-68eb-c8d0-f395-df182d4117e2}"
 
 /** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Variables of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {
@@ -5987,6 +6046,14 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_GONTHIER_TRANSITION_VELOCITY = 2083171682,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
   STRIBECK_GUIDE_CONTACT_FRICTION_DWELL_TIME_CONSTANT = 1275370588,
+  /** tunable [m/s]: Speed from which on the film grows no further (default chosen). (> 0, default 0.002) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_FILM_VELOCITY = 66355881,
+  /** tunable [s]: Time constant of a film that grows (default chosen). (> 0, default 0.05) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_FILM_GROWTH_TIME_CONSTANT = 2084465472,
+  /** tunable [s]: Time constant of a film that thins in motion (default chosen). (> 0, default 0.2) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_FILM_DECAY_TIME_CONSTANT = 1424495313,
+  /** tunable [s]: Time constant of a film that is squeezed out at rest (default chosen). (> 0, default 20) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_FILM_REST_TIME_CONSTANT = 942996753,
   /** state [1]: States of the friction law, in SI units: its continuous states in their order. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_1 = 1672239013,
   /** state [1]: States of the friction law, in SI units: its continuous states in their order. (default 0) */

@@ -46,6 +46,7 @@ crate::model::family! {
     directional_stribeck::DirectionalStribeck,
     joint_friction::JointFriction,
     rate_and_state::RateAndState,
+    cylinder_friction::CylinderFriction,
 }
 
 // What a parameter is for decides its carrier in a strut and its range in a fit: a law that does not say it does not

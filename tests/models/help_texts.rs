@@ -15,6 +15,7 @@ fn left_at_stribeck_velocity(model: &str, curve: Option<f64>) -> f64 {
         ("time_lag", 0.0),              // no lag
         ("stribeck_coefficient", 0.05), // a contact that has rested long
         ("dwell", 1.0),
+        ("film_velocity", 1e12), // no film forms
     ] {
         if law.has(name) {
             law.set(name, value);
