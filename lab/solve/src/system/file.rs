@@ -20,6 +20,7 @@ pub const BUILT_IN: &[(&str, &str)] = &[
     ("axis", include_str!("built_in/axis.toml")),
     ("servo-pendulum", include_str!("built_in/servo-pendulum.toml")),
     ("motion", include_str!("built_in/motion.toml")),
+    ("cylinder", include_str!("built_in/cylinder.toml")),
     ("dyno", include_str!("built_in/dyno.toml")),
     ("dyno-ramps", include_str!("built_in/dyno-ramps.toml")),
     ("quarter-car", include_str!("built_in/quarter-car.toml")),

@@ -27,6 +27,8 @@ pub use values::{Setting, closest, spelled};
 #[cfg(test)]
 mod bonds_tests;
 #[cfg(test)]
+mod cylinder_tests;
+#[cfg(test)]
 mod event_tests;
 #[cfg(test)]
 mod past_tests;
