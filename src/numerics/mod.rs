@@ -1,6 +1,8 @@
-//! Numerical methods that several models share: roots, integrals, interpolation, relaxation, random numbers, vectors.
+//! Numerical methods that several models share: roots, integrals, interpolation, relaxation, exponentials of matrices,
+//! random numbers, vectors.
 
 pub mod approach;
+pub mod exponential;
 pub mod interpolation;
 pub mod quadrature;
 pub(crate) mod random;
