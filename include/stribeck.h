@@ -673,6 +673,16 @@ typedef enum stribeck_bump_mode {
   STRIBECK_BUMP_MODE_CUBIC = 3,
 } stribeck_bump_mode;
 
+/** Choices of a variable of the type Compensation. */
+typedef enum stribeck_compensation {
+  /** The controller knows nothing of friction. */
+  STRIBECK_COMPENSATION_OFF = 1,
+  /** Coulomb and viscous friction at the velocity of the target. */
+  STRIBECK_COMPENSATION_FEED_FORWARD = 2,
+  /** The force of LuGre's law, whose deflection an observer estimates from the velocity and the position error. */
+  STRIBECK_COMPENSATION_OBSERVER = 3,
+} stribeck_compensation;
+
 /** Choices of a variable of the type CoulombViscousVariant. */
 typedef enum stribeck_coulomb_viscous_variant {
   /** The viscous part is proportional to velocity. */
@@ -7486,6 +7496,66 @@ typedef enum stribeck_top_mount_variable {
   /** out [N]: Force that the friction of a stuck strut carries. */
   STRIBECK_TOP_MOUNT_EXTERNAL_FORCE = 1336490458,
 } stribeck_top_mount_variable;
+
+/** Guid of PositionControl for fmi2Instantiate. */
+#define STRIBECK_POSITION_CONTROL_GUID "{62780f86-a9c7-c63a-0543-297663a3bb7c}"
+
+/** PositionControl: Mass whose position a PID controller holds or moves. Variables of "PositionControl". */
+typedef enum stribeck_position_control_variable {
+  /** in [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. (default 0) */
+  STRIBECK_POSITION_CONTROL_FRICTION_FORCE = 1713976319,
+  /** in [m]: Position that the controller aims at. (default 0) */
+  STRIBECK_POSITION_CONTROL_TARGET_POSITION = 1404363290,
+  /** in [m/s]: Velocity that the controller aims at. (default 0) */
+  STRIBECK_POSITION_CONTROL_TARGET_VELOCITY = 647080962,
+  /** in [m/s2]: Acceleration that the controller aims at. (default 0) */
+  STRIBECK_POSITION_CONTROL_TARGET_ACCELERATION = 2065821261,
+  /** fixed [kg]: Mass that moves. (> 0, default 1) */
+  STRIBECK_POSITION_CONTROL_MASS = 1601648849,
+  /** tunable [N/m]: Force by position error. (>= 0, default 3) */
+  STRIBECK_POSITION_CONTROL_PROPORTIONAL_GAIN = 609643112,
+  /** tunable [N/(m.s)]: Force by the integral of the position error. (>= 0, default 4) */
+  STRIBECK_POSITION_CONTROL_INTEGRAL_GAIN = 1232300617,
+  /** tunable [N.s/m]: Force by velocity error. (>= 0, default 6) */
+  STRIBECK_POSITION_CONTROL_VELOCITY_GAIN = 423694768,
+  /** tunable [N]: Sum of the normal forces of the guides (default chosen: a coefficient of friction is then a force in N).
+   *  (>= 0, default 1) */
+  STRIBECK_POSITION_CONTROL_GUIDE_FORCE = 2018901519,
+  /** fixed [stribeck_compensation]: Way in which the controller makes up for friction. (default Off) */
+  STRIBECK_POSITION_CONTROL_COMPENSATION = 583013215,
+  /** tunable [N]: Kinetic level that the controller takes for true. (>= 0, default 1) */
+  STRIBECK_POSITION_CONTROL_COULOMB_FORCE = 1760037844,
+  /** tunable [N]: Static level that the observer takes for true. (>= 0, default 1.5) */
+  STRIBECK_POSITION_CONTROL_STATIC_FORCE = 368777087,
+  /** tunable [m/s]: Stribeck velocity of the observer. (> 0, default 0.001) */
+  STRIBECK_POSITION_CONTROL_STRIBECK_VELOCITY = 2117263402,
+  /** tunable [N/m]: Stiffness of the bristles of the observer. (> 0, default 100000) */
+  STRIBECK_POSITION_CONTROL_SIGMA_0 = 206242323,
+  /** tunable [N.s/m]: Damping of the bristles of the observer. (>= 0, default 316.22776601683796) */
+  STRIBECK_POSITION_CONTROL_SIGMA_1 = 189464704,
+  /** tunable [N.s/m]: Viscous coefficient that the controller takes for true. (>= 0, default 0.4) */
+  STRIBECK_POSITION_CONTROL_VISCOUS_COEFFICIENT = 97539077,
+  /** tunable [1/s]: Deflection per second that a position error of 1 m adds to the estimate of the observer (default chosen).
+   *  (>= 0, default 0.0001) */
+  STRIBECK_POSITION_CONTROL_OBSERVER_GAIN = 671887067,
+  /** fixed [s]: Time between two samples of the controller; 0 = a continuous one. (>= 0, default 0) */
+  STRIBECK_POSITION_CONTROL_SAMPLE_TIME = 1453133857,
+  /** fixed [m]: Increment of the encoder that measures the position of a sampled controller; 0 = an exact one.
+   *  (>= 0, default 0) */
+  STRIBECK_POSITION_CONTROL_ENCODER_RESOLUTION = 627808530,
+  /** state, out [m]: Position of the mass. (default 0) */
+  STRIBECK_POSITION_CONTROL_POSITION = 323964426,
+  /** state, out [m/s]: Velocity of the mass. (default 0) */
+  STRIBECK_POSITION_CONTROL_VELOCITY = 846470194,
+  /** state [m.s]: Integral of the position error. (default 0) */
+  STRIBECK_POSITION_CONTROL_ERROR_INTEGRAL = 2127744426,
+  /** state [m]: Deflection of the bristles as the observer estimates it. (default 0) */
+  STRIBECK_POSITION_CONTROL_DEFLECTION_ESTIMATE = 2130110521,
+  /** out [N]: Force of the controller. */
+  STRIBECK_POSITION_CONTROL_EXTERNAL_FORCE = 1336490458,
+  /** out [N]: Sum of the normal forces of the guides. */
+  STRIBECK_POSITION_CONTROL_NORMAL_FORCE = 5891938,
+} stribeck_position_control_variable;
 
 /** Guid of MagnetorheologicalDamper for fmi2Instantiate. */
 #define STRIBECK_MAGNETORHEOLOGICAL_DAMPER_GUID "{549e80ec-5d47-e76d-f432-047c223b92fc}"

@@ -84,7 +84,7 @@ impl Unit {
 }
 
 /// Every unit that a column may have.
-pub static UNITS: [Unit; 40] = [
+pub static UNITS: [Unit; 42] = [
     unit("1", "Ratio", [0, 0, 0], &[]),
     unit("m", "Length", [0, 1, 0], &[shown("mm", 1e3), shown("um", 1e6)]),
     unit("m/s", "Velocity", [0, 1, -1], &[shown("mm/s", 1e3)]),
@@ -125,6 +125,8 @@ pub static UNITS: [Unit; 40] = [
     unit("V/s", "VoltageRate", [1, 2, -4], &[]).with_ampere(-1),
     unit("N/(m.V)", "StiffnessPerVoltage", [0, -2, 1], &[]).with_ampere(1),
     unit("N.s/(m.V)", "ViscousCoefficientPerVoltage", [0, -2, 2], &[]).with_ampere(1),
+    unit("N/(m.s)", "StiffnessRate", [1, 0, -3], &[]),
+    unit("m.s", "Absement", [0, 1, 1], &[]),
 ];
 
 /// The unit of this name. A column with an unknown unit does not compile.

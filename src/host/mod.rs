@@ -16,6 +16,7 @@ crate::model::family! {
     axis::Axis,
     servo_arm::ServoArm,
     top_mount::TopMount,
+    position_control::PositionControl,
 }
 
 mod magic_formula;

@@ -99,9 +99,10 @@ fn advance_by<M: Model, const N: usize>(model: &mut M, slope: Option<&M>, dt: f6
     motion.put(dt, [f64::NAN; N]);
 }
 
-/// Columns of the states.
+/// Columns of the states that move with time.
 fn states<M: Described, const N: usize>() -> [usize; N] {
-    let mut states = (0..M::TABLE.len()).filter(|column| M::COLUMNS.role(*column).is_state());
+    let is_moving = |column: usize| M::COLUMNS.role(column).is_state() && M::COLUMNS.at(column).is_continuous_state();
+    let mut states = (0..M::TABLE.len()).filter(|column| is_moving(*column));
     let columns = std::array::from_fn(|_| states.next().unwrap_or(usize::MAX));
     debug_assert!(states.next().is_none() && columns.last() < Some(&usize::MAX), "not {N} states");
     columns

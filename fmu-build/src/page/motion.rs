@@ -165,7 +165,8 @@ struct Swung {
 
 impl Swung {
     /// Those inputs without which a host would rest, and amplitudes at which its contact slips for a part of the time.
-    const INPUTS: [(&str, f64); 4] = [("angle", 0.2), ("force_1", 3.0), ("drive_force", 0.2), ("target_angle", 1.0)];
+    const INPUTS: [(&str, f64); 5] =
+        [("angle", 0.2), ("force_1", 3.0), ("drive_force", 0.2), ("target_angle", 1.0), ("target_position", 0.2)];
     /// Period in s.
     const PERIOD: f64 = 10.0;
 
@@ -246,7 +247,7 @@ mod tests {
     /// turns round: 2.98 s in all, by explicit steps that stop it where its velocity changes sign.
     #[test]
     fn hosts_that_rest_by_themselves_are_swung() {
-        for name in ["Incline", "TwoBlocks", "Axis", "ServoArm"] {
+        for name in ["Incline", "TwoBlocks", "Axis", "ServoArm", "PositionControl"] {
             let motion = motion(by_name(name).unwrap()).unwrap();
             assert!(motion.with.contains(" in 10 s"), "{name}: {}", motion.with);
         }
