@@ -7,7 +7,7 @@ import { thesisTables } from "./thesis";
 const isDyno = (name: string) => name.startsWith("dyno");
 /** Systems whose block hangs on a spring; the others show how it moves along its ground. */
 const ON_SPRING = ["belt", "belt-drive"];
-const ON_GROUND = ["motion", "cylinder", "pulled-mass", "spring-slider", "incline", "two-blocks"];
+const ON_GROUND = ["motion", "cylinder", "pulled-mass", "spring-slider", "servo", "incline", "two-blocks"];
 
 export const BENCH: Layout = {
   view: "bench",

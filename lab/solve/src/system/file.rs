@@ -19,6 +19,7 @@ pub const BUILT_IN: &[(&str, &str)] = &[
     ("spring-slider", include_str!("built_in/spring-slider.toml")),
     ("axis", include_str!("built_in/axis.toml")),
     ("servo-pendulum", include_str!("built_in/servo-pendulum.toml")),
+    ("servo", include_str!("built_in/servo.toml")),
     ("motion", include_str!("built_in/motion.toml")),
     ("cylinder", include_str!("built_in/cylinder.toml")),
     ("dyno", include_str!("built_in/dyno.toml")),

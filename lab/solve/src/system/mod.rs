@@ -35,6 +35,8 @@ mod past_tests;
 #[cfg(test)]
 mod servo_arm_tests;
 #[cfg(test)]
+mod servo_tests;
+#[cfg(test)]
 mod slider_tests;
 #[cfg(test)]
 mod strut_tests;
