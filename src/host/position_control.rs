@@ -90,21 +90,21 @@ crate::model! {
     /// Without the observer the closed loop is linear, and the step is exact for held inputs and for inputs that move
     /// linearly: the exponential of a matrix, parted where the velocity of the target changes its sign. With the
     /// observer the step integrates the rates with error control. With a sample time it goes exactly from sample to
-    /// sample, wherever the communication points lie; a sample at a communication point sees the inputs of the step that
-    /// ends there. Until the first step the force is 0. Outputs follow from states and target: there is no
-    /// direct feed-through of the friction force. In Model Exchange a change of sign of the target's velocity is an
-    /// event if the controller feeds friction forward.
+    /// sample, wherever the communication points lie; a sample at a communication point sees the inputs of the step
+    /// that ends there. Until the first step the force is 0. Outputs follow from states and target: there is no direct
+    /// feed-through of the friction force. In Model Exchange a change of sign of the target's velocity is an event if
+    /// the controller feeds friction forward.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `static_force` < `coulomb_force`; with the observer, a `coulomb_force` of
-    /// 0, a `sample_time`, or a step that would need more than 500,000 pieces; a `sample_time` below 1 us, a step with
-    /// more than 10 million samples, and Model Exchange of a sampled controller; an `encoder_resolution` without a
+    /// Refused: a parameter outside its bound; `static_force` < `coulomb_force`; with the observer, a `coulomb_force`
+    /// of 0, a `sample_time`, or a step that would need more than 500,000 pieces; a `sample_time` below 1 us, a step
+    /// with more than 10 million samples, and Model Exchange of a sampled controller; an `encoder_resolution` without a
     /// `sample_time`.
     ///
     /// # Limits
-    /// The drive is stiff and its force has no limit, and there are no stops. The closed loop is stable without friction only if $k_p k_v > k_i m$. The three target inputs are not
-    /// compared: a step is a `target_position` that jumps, with the other two at 0, and then the velocity gain damps
-    /// the motion.
+    /// The drive is stiff and its force has no limit, and there are no stops. The closed loop is stable without
+    /// friction only if $k_p k_v > k_i m$. The three target inputs are not compared: a step is a `target_position` that
+    /// jumps, with the other two at 0, and then the velocity gain damps the motion.
     ///
     /// The observer is proven to converge without integral gain if $(sigma_1 s + sigma_0) / (m s^2 + k_v s + k_p)$ is
     /// strictly positive real, which it is if $sigma_1 k_v > sigma_0 m$. The friction force comes from the master: held
@@ -113,10 +113,10 @@ crate::model! {
     /// # Source
     /// C. Canudas de Wit, H. Olsson, K. J. Astrom, P. Lischinsky (1995), "A new model for control of systems with
     /// friction", IEEE Transactions on Automatic Control 40, 419-425, doi:10.1109/9.376053: the PID controller with its
-    /// gains and mass, and the observer; the parameters of friction are those of its Table 1. The velocity of the target
-    /// in the controller, and feed-forward of friction at that velocity, are the usual additions: B.
-    /// Armstrong-Helouvry, P. Dupont, C. Canudas de Wit (1994), Automatica 30, 1083-1138,
-    /// doi:10.1016/0005-1098(94)90209-7. The condition for the gains follows from the sign of the real part.
+    /// gains and mass, and the observer; the parameters of friction are those of its Table 1. The velocity of the
+    /// target in the controller, and feed-forward of friction at that velocity, are the usual additions: B.
+    /// Armstrong-Helouvry, P. Dupont, C. Canudas de Wit (1994), Automatica 30, 1083-1138, doi:10.1016/0005-1098(94)90209-7. The
+    /// condition for the gains follows from the sign of the real part.
     ///
     /// # Example
     /// ```
