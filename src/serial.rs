@@ -8,7 +8,7 @@ use std::fmt;
 
 use crate::instance::Snapshot;
 use crate::memory;
-use crate::model::{Fault, ModelType, Role, Variable};
+use crate::model::{Brief, Fault, ModelType, Role, Variable};
 
 const MAGIC: &[u8; 8] = b"STRIBECK";
 /// Incremented when the layout changes; bytes of another format are refused.
@@ -78,6 +78,15 @@ fn check_row(model: &ModelType, row: &[f64]) -> Result<(), Fault> {
         let sound = if may_be_any { value.is_finite() } else { variable.admits(*value) };
         if !sound {
             return Err(variable.fault(*value));
+        }
+        if variable.is_advice && value.to_bits() != variable.start.to_bits() {
+            let text = format_args!(
+                "{} = {}: must be {}, a state has no advice",
+                variable.path,
+                Brief(*value),
+                variable.start
+            );
+            return Err(Fault::new(text));
         }
     }
     Ok(())
@@ -156,6 +165,19 @@ mod tests {
         }
         assert!(read(model, &bytes[1..]).is_err());
         assert!(read(model, &[]).is_err());
+    }
+
+    /// Restoring would drop it, so that what is saved afterwards would be another state.
+    #[test]
+    fn advice_that_was_written_into_a_state_is_refused() {
+        let (model, mut bytes) = bytes_of("ShockAbsorber");
+        let place = HEAD + 8 * (OWN + OWNERS + model.find("step_limit").expect("the advice of a strut"));
+        bytes[place..place + 8].copy_from_slice(&(-5e-108f64).to_le_bytes());
+        let body = bytes.len() - CHECKSUM;
+        let checksum = hash(&bytes[..body]);
+        bytes[body..].copy_from_slice(&checksum.to_le_bytes());
+        let text = read(model, &bytes).expect_err("refused").to_string();
+        assert!(text.starts_with("step_limit = -5e-108: must be 0, a state has no advice"), "{text}");
     }
 
     /// Damage with a matching checksum.
