@@ -74,7 +74,7 @@ fn the_loop_is_that_of_the_printed_equations() {
         assert!((film[at] - films[at]).abs() < 1e-9, "{} and {} at {at} ms", film[at], films[at]);
         assert!((force[at] - forces[at]).abs() < 1e-9 * F_S, "{} and {} at {at} ms", force[at], forces[at]);
     }
-    let [(branches, area), (expected, expected_area)] = [force, &forces].map(|force| hysteresis(force));
+    let [(branches, area), (expected, expected_area)] = [force, &forces].map(hysteresis);
     assert!((area / expected_area - 1.0).abs() < 1e-8, "{area} {expected_area}");
     assert!(expected[0] - expected[1] > 2.0 && expected_area > 0.02, "{expected:?} {expected_area}");
     for (one, other) in branches.iter().zip(expected) {
@@ -93,6 +93,6 @@ fn the_film_makes_the_loop() {
         let [up, down] = [1500 + after, 3500 - after];
         assert!(cylinder[up] > cylinder[down], "{} and {} N", cylinder[up], cylinder[down]);
     }
-    let [(_, with), (_, without)] = [cylinder, lugre].map(|force| hysteresis(force));
+    let [(_, with), (_, without)] = [cylinder, lugre].map(hysteresis);
     assert!(without.abs() < 0.01 * with, "{without} against {with} W");
 }

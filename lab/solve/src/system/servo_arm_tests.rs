@@ -46,7 +46,7 @@ fn settings(until: f64, every: f64) -> Settings<'static> {
 fn end_of_rest(outcome: &Outcome) -> f64 {
     let angle = &outcome.columns[0].values;
     let moves = angle.iter().position(|now| *now != angle[0]).unwrap();
-    outcome.events.iter().map(|event| event.time).filter(|time| *time < outcome.time[moves]).next_back().unwrap()
+    outcome.events.iter().map(|event| event.time).rfind(|time| *time < outcome.time[moves]).unwrap()
 }
 
 /// An arm at rest at 0.8 rad is lifted, or let down, by a target that moves slowly from where the motor carries the load:
