@@ -54,6 +54,10 @@ pub(crate) struct OnCurve<'a, T, L> {
     pub phase: PhaseColumn<T>,
 }
 
+/// Speed next to rest in m/s (chosen) at which a contact that slides has its slope: at rest itself that of a falling level
+/// with an exponent below 1 is infinite.
+const LEAST: f64 = 1e-15;
+
 impl<T: Copy, L> Clone for OnCurve<'_, T, L> {
     #[inline(always)]
     fn clone(&self) -> Self {
@@ -84,10 +88,10 @@ impl<T: Real, L: Curve<T>> OnCurve<'_, T, L> {
     #[inline(always)]
     pub(crate) fn extended(&self) -> T {
         let direction = self.phase.direction();
-        let least = direction * T::from(f64::MIN_POSITIVE);
-        let is_beyond = (direction * self.velocity).below(T::zero());
+        let (least, along) = (direction * T::from(LEAST), direction * self.velocity);
         // At rest itself the curve has the slope with which it leaves it.
-        is_beyond.select(least, self.velocity + least)
+        let near = choose!(along.below(T::from(LEAST)), self.velocity + least, self.velocity);
+        along.below(T::zero()).select(least, near)
     }
 
     /// Whether a set-valued law is at rest and the external force is within its level.

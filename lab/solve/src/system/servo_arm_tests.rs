@@ -50,10 +50,10 @@ fn end_of_rest(outcome: &Outcome) -> f64 {
 }
 
 /// An arm at rest at 0.8 rad is lifted, or let down, by a target that moves slowly from where the motor carries the load:
-/// it leaves its rest at the torques of the motor that the straight lines of driving and driving back give. In M6 the
-/// smaller torque counts by its square as well, as printed: 7.327e-5 f_l^2 when driving, 0.01 f_m^2 when driven back.
+/// it leaves its rest at the torques of the motor that the straight lines of driving and back-driving give. In M6 the
+/// smaller torque counts by its square as well, as printed: 7.327e-5 f_l^2 when driving, 0.01 f_m^2 when back-driven.
 #[test]
-fn a_load_breaks_away_where_driving_and_driving_back_begin() {
+fn a_load_breaks_away_where_driving_and_back_driving_begin() {
     let angle: f64 = 0.8;
     let load = WEIGHT * angle.sin();
     for (model, ([free, motor, by_load], by_volt)) in MODELS.iter().zip(LEVELS.iter().zip(TORQUE_BY_VOLT)) {
@@ -101,6 +101,18 @@ fn up_and_down_is_the_motion_of_another_solver() {
     let (load_free, by_load) = lost.split_at(2);
     let most = load_free.iter().copied().fold(0.0, f64::max);
     assert!(by_load.iter().all(|energy| *energy > 1.5 * most), "{lost:?}");
+}
+
+/// Every servo and every model of its friction is solved to the end, also with an exponent below 1, whose level falls
+/// infinitely fast at rest, and of servos that are too weak for the load.
+#[test]
+fn every_servo_is_solved_to_its_end() {
+    let target = "{ points = { time = [0.5, 1.5, 2.5, 3.5], value = [0.0, 1.6, 1.6, 0.0] } }";
+    let arm = stribeck::catalogue::by_name("ServoArm").unwrap();
+    for preset in arm.presets {
+        let outcome = moved(preset.name, 0.0, target, Settings { tolerance: 1e-8, ..settings(4.0, 0.1) });
+        assert!(outcome.columns[0].values.iter().all(|angle| angle.abs() < 1.7), "{}", preset.name);
+    }
 }
 
 /// Held for 1,000 s at a step of 10 ms, whatever the order of exchange: a load at 0.8 rad whose motor carries half of it.
