@@ -7498,7 +7498,7 @@ typedef enum stribeck_top_mount_variable {
 } stribeck_top_mount_variable;
 
 /** Guid of PositionControl for fmi2Instantiate. */
-#define STRIBECK_POSITION_CONTROL_GUID "{62780f86-a9c7-c63a-0543-297663a3bb7c}"
+#define STRIBECK_POSITION_CONTROL_GUID "{ed112b12-65bc-78aa-3a40-657716af27af}"
 
 /** PositionControl: Mass whose position a PID controller holds or moves. Variables of "PositionControl". */
 typedef enum stribeck_position_control_variable {
@@ -7521,12 +7521,12 @@ typedef enum stribeck_position_control_variable {
   /** tunable [N]: Sum of the normal forces of the guides (default chosen: a coefficient of friction is then a force in N).
    *  (>= 0, default 1) */
   STRIBECK_POSITION_CONTROL_GUIDE_FORCE = 2018901519,
-  /** fixed [stribeck_compensation]: Way in which the controller makes up for friction. (default Off) */
+  /** fixed [stribeck_compensation]: How the controller compensates for friction. (default Off) */
   STRIBECK_POSITION_CONTROL_COMPENSATION = 583013215,
-  /** tunable [N]: Kinetic level that the controller takes for true. (>= 0, default 1) */
-  STRIBECK_POSITION_CONTROL_COULOMB_FORCE = 1760037844,
-  /** tunable [N]: Static level that the observer takes for true. (>= 0, default 1.5) */
-  STRIBECK_POSITION_CONTROL_STATIC_FORCE = 368777087,
+  /** tunable [N]: Kinetic level that the controller assumes. (>= 0, default 1) */
+  STRIBECK_POSITION_CONTROL_KINETIC_FORCE = 12436976,
+  /** tunable [N]: Static level that the observer assumes. (>= 0, default 1.5) */
+  STRIBECK_POSITION_CONTROL_BREAKAWAY_FORCE = 546321410,
   /** tunable [m/s]: Stribeck velocity of the observer. (> 0, default 0.001) */
   STRIBECK_POSITION_CONTROL_STRIBECK_VELOCITY = 2117263402,
   /** tunable [N/m]: Stiffness of the bristles of the observer. (> 0, default 100000) */

@@ -7,7 +7,7 @@ use crate::number::{Real, choose};
 use crate::numerics::exponential::exp_m1;
 
 crate::choices! {
-    /// Ways in which a controller makes up for friction.
+    /// Ways in which a controller compensates for friction.
     pub enum Compensation {
         /// The controller knows nothing of friction.
         Off,
@@ -47,33 +47,33 @@ crate::model! {
     /// e_I is then raised by T (x_n - x_d)
     /// ```
     ///
-    /// | symbol  | variable              | unit    | meaning                                                |
-    /// |---------|-----------------------|---------|--------------------------------------------------------|
-    /// | f_f     | `friction_force`      | N       | friction force on the mass                             |
-    /// | x_d     | `target_position`     | m       | position that the controller aims at                   |
-    /// | v_d     | `target_velocity`     | m/s     | velocity that it aims at                               |
-    /// | a_d     | `target_acceleration` | m/s2    | acceleration that it aims at                           |
-    /// | m       | `mass`                | kg      | mass that moves, that of the drive included            |
-    /// | k_p     | `proportional_gain`   | N/m     | force by position error                                |
-    /// | k_i     | `integral_gain`       | N/(m.s) | force by the integral of the position error            |
-    /// | k_v     | `velocity_gain`       | N.s/m   | force by velocity error                                |
-    /// | f_g     | `guide_force`         | N       | normal forces of the guides, preload and weight        |
-    /// | -       | `compensation`        | -       | way in which the controller makes up for friction      |
-    /// | F_C     | `coulomb_force`       | N       | kinetic level that the controller takes for true       |
-    /// | F_s     | `static_force`        | N       | static level that the observer takes for true          |
-    /// | v_S     | `stribeck_velocity`   | m/s     | Stribeck velocity of the observer                      |
-    /// | sigma_0 | `sigma_0`             | N/m     | stiffness of its bristles                              |
-    /// | sigma_1 | `sigma_1`             | N.s/m   | damping of its bristles                                |
-    /// | sigma_2 | `viscous_coefficient` | N.s/m   | viscous coefficient that the controller takes for true |
-    /// | k       | `observer_gain`       | 1/s     | gain of the observer                                   |
-    /// | T       | `sample_time`         | s       | time between two samples of the controller             |
-    /// | q       | `encoder_resolution`  | m       | increment of the encoder                               |
-    /// | x       | `position`            | m       | position                                               |
-    /// | v       | `velocity`            | m/s     | velocity                                               |
-    /// | e_I     | `error_integral`      | m.s     | integral of the position error                         |
-    /// | z       | `deflection_estimate` | m       | deflection of the bristles as the observer sees it     |
-    /// | f_e     | `external_force`      | N       | force of the controller                                |
-    /// | f_n     | `normal_force`        | N       | sum of the normal forces of the guides                 |
+    /// | symbol  | variable              | unit    | meaning                                            |
+    /// |---------|-----------------------|---------|----------------------------------------------------|
+    /// | f_f     | `friction_force`      | N       | friction force on the mass                         |
+    /// | x_d     | `target_position`     | m       | position that the controller aims at               |
+    /// | v_d     | `target_velocity`     | m/s     | velocity that it aims at                           |
+    /// | a_d     | `target_acceleration` | m/s2    | acceleration that it aims at                       |
+    /// | m       | `mass`                | kg      | mass that moves, that of the drive included        |
+    /// | k_p     | `proportional_gain`   | N/m     | force by position error                            |
+    /// | k_i     | `integral_gain`       | N/(m.s) | force by the integral of the position error        |
+    /// | k_v     | `velocity_gain`       | N.s/m   | force by velocity error                            |
+    /// | f_g     | `guide_force`         | N       | normal forces of the guides, preload and weight    |
+    /// | -       | `compensation`        | -       | how the controller compensates for friction        |
+    /// | F_C     | `kinetic_force`       | N       | kinetic level that the controller assumes          |
+    /// | F_s     | `breakaway_force`     | N       | static level that the observer assumes             |
+    /// | v_S     | `stribeck_velocity`   | m/s     | Stribeck velocity of the observer                  |
+    /// | sigma_0 | `sigma_0`             | N/m     | stiffness of its bristles                          |
+    /// | sigma_1 | `sigma_1`             | N.s/m   | damping of its bristles                            |
+    /// | sigma_2 | `viscous_coefficient` | N.s/m   | viscous coefficient that the controller assumes    |
+    /// | k       | `observer_gain`       | 1/s     | gain of the observer                               |
+    /// | T       | `sample_time`         | s       | time between two samples of the controller         |
+    /// | q       | `encoder_resolution`  | m       | increment of the encoder                           |
+    /// | x       | `position`            | m       | position                                           |
+    /// | v       | `velocity`            | m/s     | velocity                                           |
+    /// | e_I     | `error_integral`      | m.s     | integral of the position error                     |
+    /// | z       | `deflection_estimate` | m       | deflection of the bristles as the observer sees it |
+    /// | f_e     | `external_force`      | N       | force of the controller                            |
+    /// | f_n     | `normal_force`        | N       | sum of the normal forces of the guides             |
     ///
     /// Of a joint that turns, inertia, torques and angles stand for mass, forces and lengths: kg.m2, N.m and rad.
     ///
@@ -88,15 +88,15 @@ crate::model! {
     ///
     /// # Step
     /// Without the observer the closed loop is linear, and the step is exact for held inputs and for inputs that move
-    /// linearly: the exponential of a matrix, parted where the velocity of the target changes its sign. With the
+    /// linearly: the exponential of a matrix, split where the velocity of the target changes its sign. With the
     /// observer the step integrates the rates with error control. With a sample time it goes exactly from sample to
-    /// sample, wherever the communication points lie; a sample at a communication point sees the inputs of the step
-    /// that ends there. Until the first step the force is 0. Outputs follow from states and target: there is no direct
-    /// feed-through of the friction force. In Model Exchange a change of sign of the target's velocity is an event if
-    /// the controller feeds friction forward.
+    /// sample, wherever the communication points lie; a sample at a communication point sees the inputs that are valid
+    /// from there on, and the force is that of the sample as soon as they are set. Outputs follow from states and
+    /// target: there is no direct feed-through of the friction force. In Model Exchange a change of sign of the
+    /// target's velocity is an event if the controller feeds friction forward.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `static_force` < `coulomb_force`; with the observer, a `coulomb_force`
+    /// Refused: a parameter outside its bound; with the observer, `breakaway_force` < `kinetic_force`, a `kinetic_force`
     /// of 0, a `sample_time`, or a step that would need more than 500,000 pieces; a `sample_time` below 1 us, a step
     /// with more than 10 million samples, and Model Exchange of a sampled controller; an `encoder_resolution` without a
     /// `sample_time`.
@@ -107,7 +107,8 @@ crate::model! {
     /// jumps, with the other two at 0, and then the velocity gain damps the motion.
     ///
     /// The observer is proven to converge without integral gain if $(sigma_1 s + sigma_0) / (m s^2 + k_v s + k_p)$ is
-    /// strictly positive real, which it is if $sigma_1 k_v > sigma_0 m$. The friction force comes from the master: held
+    /// strictly positive real, which it is if $sigma_1 k_v > sigma_0 m$. The start values are not covered by that: with
+    /// them $k_v$ would have to be above 316 N.s/m. The friction force comes from the master: held
     /// over a step, it makes the coupling a method of first order.
     ///
     /// # Source
@@ -115,8 +116,8 @@ crate::model! {
     /// friction", IEEE Transactions on Automatic Control 40, 419-425, doi:10.1109/9.376053: the PID controller with its
     /// gains and mass, and the observer; the parameters of friction are those of its Table 1. The velocity of the
     /// target in the controller, and feed-forward of friction at that velocity, are the usual additions: B.
-    /// Armstrong-Helouvry, P. Dupont, C. Canudas de Wit (1994), Automatica 30, 1083-1138, doi:10.1016/0005-1098(94)90209-7. The
-    /// condition for the gains follows from the sign of the real part.
+    /// Armstrong-Helouvry, P. Dupont, C. Canudas de Wit (1994), Automatica 30, 1083-1138,
+    /// doi:10.1016/0005-1098(94)90209-7. The condition for the gains follows from the sign of the real part.
     ///
     /// # Example
     /// ```
@@ -149,19 +150,19 @@ crate::model! {
         velocity_gain: tunable = real("N.s/m", 6.0).at_least(0.0),
         /// Sum of the normal forces of the guides (default chosen: a coefficient of friction is then a force in N).
         guide_force: tunable = real("N", 1.0).at_least(0.0),
-        /// Way in which the controller makes up for friction.
+        /// How the controller compensates for friction.
         compensation: fixed = Compensation::Off.start(),
-        /// Kinetic level that the controller takes for true.
-        coulomb_force: tunable = real("N", 1.0).at_least(0.0),
-        /// Static level that the observer takes for true.
-        static_force: tunable = real("N", 1.5).at_least(0.0),
+        /// Kinetic level that the controller assumes.
+        kinetic_force: tunable = real("N", 1.0).at_least(0.0),
+        /// Static level that the observer assumes.
+        breakaway_force: tunable = real("N", 1.5).at_least(0.0),
         /// Stribeck velocity of the observer.
         stribeck_velocity: tunable = real("m/s", 1e-3).positive().shown_in("mm/s"),
         /// Stiffness of the bristles of the observer.
         sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
         /// Damping of the bristles of the observer.
         sigma_1: tunable = real("N.s/m", 316.227_766_016_837_94).at_least(0.0).nominal(100.0),
-        /// Viscous coefficient that the controller takes for true.
+        /// Viscous coefficient that the controller assumes.
         viscous_coefficient: tunable = real("N.s/m", 0.4).at_least(0.0),
         /// Deflection per second that a position error of 1 m adds to the estimate of the observer (default chosen).
         observer_gain: tunable = real("1/s", 1e-4).at_least(0.0).nominal(1e-3),
@@ -192,6 +193,13 @@ crate::model! {
     }
 }
 
+/// A sample of the controller: position as the encoder shows it, error, and force.
+struct Sample<T> {
+    position: T,
+    error: T,
+    force: T,
+}
+
 impl<T: Real> PositionControl<T> {
     fn error(&self) -> T {
         self.position - self.target_position
@@ -203,16 +211,21 @@ impl<T: Real> PositionControl<T> {
     }
 
     fn observed_rate(&self) -> T {
-        let level =
-            stribeck::level(self.velocity, self.coulomb_force, self.static_force, self.stribeck_velocity, T::from(2.0));
+        let level = stribeck::level(
+            self.velocity,
+            self.kinetic_force,
+            self.breakaway_force,
+            self.stribeck_velocity,
+            T::from(2.0),
+        );
         let slips = self.sigma_0 * self.velocity.abs() * self.deflection_estimate / level;
         self.velocity - slips - self.observer_gain * self.error()
     }
 
-    /// Friction that the controller makes up for.
+    /// Friction that the controller compensates for.
     fn compensated(&self) -> T {
         let fed_forward =
-            self.coulomb_force * self.target_velocity.sign() + self.viscous_coefficient * self.target_velocity;
+            self.kinetic_force * self.target_velocity.sign() + self.viscous_coefficient * self.target_velocity;
         choose!(
             Compensation::Observer.is(self.compensation),
             self.sigma_0 * self.deflection_estimate
@@ -226,9 +239,33 @@ impl<T: Real> PositionControl<T> {
         self.sample_time.vanishes()
     }
 
-    /// Force of the controller.
+    /// Force of the controller. Where a sample is due it is that of the sample: a step that follows takes it with the same
+    /// inputs.
     fn control(&self) -> T {
-        choose!(self.is_continuous(), self.command(self.velocity, self.error()), self.held_force)
+        choose!(
+            self.is_continuous(),
+            self.command(self.velocity, self.error()),
+            choose!(self.is_due(), self.sampled().force, self.held_force)
+        )
+    }
+
+    /// Whether it is time for a sample, as far as rounding tells.
+    fn is_due(&self) -> T::Mask {
+        self.time_to_sample.at_most(T::from(EARLY) * self.sample_time)
+    }
+
+    /// What a sample now would give.
+    fn sampled(&self) -> Sample<T> {
+        let resolution = self.encoder_resolution;
+        let whole = |lane: usize| {
+            let resolution = resolution.lane(lane);
+            [resolution * (self.position.lane(lane) / resolution).round(), 0.0]
+        };
+        let [counted, _] = T::found(|| [self.position, resolution], whole);
+        let position = choose!(resolution.is_positive(), counted, self.position);
+        let before = choose!(self.started.vanishes(), position, self.sampled_position);
+        let error = position - self.target_position;
+        Sample { position, error, force: self.command((position - before) / self.sample_time, error) }
     }
 
     /// Force that the controller computes from the velocity and the position error that it sees.
@@ -288,7 +325,7 @@ impl PositionControl {
             exp_m1(&[rows[0], rows[1], rows[2], rows[3], [0.0; 5]])
         };
         let [kinetic, viscous] =
-            if self.feeds_forward() { [self.coulomb_force, self.viscous_coefficient] } else { [0.0; 2] };
+            if self.feeds_forward() { [self.kinetic_force, self.viscous_coefficient] } else { [0.0; 2] };
         let push = self.velocity_gain * (self.target_velocity - pace)
             + kinetic * sign
             + viscous * self.target_velocity
@@ -311,14 +348,10 @@ impl PositionControl {
 
     /// Samples position and target.
     fn sample(&mut self) {
-        let count = self.position / self.encoder_resolution;
-        let seen = if self.encoder_resolution > 0.0 { self.encoder_resolution * count.round() } else { self.position };
-        let before = if self.started == 0.0 { seen } else { self.sampled_position };
-        let error = seen - self.target_position;
-        self.held_force = self.command((seen - before) / self.sample_time, error);
+        let Sample { position, error, force } = self.sampled();
+        (self.held_force, self.sampled_position, self.started) = (force, position, 1.0);
         self.error_integral += self.sample_time * error;
-        self.sampled_position = seen;
-        self.started = 1.0;
+        self.time_to_sample = self.sample_time;
     }
 
     /// Motion from sample to sample while the inputs move at constant rates.
@@ -327,24 +360,21 @@ impl PositionControl {
             self.position = f64::NAN;
             return;
         }
-        if self.started == 0.0 {
-            self.sample();
-            self.time_to_sample = self.sample_time;
-        }
         let begin = ramp::Inputs::of(self);
         let mut at = 0.0;
         while at < dt {
+            if self.is_due() {
+                self.sample();
+            }
             let rest = dt - at;
-            let span = rest.min(self.time_to_sample);
+            // A sample at the end of the step belongs to the next one, which may have other inputs.
+            let is_within = self.time_to_sample + EARLY * self.sample_time < rest;
+            let span = if is_within { self.time_to_sample } else { rest };
             let push = [self.held_force - self.friction_force, -slope.friction_force].map(|push| push / self.mass);
             [self.position, self.velocity] = undamped([self.position, self.velocity], push, 0.0, span);
-            at = if span < rest { at + span } else { dt };
+            at = if is_within { at + span } else { dt };
             ramp::set_inputs(self, &begin, slope, at);
             self.time_to_sample -= span;
-            if self.time_to_sample <= EARLY * self.sample_time {
-                self.sample();
-                self.time_to_sample += self.sample_time;
-            }
         }
     }
 
@@ -361,8 +391,8 @@ const SHORTEST: f64 = 1e-6;
 /// Most samples of a step (chosen: about a second of computation).
 const MOST_SAMPLES: f64 = 1e7;
 
-/// Part of the sample time by which a sample may be early (chosen), so that it is not missed at a communication point by
-/// rounding.
+/// Part of the sample time by which a sample may be early or late (chosen), so that it meets a communication point in
+/// spite of rounding.
 const EARLY: f64 = 1e-9;
 
 impl Model for PositionControl {
@@ -370,9 +400,11 @@ impl Model for PositionControl {
     const PIECEWISE_LINEAR: bool = true;
 
     fn check(&self) -> Result<(), Fault> {
-        not_below(("static_force", self.static_force), ("coulomb_force", self.coulomb_force))?;
-        if self.observes() && self.coulomb_force == 0.0 {
-            return Err(Fault::new(format_args!("coulomb_force = 0: must be > 0 with compensation = Observer")));
+        if self.observes() {
+            not_below(("breakaway_force", self.breakaway_force), ("kinetic_force", self.kinetic_force))?;
+            if self.kinetic_force == 0.0 {
+                return Err(Fault::new(format_args!("kinetic_force = 0: must be > 0 with compensation = Observer")));
+            }
         }
         let (sample_time, resolution) = (self.sample_time, self.encoder_resolution);
         let fault = |limit: &str| Err(Fault::new(format_args!("sample_time = {sample_time}: must be {limit}")));

@@ -59,8 +59,8 @@ fn friction_that_is_fed_forward_turns_with_the_target() {
         integral_gain: 0.0,
         proportional_gain: 0.0,
         velocity_gain: 0.0,
-        coulomb_force: 2.0,
-        static_force: 2.0,
+        kinetic_force: 2.0,
+        breakaway_force: 2.0,
         viscous_coefficient: 0.5,
         target_velocity: -0.3,
         ..Default::default()
@@ -182,12 +182,14 @@ fn a_body_at_rest_winds_the_observer_up() {
 fn an_observer_without_a_level_is_refused() {
     let refused = |control: PositionControl| control.check().map_err(|fault| fault.to_string());
     let observer =
-        PositionControl { compensation: Compensation::Observer.number(), coulomb_force: 0.0, ..Default::default() };
-    let text = "coulomb_force = 0: must be > 0 with compensation = Observer";
+        PositionControl { compensation: Compensation::Observer.number(), kinetic_force: 0.0, ..Default::default() };
+    let text = "kinetic_force = 0: must be > 0 with compensation = Observer";
     assert_eq!(refused(observer), Err(text.to_owned()));
     assert_eq!(refused(PositionControl { compensation: Compensation::FeedForward.number(), ..observer }), Ok(()));
-    let text = "static_force = 0.5: must be >= coulomb_force = 1";
-    assert_eq!(refused(PositionControl { static_force: 0.5, ..Default::default() }), Err(text.to_owned()));
+    let text = "breakaway_force = 0.5: must be >= kinetic_force = 1";
+    let low = PositionControl { kinetic_force: 1.0, breakaway_force: 0.5, ..observer };
+    assert_eq!(refused(low), Err(text.to_owned()));
+    assert_eq!(refused(PositionControl { compensation: Compensation::FeedForward.number(), ..low }), Ok(()));
 }
 
 /// A controller at this sample time without friction, on its way to 1 m.
@@ -259,6 +261,47 @@ fn a_sampled_motion_does_not_depend_on_the_steps() {
         assert_relative_eq!(whole.position, parts.position, max_relative = 1e-11);
         assert_relative_eq!(whole.velocity, parts.velocity, max_relative = 1e-10);
     }
+}
+
+/// Whether each communication step is a sample time or less than it by rounding, every sample meets a communication point:
+/// it sees the target that was set there, and the mass follows a ramp with the same error.
+#[test]
+fn samples_stay_at_the_communication_points() {
+    let follow = |h: f64| {
+        let mut control = PositionControl { proportional_gain: 1e4, velocity_gain: 200.0, ..sampled(1e-3) };
+        (control.target_position, control.target_velocity, control.integral_gain) = (0.0, 0.5, 0.0);
+        control.velocity = 0.5;
+        let mut largest: f64 = 0.0;
+        for step in 0..20_000 {
+            control.target_position = 0.5 * h * f64::from(step);
+            largest = largest.max((control.position - control.target_position).abs());
+            control.step(h);
+        }
+        (largest, control.position - 0.5 * h * 20_000.0)
+    };
+    let (exact, rounded, longer) = (follow(1e-3), follow(9.999_999_999_998_899e-4), follow(1.000_000_000_000_11e-3));
+    assert!(exact.0 > 1e-5, "{exact:?}");
+    for other in [rounded, longer] {
+        assert_abs_diff_eq!(other.0, exact.0, epsilon = 1e-9);
+        assert_abs_diff_eq!(other.1, exact.1, epsilon = 1e-9);
+    }
+}
+
+/// A target that is set where a sample is due acts from there on.
+#[test]
+fn a_target_acts_at_the_sample_at_which_it_is_set() {
+    let mut control = PositionControl { target_position: 0.0, ..sampled(0.1) };
+    for _ in 0..10 {
+        control.step(0.1);
+    }
+    control.target_position = 1.0;
+    control.output();
+    assert_eq!(control.external_force, 3.0);
+    control.step(0.05);
+    assert_abs_diff_eq!(control.velocity, 0.15, epsilon = 1e-15);
+    control.target_position = 2.0;
+    control.output();
+    assert_eq!(control.external_force, 3.0, "held up to the next sample");
 }
 
 /// Half an increment from the target the controller sees no error; beyond, it sees a whole one.
