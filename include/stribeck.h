@@ -6411,7 +6411,7 @@ typedef enum stribeck_belt_rig_variable {
 } stribeck_belt_rig_variable;
 
 /** Guid of QuarterCar for fmi2Instantiate. */
-#define STRIBECK_QUARTER_CAR_GUID "{fd6d506b-a780-5095-85f8-0db8729778c4}"
+#define STRIBECK_QUARTER_CAR_GUID "{515c58d7-c52d-dc00-250b-5c51cbda67fc}"
 
 /** QuarterCar: Quarter car: body, wheel and tyre, driven by the force of a strut. Variables of "QuarterCar". */
 typedef enum stribeck_quarter_car_variable {
@@ -6421,6 +6421,8 @@ typedef enum stribeck_quarter_car_variable {
   STRIBECK_QUARTER_CAR_ROAD_VELOCITY = 716199623,
   /** in [N]: Force of the strut without its friction; only the external force depends on it. (default 1325.2555) */
   STRIBECK_QUARTER_CAR_FORCE_WITHOUT_FRICTION = 1698389154,
+  /** in [N]: Part of the strut force that moves the rod and not the body; 0 if they move together. (default 0) */
+  STRIBECK_QUARTER_CAR_ROD_FORCE = 1433420958,
   /** fixed [kg]: Mass of the body, without the wheels. (> 0, default 52.91) */
   STRIBECK_QUARTER_CAR_BODY_MASS = 978845638,
   /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.011) */
@@ -7463,7 +7465,7 @@ typedef enum stribeck_servo_arm_variable {
 } stribeck_servo_arm_variable;
 
 /** Guid of TopMount for fmi2Instantiate. */
-#define STRIBECK_TOP_MOUNT_GUID "{6857be8c-9a47-eb71-3f5e-64470ad47d73}"
+#define STRIBECK_TOP_MOUNT_GUID "{59d80aa7-dbae-e951-51f9-fadc96a3f0a4}"
 
 /** TopMount: Inner part of a top mount, between a strut and the rubber to the body. Variables of "TopMount". */
 typedef enum stribeck_top_mount_variable {
@@ -7473,26 +7475,43 @@ typedef enum stribeck_top_mount_variable {
   STRIBECK_TOP_MOUNT_FORCE_WITHOUT_FRICTION = 1698389154,
   /** in [N]: Force of the rubber, 0 at rest; pushes the inner part back where it is displaced. (default 0) */
   STRIBECK_TOP_MOUNT_MOUNT_FORCE = 1043420746,
-  /** in [m]: Length of the strut if the mount were rigid. (default 0.1775) */
-  STRIBECK_TOP_MOUNT_DISTANCE = 783488098,
-  /** in [m/s]: Rate of the distance. (default 0) */
-  STRIBECK_TOP_MOUNT_DISTANCE_RATE = 1285949165,
-  /** in [N]: Force that the friction of a stuck strut would carry if the mount were rigid. (default 0) */
-  STRIBECK_TOP_MOUNT_RIGID_EXTERNAL_FORCE = 69084134,
+  /** in [m]: Height of the body above its height at rest. (default 0) */
+  STRIBECK_TOP_MOUNT_BODY_HEIGHT = 2147148885,
+  /** in [m/s]: Vertical velocity of the body. (default 0) */
+  STRIBECK_TOP_MOUNT_BODY_VELOCITY = 821608557,
+  /** in [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_TOP_MOUNT_WHEEL_HEIGHT = 1220580878,
+  /** in [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_TOP_MOUNT_WHEEL_VELOCITY = 1595595438,
+  /** in [N]: Vertical force of the tyre on the ground; only the external force depends on it.
+   *  (>= 0, default 679.5387) */
+  STRIBECK_TOP_MOUNT_TYRE_LOAD = 1258449592,
   /** fixed [kg]: Mass of the inner part, with the rod of the strut (default chosen). (> 0, default 0.3) */
   STRIBECK_TOP_MOUNT_MASS = 1601648849,
-  /** fixed [kg]: Reduced mass of body and wheel, as the strut feels it. (> 0, default 12.225695) */
-  STRIBECK_TOP_MOUNT_REDUCED_MASS = 1196676018,
+  /** fixed [kg]: Mass of the body, without the wheels. (> 0, default 52.91) */
+  STRIBECK_TOP_MOUNT_BODY_MASS = 978845638,
+  /** fixed [kg]: Unsprung mass of the corner. (> 0, default 16.36) */
+  STRIBECK_TOP_MOUNT_WHEEL_MASS = 1406898941,
+  /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.011) */
+  STRIBECK_TOP_MOUNT_MOTION_RATIO = 1923590475,
+  /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
+  STRIBECK_TOP_MOUNT_STATIC_LENGTH = 271843360,
   /** fixed [N]: Force of the strut at rest. (default 1325.2555) */
   STRIBECK_TOP_MOUNT_STATIC_FORCE = 368777087,
-  /** state, out [m]: Displacement of the inner part relative to the body. (default 0) */
+  /** state, out [m]: Position of the rod along the strut; 0 at rest. (default 0) */
+  STRIBECK_TOP_MOUNT_ROD_POSITION = 1899310784,
+  /** state, out [m/s]: Velocity of the rod along the strut. (default 0) */
+  STRIBECK_TOP_MOUNT_ROD_VELOCITY = 825275428,
+  /** out [m]: Displacement of the inner part relative to the body. */
   STRIBECK_TOP_MOUNT_DISPLACEMENT = 81840086,
-  /** state, out [m/s]: Velocity of the inner part relative to the body. (default 0) */
+  /** out [m/s]: Velocity of the inner part relative to the body. */
   STRIBECK_TOP_MOUNT_INNER_VELOCITY = 1054248123,
   /** out [m]: Length of the strut. */
   STRIBECK_TOP_MOUNT_LENGTH = 63976981,
   /** out [m/s]: Rate of the strut's length, positive in extension. */
   STRIBECK_TOP_MOUNT_VELOCITY = 846470194,
+  /** out [N]: Part of the strut force that moves the rod and not the body. */
+  STRIBECK_TOP_MOUNT_ROD_FORCE = 1433420958,
   /** out [N]: Force that the friction of a stuck strut carries. */
   STRIBECK_TOP_MOUNT_EXTERNAL_FORCE = 1336490458,
 } stribeck_top_mount_variable;

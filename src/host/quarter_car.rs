@@ -9,7 +9,7 @@ crate::model! {
     /// # Equations
     ///
     /// ```text
-    /// m_s d2z_s/dt2 = r (f - f_0)
+    /// m_s d2z_s/dt2 = r (f - f_0 - f_y)
     /// m_u d2z_u/dt2 = f_t - f_t0 - r (f - f_0)
     /// f_t   = max(0, f_t0 + k_t (z_r - z_u) + c_t (v_r - dz_u/dt))
     /// f_t0  = (m_s + m_u) g
@@ -22,6 +22,7 @@ crate::model! {
     /// |---------|------------------|-------|---------------------------------------------------|
     /// | f       | `strut_force`    | N     | force of the strut                                |
     /// | f_w     | `force_without_friction` | N | that force without the friction in the strut      |
+    /// | f_y     | `rod_force`      | N     | part of it that moves the rod of the strut         |
     /// | z_r     | `road_height`    | m     | height of the road under the wheel                |
     /// | v_r     | `road_velocity`  | m/s   | rate of the road's height                         |
     /// | m_s     | `body_mass`      | kg    | mass of the body                                  |
@@ -40,6 +41,8 @@ crate::model! {
     /// | f_t     | `tyre_load`      | N     | force of the tyre on the road                     |
     /// | f_e     | `external_force` | N     | force that the friction of a stuck strut carries  |
     /// | g       |                  | m/s2  | 9.81, the acceleration of gravity                 |
+    ///
+    /// Where rod and body move together, `rod_force` is 0; with a rubber mount between them it is that of `TopMount`.
     ///
     /// # Sign
     /// Heights are positive up. `strut_force` is positive if it pushes the eyes of the strut apart: it lifts the body
@@ -91,6 +94,8 @@ crate::model! {
         road_velocity: input = real("m/s", 0.0),
         /// Force of the strut without its friction; only the external force depends on it.
         force_without_friction: input = real("N", 1325.2555),
+        /// Part of the strut force that moves the rod and not the body; 0 if they move together.
+        rod_force: input = real("N", 0.0),
         /// Mass of the body, without the wheels.
         body_mass: fixed = real("kg", 52.91).positive(),
         /// The wheel's suspension.
@@ -137,7 +142,8 @@ impl<T: Scalar> Law for QuarterCar<T> {
 impl<T: Scalar> Derivatives for QuarterCar<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.body_height = self.body_velocity;
-        rate.body_velocity = self.wheel.lift(&self.suspension) / self.body_mass;
+        let lift = self.wheel.lift(&self.suspension) - self.suspension.motion_ratio * self.rod_force;
+        rate.body_velocity = lift / self.body_mass;
         rate.wheel.wheel_height = self.wheel.wheel_velocity;
         rate.wheel.wheel_velocity = self.wheel.acceleration(&self.suspension, self.road(), self.static_load());
     }
