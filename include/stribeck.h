@@ -7333,97 +7333,79 @@ typedef enum stribeck_axis_variable {
 } stribeck_axis_variable;
 
 /** Guid of ServoArm for fmi2Instantiate. */
-#define STRIBECK_SERVO_ARM_GUID "{a3ef530d-1201-9a07-3aed-5c598fb8584a}"
+#define STRIBECK_SERVO_ARM_GUID "{81ee24ad-33f5-7916-c33f-aa356135d5ad}"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-106, model M1. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel MX-106, model M1. */
 #define STRIBECK_SERVO_ARM_PRESET_MX106_M1 "mx106_m1"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-106, model M2. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel MX-106, model M2. */
 #define STRIBECK_SERVO_ARM_PRESET_MX106_M2 "mx106_m2"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-106, model M3. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel MX-106, model M3. */
 #define STRIBECK_SERVO_ARM_PRESET_MX106_M3 "mx106_m3"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-106, model M4. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel MX-106, model M4. */
 #define STRIBECK_SERVO_ARM_PRESET_MX106_M4 "mx106_m4"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-106, model M5. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel MX-106, model M5. */
 #define STRIBECK_SERVO_ARM_PRESET_MX106_M5 "mx106_m5"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-106, model M6. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel MX-106, model M6. */
 #define STRIBECK_SERVO_ARM_PRESET_MX106_M6 "mx106_m6"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-64, model M1. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel MX-64, model M1. */
 #define STRIBECK_SERVO_ARM_PRESET_MX64_M1 "mx64_m1"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-64, model M2. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel MX-64, model M2. */
 #define STRIBECK_SERVO_ARM_PRESET_MX64_M2 "mx64_m2"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-64, model M3. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel MX-64, model M3. */
 #define STRIBECK_SERVO_ARM_PRESET_MX64_M3 "mx64_m3"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-64, model M4. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel MX-64, model M4. */
 #define STRIBECK_SERVO_ARM_PRESET_MX64_M4 "mx64_m4"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-64, model M5. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel MX-64, model M5. */
 #define STRIBECK_SERVO_ARM_PRESET_MX64_M5 "mx64_m5"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel MX-64, model M6. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel MX-64, model M6. */
 #define STRIBECK_SERVO_ARM_PRESET_MX64_M6 "mx64_m6"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-320, model M1. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel XL-320, model M1. */
 #define STRIBECK_SERVO_ARM_PRESET_XL320_M1 "xl320_m1"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-320, model M2. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel XL-320, model M2. */
 #define STRIBECK_SERVO_ARM_PRESET_XL320_M2 "xl320_m2"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-320, model M3. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel XL-320, model M3. */
 #define STRIBECK_SERVO_ARM_PRESET_XL320_M3 "xl320_m3"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-320, model M4. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel XL-320, model M4. */
 #define STRIBECK_SERVO_ARM_PRESET_XL320_M4 "xl320_m4"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-320, model M5. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel XL-320, model M5. */
 #define STRIBECK_SERVO_ARM_PRESET_XL320_M5 "xl320_m5"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-320, model M6. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel XL-320, model M6. */
 #define STRIBECK_SERVO_ARM_PRESET_XL320_M6 "xl320_m6"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-330, model M1. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel XL-330, model M1. */
 #define STRIBECK_SERVO_ARM_PRESET_XL330_M1 "xl330_m1"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-330, model M2. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel XL-330, model M2. */
 #define STRIBECK_SERVO_ARM_PRESET_XL330_M2 "xl330_m2"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-330, model M3. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel XL-330, model M3. */
 #define STRIBECK_SERVO_ARM_PRESET_XL330_M3 "xl330_m3"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-330, model M4. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel XL-330, model M4. */
 #define STRIBECK_SERVO_ARM_PRESET_XL330_M4 "xl330_m4"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-330, model M5. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel XL-330, model M5. */
 #define STRIBECK_SERVO_ARM_PRESET_XL330_M5 "xl330_m5"
 
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of Dynamixel XL-330, model M6. */
+/** Preset of ServoArm: Rhoban/bam (2026), see Duclusaud et al. (2025), motor of Dynamixel XL-330, model M6. */
 #define STRIBECK_SERVO_ARM_PRESET_XL330_M6 "xl330_m6"
-
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of eRob80:50, model M1. */
-#define STRIBECK_SERVO_ARM_PRESET_EROB80_50_M1 "erob80_50_m1"
-
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of eRob80:50, model M2. */
-#define STRIBECK_SERVO_ARM_PRESET_EROB80_50_M2 "erob80_50_m2"
-
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of eRob80:50, model M3. */
-#define STRIBECK_SERVO_ARM_PRESET_EROB80_50_M3 "erob80_50_m3"
-
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of eRob80:50, model M4. */
-#define STRIBECK_SERVO_ARM_PRESET_EROB80_50_M4 "erob80_50_m4"
-
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of eRob80:50, model M5. */
-#define STRIBECK_SERVO_ARM_PRESET_EROB80_50_M5 "erob80_50_m5"
-
-/** Preset of ServoArm: Duclusaud et al. (2025), motor of eRob80:50, model M6. */
-#define STRIBECK_SERVO_ARM_PRESET_EROB80_50_M6 "erob80_50_m6"
 
 /** ServoArm: Arm with a load, held by a servo. Variables of "ServoArm". */
 typedef enum stribeck_servo_arm_variable {

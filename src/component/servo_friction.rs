@@ -58,14 +58,21 @@ crate::model! {
     /// # Sign
     /// The forces of motor and load are both positive in the direction of `velocity`: their sum accelerates the output,
     /// and the gear carries their difference. `friction_force` has the sign of `velocity` when sliding; the output feels
-    /// `-friction_force`. Dissipated power is `friction_force * velocity`, never negative.
+    /// `-friction_force`. Dissipated power is `friction_force * velocity`, never negative
+    /// without `mass`; with it the force is that of the end of a step.
     ///
     /// # Step
     /// With held inputs exact, energy included. At rest the output holds any sum of forces up to the level, and the
-    /// level is that of the forces themselves: with $K = K_m + K_ms$ and $k = K_l + K_ls$ a motor that drives against a load
-    /// $f_l < 0$ begins to lift it at $f_m (1 - K) = f_C + f_E - f_l (1 + k)$ and to give way at
-    /// $f_m (1 + K) = -f_l (1 - k) - f_C - f_E$, where both differences of a weighted load and a weighted motor are of one
-    /// sign and $Q = 0$. A gear with $k >= 1$ holds every load.
+    /// level is that of the forces themselves. With $K = K_m + K_ms$ and $k = K_l + K_ls$ a motor that drives against a
+    /// load $f_l < 0$ begins to lift it, and gives way to it, at
+    ///
+    /// ```text
+    /// f_m (1 - K) = f_C + f_E - f_l (1 + k)
+    /// f_m (1 + K) = -f_l (1 - k) - f_C - f_E
+    /// ```
+    ///
+    /// where both differences of weighted forces have one sign and $Q = 0$. A gear with $k >= 1$ holds every load; a
+    /// motor with $K >= 1$ lifts none.
     ///
     /// With `mass` the forces of a step are means: that of the sum $f_e$, and of the magnitude of the difference
     /// $|f_m - f_l|$, which differs from the magnitude of the mean only where the difference changes its sign.
@@ -100,7 +107,7 @@ crate::model! {
     /// servo.output();
     /// assert!((servo.friction_force - 0.8).abs() < 1e-12); // 0.2 * 3 + 0.1 * 2
     /// ```
-    ServoFriction: "Friction of a servo drive by the torques of its motor and its load (Duclusaud and others)" {
+    ServoFriction: "Friction of a servo drive that depends on the torques of motor and load (Duclusaud and others)" {
         velocity: input = VELOCITY,
         /// Force of the motor at the output, positive in the direction of the velocity.
         motor_force: input = real("N", 0.0).odd(),
@@ -296,7 +303,9 @@ macro_rules! presets {
     ($($name:literal: $Model:ident $values:tt of $servo:literal;)+) => {
         &[$(Preset {
             name: $name,
-            source: concat!("Duclusaud et al. (2025), ", $servo, ", model ", stringify!($Model), "; N.m and rad/s"),
+            source: concat!(
+                "Rhoban/bam (2026), see Duclusaud et al. (2025), ", $servo, ", model ", stringify!($Model), "; N.m and rad/s"
+            ),
             values: values!($Model $values),
         }),+]
     };
@@ -417,7 +426,7 @@ mod tests {
         for (motor, load, kinetic, excess) in [
             (0.0, 0.0, 0.5, 0.25),
             (2.0, 3.0, 0.9, 0.70),        // both drive: no Q
-            (2.0, -3.0, 1.3, 1.0 + 0.16), // driven back: 0.04 * 2^2
+            (2.0, -3.0, 1.3, 1.0 + 0.16), // back-driven: 0.04 * 2^2
             (-4.0, 3.0, 1.5, 1.6 + 0.18), // driving: 0.02 * 3^2
             (2.0, -2.0, 1.1, 0.95),
         ] {
@@ -434,7 +443,7 @@ mod tests {
     }
 
     /// Forces of the motor between which a load is held, by bisection and from the straight lines of the paper's
-    /// diagrams of driving and driving back.
+    /// diagrams of driving and back-driving.
     #[test]
     fn a_load_is_held_between_two_straight_lines() {
         for (name, constant, motor, load) in [

@@ -35,9 +35,9 @@ crate::model! {
     /// | f_e    | `external_force`    | N     | their sum                                                      |
     /// | m      | `effective_mass`    | kg    | moment of inertia at the radius                                |
     ///
-    /// At the default radius of 1 m a force in N is a torque in N.m, a velocity in m/s an angular velocity in rad/s, and
-    /// the effective mass in kg a moment of inertia in kg.m2. With `resistance` tending to infinity, or without voltage and
-    /// current, there is no motor; one that is short-circuited, as with `gain` = 0, brakes.
+    /// At the default radius of 1 m a force in N is a torque in N.m, a velocity in m/s an angular velocity in rad/s,
+    /// and the effective mass in kg a moment of inertia in kg.m2. Without voltage, as with `gain` = 0, the motor brakes
+    /// as one that is short-circuited; `motor_constant` = 0 removes it.
     ///
     /// # Sign
     /// Angle, velocity and forces are positive in the same direction. `friction_force` has the sign of `velocity` when
@@ -58,8 +58,9 @@ crate::model! {
     /// The pendulum on which M. Duclusaud, G. Passault, V. Padois, O. Ly, "Extended friction models for the physics
     /// simulation of servo actuators", IEEE International Conference on Robotics and Automation (2025), 12091-12097, arXiv
     /// 2410.08650, identify servos. Start values of the motor: Dynamixel MX-106 with their friction model M4, at a
-    /// supply of 15 V of which 96.25 % are used, and a gain of 32 in the units of its controller (Rhoban/bam, 2026).
-    /// The presets are the motors of their six models of friction, to four digits. Load and length are chosen.
+    /// supply of 15 V of which 96.25 % are used, and a gain of 32 in the units of its controller. The presets are the
+    /// motors of their six models of friction with their usual supply and gain, to four digits, from their repository
+    /// Rhoban/bam (2026). Load and length are chosen.
     ///
     /// # Example
     /// ```
@@ -78,7 +79,7 @@ crate::model! {
         /// Gain of the controller: voltage by the error of the angle.
         gain: tunable = real("V/rad", 75.84).at_least(0.0).nominal(100.0),
         /// Largest voltage of the motor, in both directions.
-        voltage_limit: tunable = real("V", 14.4375).at_least(0.0).nominal(10.0),
+        voltage_limit: tunable = real("V", 14.44).at_least(0.0).nominal(10.0),
         /// Torque of the gear by the current of the motor, and voltage of the motor by the angular velocity of the gear.
         motor_constant: fixed = real("N.m/A", 2.231).at_least(0.0),
         /// Resistance of the motor.
@@ -142,13 +143,15 @@ impl<T: Real> Derivatives for ServoArm<T> {
     }
 }
 
-/// Presets in one line each: name, motor constant, resistance and moment of inertia, servo.
+/// Presets in one line each: name; motor constant, resistance, moment of inertia, gain and largest voltage; servo.
 macro_rules! presets {
-    ($($name:literal: $k_t:literal, $resistance:literal, $armature:literal of $servo:literal;)+) => {
+    ($($name:literal: [$k_t:literal, $resistance:literal, $armature:literal, $gain:literal, $limit:literal]
+        of $servo:literal;)+) => {
         &[$(Preset {
             name: $name,
-            source: concat!("Duclusaud et al. (2025), motor of ", $servo),
-            values: &[("motor_constant", $k_t), ("resistance", $resistance), ("armature", $armature)],
+            source: concat!("Rhoban/bam (2026), see Duclusaud et al. (2025), motor of ", $servo),
+            values: &[("motor_constant", $k_t), ("resistance", $resistance), ("armature", $armature), ("gain", $gain),
+                ("voltage_limit", $limit)],
         }),+]
     };
 }
@@ -156,36 +159,30 @@ macro_rules! presets {
 impl Model for ServoArm {
     #[rustfmt::skip] // one line each
     const PRESETS: &'static [Preset] = presets! {
-        "mx106_m1": 2.191, 2.965, 0.02661 of "Dynamixel MX-106, model M1";
-        "mx106_m2": 2.191, 2.961, 0.02684 of "Dynamixel MX-106, model M2";
-        "mx106_m3": 2.204, 2.653, 0.02485 of "Dynamixel MX-106, model M3";
-        "mx106_m4": 2.231, 2.372, 0.02457 of "Dynamixel MX-106, model M4";
-        "mx106_m5": 2.209, 2.014, 0.02602 of "Dynamixel MX-106, model M5";
-        "mx106_m6": 2.21, 2.034, 0.02602 of "Dynamixel MX-106, model M6";
-        "mx64_m1": 1.622, 3.949, 0.01195 of "Dynamixel MX-64, model M1";
-        "mx64_m2": 1.62, 3.894, 0.01192 of "Dynamixel MX-64, model M2";
-        "mx64_m3": 1.631, 3.571, 0.01124 of "Dynamixel MX-64, model M3";
-        "mx64_m4": 1.663, 3.156, 0.01096 of "Dynamixel MX-64, model M4";
-        "mx64_m5": 1.587, 2.414, 0.01173 of "Dynamixel MX-64, model M5";
-        "mx64_m6": 1.602, 2.316, 0.01227 of "Dynamixel MX-64, model M6";
-        "xl320_m1": 0.9869, 35.61, 0.001119 of "Dynamixel XL-320, model M1";
-        "xl320_m2": 0.9413, 34.18, 0.001108 of "Dynamixel XL-320, model M2";
-        "xl320_m3": 1.041, 27.54, 0.001499 of "Dynamixel XL-320, model M3";
-        "xl320_m4": 0.9949, 26.2, 0.001482 of "Dynamixel XL-320, model M4";
-        "xl320_m5": 1.009, 31.6, 0.001162 of "Dynamixel XL-320, model M5";
-        "xl320_m6": 1.009, 31.59, 0.001163 of "Dynamixel XL-320, model M6";
-        "xl330_m1": 0.3867, 4.017, 0.001814 of "Dynamixel XL-330, model M1";
-        "xl330_m2": 0.3853, 4.0, 0.001819 of "Dynamixel XL-330, model M2";
-        "xl330_m3": 0.3804, 3.38, 0.001918 of "Dynamixel XL-330, model M3";
-        "xl330_m4": 0.3862, 3.403, 0.001895 of "Dynamixel XL-330, model M4";
-        "xl330_m5": 0.3622, 2.752, 0.001847 of "Dynamixel XL-330, model M5";
-        "xl330_m6": 0.366, 2.811, 0.001808 of "Dynamixel XL-330, model M6";
-        "erob80_50_m1": 4.543, 2.509, 0.3369 of "eRob80:50, model M1";
-        "erob80_50_m2": 4.544, 2.521, 0.3345 of "eRob80:50, model M2";
-        "erob80_50_m3": 4.819, 2.205, 0.3293 of "eRob80:50, model M3";
-        "erob80_50_m4": 4.822, 1.82, 0.3338 of "eRob80:50, model M4";
-        "erob80_50_m5": 4.818, 0.8575, 0.3311 of "eRob80:50, model M5";
-        "erob80_50_m6": 4.897, 1.073, 0.3617 of "eRob80:50, model M6";
+        "mx106_m1": [2.191, 2.965, 0.02661, 75.84, 14.44] of "Dynamixel MX-106, model M1";
+        "mx106_m2": [2.191, 2.961, 0.02684, 75.84, 14.44] of "Dynamixel MX-106, model M2";
+        "mx106_m3": [2.204, 2.653, 0.02485, 75.84, 14.44] of "Dynamixel MX-106, model M3";
+        "mx106_m4": [2.231, 2.372, 0.02457, 75.84, 14.44] of "Dynamixel MX-106, model M4";
+        "mx106_m5": [2.209, 2.014, 0.02602, 75.84, 14.44] of "Dynamixel MX-106, model M5";
+        "mx106_m6": [2.21, 2.034, 0.02602, 75.84, 14.44] of "Dynamixel MX-106, model M6";
+        "mx64_m1": [1.622, 3.949, 0.01195, 75.84, 14.44] of "Dynamixel MX-64, model M1";
+        "mx64_m2": [1.62, 3.894, 0.01192, 75.84, 14.44] of "Dynamixel MX-64, model M2";
+        "mx64_m3": [1.631, 3.571, 0.01124, 75.84, 14.44] of "Dynamixel MX-64, model M3";
+        "mx64_m4": [1.663, 3.156, 0.01096, 75.84, 14.44] of "Dynamixel MX-64, model M4";
+        "mx64_m5": [1.587, 2.414, 0.01173, 75.84, 14.44] of "Dynamixel MX-64, model M5";
+        "mx64_m6": [1.602, 2.316, 0.01227, 75.84, 14.44] of "Dynamixel MX-64, model M6";
+        "xl320_m1": [0.9869, 35.61, 0.001119, 12.12, 7.5] of "Dynamixel XL-320, model M1";
+        "xl320_m2": [0.9413, 34.18, 0.001108, 12.12, 7.5] of "Dynamixel XL-320, model M2";
+        "xl320_m3": [1.041, 27.54, 0.001499, 12.12, 7.5] of "Dynamixel XL-320, model M3";
+        "xl320_m4": [0.9949, 26.2, 0.001482, 12.12, 7.5] of "Dynamixel XL-320, model M4";
+        "xl320_m5": [1.009, 31.6, 0.001162, 12.12, 7.5] of "Dynamixel XL-320, model M5";
+        "xl320_m6": [1.009, 31.59, 0.001163, 12.12, 7.5] of "Dynamixel XL-320, model M6";
+        "xl330_m1": [0.3867, 4.017, 0.001814, 8.632, 7.5] of "Dynamixel XL-330, model M1";
+        "xl330_m2": [0.3853, 4.0, 0.001819, 8.632, 7.5] of "Dynamixel XL-330, model M2";
+        "xl330_m3": [0.3804, 3.38, 0.001918, 8.632, 7.5] of "Dynamixel XL-330, model M3";
+        "xl330_m4": [0.3862, 3.403, 0.001895, 8.632, 7.5] of "Dynamixel XL-330, model M4";
+        "xl330_m5": [0.3622, 2.752, 0.001847, 8.632, 7.5] of "Dynamixel XL-330, model M5";
+        "xl330_m6": [0.366, 2.811, 0.001808, 8.632, 7.5] of "Dynamixel XL-330, model M6";
     };
 
     fn step(&mut self, dt: f64) {
@@ -231,10 +228,10 @@ mod tests {
         let mut arm = ServoArm { target_angle: 1e3, gravity: 0.0, ..Default::default() };
         let time_constant = (0.02457 + 0.02) * 2.372 / (2.231 * 2.231);
         arm.step(0.03);
-        let end = 14.4375 / 2.231;
+        let end = 14.44 / 2.231;
         assert_abs_diff_eq!(arm.velocity, end * -f64::exp_m1(-0.03 / time_constant), epsilon = 1e-9);
         arm.output();
-        assert_abs_diff_eq!(arm.motor_force, 2.231 / 2.372 * (14.4375 - 2.231 * arm.velocity), epsilon = 1e-12);
+        assert_abs_diff_eq!(arm.motor_force, 2.231 / 2.372 * (14.44 - 2.231 * arm.velocity), epsilon = 1e-12);
     }
 
     /// The motion does not depend on the radius at which forces and velocity are counted.
