@@ -7415,7 +7415,7 @@ typedef enum stribeck_servo_arm_variable {
   STRIBECK_SERVO_ARM_TARGET_ANGLE = 655805416,
   /** tunable [V/rad]: Gain of the controller: voltage by the error of the angle. (>= 0, default 75.84) */
   STRIBECK_SERVO_ARM_GAIN = 458499838,
-  /** tunable [V]: Largest voltage of the motor, in both directions. (>= 0, default 14.4375) */
+  /** tunable [V]: Largest voltage of the motor, in both directions. (>= 0, default 14.44) */
   STRIBECK_SERVO_ARM_VOLTAGE_LIMIT = 556240253,
   /** fixed [N.m/A]: Torque of the gear by the current of the motor, and voltage of the motor by the angular velocity of the gear.
    *  (>= 0, default 2.231) */
@@ -7534,7 +7534,7 @@ typedef enum stribeck_position_control_variable {
   STRIBECK_POSITION_CONTROL_SIGMA_0 = 206242323,
   /** tunable [N.s/m]: Damping of the bristles of the observer. (>= 0, default 316.22776601683796) */
   STRIBECK_POSITION_CONTROL_SIGMA_1 = 189464704,
-  /** tunable [N.s/m]: Viscous coefficient that the controller takes for true. (>= 0, default 0.4) */
+  /** tunable [N.s/m]: Viscous coefficient that the controller assumes. (>= 0, default 0.4) */
   STRIBECK_POSITION_CONTROL_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [1/s]: Deflection per second that a position error of 1 m adds to the estimate of the observer (default chosen).
    *  (>= 0, default 0.0001) */
@@ -7685,118 +7685,118 @@ typedef enum stribeck_gear_efficiency_variable {
 /** Guid of ServoFriction for fmi2Instantiate. */
 #define STRIBECK_SERVO_FRICTION_GUID "{4f773f77-aafa-2304-f705-46b88939b5c6}"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-106, model M1; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel MX-106, model M1; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_MX106_M1 "mx106_m1"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-106, model M2; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel MX-106, model M2; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_MX106_M2 "mx106_m2"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-106, model M3; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel MX-106, model M3; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_MX106_M3 "mx106_m3"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-106, model M4; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel MX-106, model M4; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_MX106_M4 "mx106_m4"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-106, model M5; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel MX-106, model M5; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_MX106_M5 "mx106_m5"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-106, model M6; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel MX-106, model M6; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_MX106_M6 "mx106_m6"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-64, model M1; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel MX-64, model M1; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_MX64_M1 "mx64_m1"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-64, model M2; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel MX-64, model M2; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_MX64_M2 "mx64_m2"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-64, model M3; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel MX-64, model M3; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_MX64_M3 "mx64_m3"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-64, model M4; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel MX-64, model M4; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_MX64_M4 "mx64_m4"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-64, model M5; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel MX-64, model M5; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_MX64_M5 "mx64_m5"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel MX-64, model M6; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel MX-64, model M6; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_MX64_M6 "mx64_m6"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-320, model M1; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel XL-320, model M1; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_XL320_M1 "xl320_m1"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-320, model M2; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel XL-320, model M2; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_XL320_M2 "xl320_m2"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-320, model M3; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel XL-320, model M3; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_XL320_M3 "xl320_m3"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-320, model M4; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel XL-320, model M4; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_XL320_M4 "xl320_m4"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-320, model M5; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel XL-320, model M5; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_XL320_M5 "xl320_m5"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-320, model M6; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel XL-320, model M6; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_XL320_M6 "xl320_m6"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-330, model M1; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel XL-330, model M1; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_XL330_M1 "xl330_m1"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-330, model M2; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel XL-330, model M2; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_XL330_M2 "xl330_m2"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-330, model M3; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel XL-330, model M3; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_XL330_M3 "xl330_m3"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-330, model M4; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel XL-330, model M4; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_XL330_M4 "xl330_m4"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-330, model M5; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel XL-330, model M5; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_XL330_M5 "xl330_m5"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Dynamixel XL-330, model M6; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Dynamixel XL-330, model M6; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_XL330_M6 "xl330_m6"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:50, model M1; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), eRob80:50, model M1; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_EROB80_50_M1 "erob80_50_m1"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:50, model M2; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), eRob80:50, model M2; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_EROB80_50_M2 "erob80_50_m2"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:50, model M3; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), eRob80:50, model M3; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_EROB80_50_M3 "erob80_50_m3"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:50, model M4; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), eRob80:50, model M4; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_EROB80_50_M4 "erob80_50_m4"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:50, model M5; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), eRob80:50, model M5; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_EROB80_50_M5 "erob80_50_m5"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:50, model M6; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), eRob80:50, model M6; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_EROB80_50_M6 "erob80_50_m6"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:100, model M1; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), eRob80:100, model M1; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_EROB80_100_M1 "erob80_100_m1"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:100, model M2; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), eRob80:100, model M2; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_EROB80_100_M2 "erob80_100_m2"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:100, model M3; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), eRob80:100, model M3; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_EROB80_100_M3 "erob80_100_m3"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:100, model M4; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), eRob80:100, model M4; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_EROB80_100_M4 "erob80_100_m4"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:100, model M5; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), eRob80:100, model M5; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_EROB80_100_M5 "erob80_100_m5"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), eRob80:100, model M6; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), eRob80:100, model M6; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_EROB80_100_M6 "erob80_100_m6"
 
-/** Preset of ServoFriction: Duclusaud et al. (2025), Feetech STS3215, 7.4 V, model M1; N.m and rad/s. */
+/** Preset of ServoFriction: Rhoban/bam (2026), see Duclusaud et al. (2025), Feetech STS3215, 7.4 V, model M1; N.m and rad/s. */
 #define STRIBECK_SERVO_FRICTION_PRESET_STS3215_M1 "sts3215_m1"
 
-/** ServoFriction: Friction of a servo drive by the torques of its motor and its load (Duclusaud and others). Variables of "ServoFriction". */
+/** ServoFriction: Friction of a servo drive that depends on the torques of motor and load (Duclusaud and others). Variables of "ServoFriction". */
 typedef enum stribeck_servo_friction_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
   STRIBECK_SERVO_FRICTION_VELOCITY = 846470194,
@@ -7868,7 +7868,7 @@ typedef enum stribeck_servo_friction_variable {
 /** Guid of Capstan for fmi2Instantiate. */
 #define STRIBECK_CAPSTAN_GUID "{389727b8-4ff7-3541-baa5-cf9247e61df7}"
 
-/** Preset of Capstan: Example of a rope with three turns around a winch, held with 100 N. */
+/** Preset of Capstan: Example of a rope with three turns around a winch, with a preload of 100 N. */
 #define STRIBECK_CAPSTAN_PRESET_WINCH "winch"
 
 /** Preset of Capstan: Example of a derailleur cable of a bicycle with 180 degrees of bends; mu_k = 0.06 was measured with 180 to 540 degrees (killasgarage.bike, "Cable Routing - Experimental Results", 2016). */

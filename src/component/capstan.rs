@@ -44,7 +44,8 @@ crate::model! {
     ///
     /// Bends in series add up in their angles, whatever their radii and planes: a cable that is not stretched slides by
     /// the same way in all of them, so that they have the same $z$, and their ratios of tensions multiply. Bends with
-    /// different $mu_k$ or $d$ are a `Capstan` each, with `tension_2` of one as `tension_1` of the next.
+    /// different $mu_k$ or $d$ are a `Capstan` each, with `tension_2` of one as `tension_1` of the next, and a
+    /// `preload` only in the first.
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity` once the rope has moved by some $d$ in one direction; the rope feels
@@ -70,7 +71,10 @@ crate::model! {
     /// # Limits
     /// The rope has neither mass nor bending stiffness, and the drum no inertia: a drum that turns is part of
     /// `velocity`. A rope at rest keeps the ratio of its tensions: a change of `tension_1` alone does not move it
-    /// towards slip, and `tension_2` follows at once. Under a tension that swings it creeps, as Dahl's law does. The
+    /// towards slip, and `tension_2` follows at once. Under a tension that swings it creeps, as Dahl's law
+    /// does, and is not passive: what a way stores without tension is given back under one that is set later. For a V-belt
+    /// $mu_k$ is that of the rope by the sine of half the angle of its groove; the centrifugal tension of a fast belt is
+    /// not in it. The
     /// friction of the bends acts everywhere at once; in a long cable that stretches it spreads from the end that is
     /// pulled. $d$ is the way by which the rope stretches and shears before it slides. $mu_k phi$ = 0 leaves out the
     /// friction; a tension of 0 has none.
@@ -172,7 +176,7 @@ impl Model for Capstan {
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "winch",
-            source: "Example of a rope with three turns around a winch, held with 100 N",
+            source: "Example of a rope with three turns around a winch, with a preload of 100 N",
             values: &[
                 ("mu_k", 0.2),
                 ("wrap_angle", 6.0 * std::f64::consts::PI),

@@ -263,7 +263,7 @@ impl Model for CylinderFriction {
             ("film_velocity", 0.03),
             ("film_growth_time_constant", 0.1),
             ("sigma_0", 1e7),
-            ("sigma_1", 1e3),
+            ("sigma_1", 300.0),
             ("viscous_coefficient", 300.0),
         ],
     }];

@@ -24,16 +24,18 @@ PYTHONPATH=out/package .venv/bin/python -m examples.multibody.creep    # after `
 - Mass {MASS:g} kg, gravity {GRAVITY:g} m/s2, coefficient of friction {MU:g}, static and kinetic, since most
   simulators have one. The slope has the angle $alpha$ with $tan(alpha) = {MU:g} r$, so that gravity pulls with $r$
   times the level.
-- Step {1e3 * STEP:g} ms, fixed, for all. Start at rest, touching the slope, without load in contacts and bristles; in
-  exudyn contacts carry the weight of the block from the start. Drift is the displacement down the slope from
-  {SETTLED:g} s to {SETTLED + DURATION:g} s; the first second, in which contacts and bristles take up the load, is left
-  out, and is in creep.csv.
+- Step {1e3 * STEP:g} ms, fixed, for all simulators; the workbench chooses its own. Start at rest, touching the slope,
+  without load in contacts and bristles; in exudyn contacts carry the weight of the block from the start. Drift is the
+  displacement down the slope from {SETTLED:g} s to {SETTLED + DURATION:g} s; the first second, in which contacts and
+  bristles take up the load, is left out, and is in creep.csv.
 - Contacts: a box of 0.44 m by 0.44 m by 0.1 m with four spherical feet (radius 20 mm, 0.4 m apart, centre of mass
   70 mm above the slope) is free in space; the wide stance keeps it from tilting. The four contact points are the same
   in every simulator.
 - Joints, and laws of this project: the body slides along one axis and cannot turn; the normal force is that of the
   slope.
-- Whatever is not named has the default of the simulator.
+- Chosen as well: in Bullet no damping of linear, angular and joint motion, and a plane with the coefficient 1 under
+  feet with the level; in exudyn contacts of 1e5 N/m and 100 N.s/m; in MuJoCo no torsional and rolling friction.
+  Everything else that is not named has the default of the simulator.
 - The level is the same everywhere: with {SLIDING_LOAD:g} times the level every block slides from rest, in the first
   second {{least:.2f}} to {{most:.2f}} times as far as one with Coulomb friction.
 """
@@ -44,15 +46,15 @@ OF_LAWS = """
 Drift in mm. In the workbench the equations are solved to a tolerance of 1e-10
 ([slope.toml](../examples/multibody/creep/slope.toml)). In MuJoCo and exudyn each law is an FMU: at the beginning of a
 step it gets the velocity, is stepped, and its force is held. Laws without memory get `mass` = 1 kg, and the pull of
-gravity as `external_force`. Stiffness and widths are the start values of the laws. The closed form is the speed at
-which the curve of the law carries the load, times 60 s. A drift below 0 is one up the slope.
+gravity as `external_force`. Stiffness and widths are the start values of the laws. The row "closed form" is the
+speed at which the curve of the law carries the load (that of `Specker` by bisection), times 60 s.
 
 """
 
 OF_SIMULATORS = """
 ## Friction of the simulators
 
-Drift in mm.
+Drift in mm; one below 0 is up the slope.
 
 ![Drift of the block in a minute](creep.png)
 
@@ -71,10 +73,10 @@ EXPLANATION = """
   {exudyn} of it. A smaller zone is stiffer; at 1e-4 m/s the iterations do not always converge at this step. The
   bristles of `CoordinateSpringDamperExt` hold if `stickingDamping` damps their oscillation.
 - **Drake** has a regularised law for "lagged" and "similar", $v = v_s r / sqrt(1 - r^2)$, and another one for "tamsi",
-  $v = v_s (1 - sqrt(1 - r))$, with the tolerance $v_s$; both were found by measuring, and the rows are within {drake}
+  $v = v_s (1 - sqrt(1 - r))$, with the tolerance $v_s$; both were found from the rows, which are within {drake}
   of them. At 1e-6 m/s ("lagged") the block creeps faster than the formula says. A smaller `stiction_tolerance` makes
   the problem stiffer. "sap" has none: its regularisation follows from mass and step (Castro, Permenter, Han, "An
-  unconstrained convex formulation of compliant contact", IEEE Transactions on Robotics 39, 2022, 1301-1320).
+  unconstrained convex formulation of compliant contact", IEEE Transactions on Robotics 39, 2023, 1301-1320).
 - **Bullet** has no velocity of regularisation; how far its iterations go decides. `solverResidualThreshold` = 0 and
   more `numSolverIterations` bring drift down, at the cost of time; more iterations alone change nothing here, since the
   threshold ends them before. `frictionAnchor` adds a spring. A motor with a limit of force holds a joint.

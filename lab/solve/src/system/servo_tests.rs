@@ -121,8 +121,8 @@ fn late(outcome: &Outcome, part: f64) -> f64 {
 }
 
 /// With constant levels every slip and every rest has a closed form. Where the static level is above the kinetic one the
-/// errors at rest come to a limit, else they die out: each rest is then ten times as long as the one before, and so is
-/// what an error of its distance does to its end.
+/// errors at rest come to a limit, else they die out: each rest is then longer than the one before, and with it grows what
+/// an error of its distance does to its end.
 #[test]
 fn it_sticks_and_slips_where_closed_forms_say() {
     for (mu_s, until, [least, most], off) in [("0.15", 150.0, [0.05, 0.07], 1e-10), ("0.1", 1000.0, [0.0, 1e-3], 1e-7)]
