@@ -7670,7 +7670,8 @@ typedef enum stribeck_gear_efficiency_variable {
   STRIBECK_GEAR_EFFICIENCY_MU_DRIVING = 151834187,
   /** tunable [1]: Part of the force that resists when the load drives back (default chosen). (>= 0, default 0.3) */
   STRIBECK_GEAR_EFFICIENCY_MU_BACKDRIVING = 591977642,
-  /** tunable [m]: Way after which 1/e of a change of the direction is left (default chosen). (> 0, default 0.001) */
+  /** tunable [m]: Distance after which 1/e of a change of the direction is left (default chosen).
+   *  (> 0, default 0.001) */
   STRIBECK_GEAR_EFFICIENCY_RELAXATION_DISTANCE = 1884902156,
   /** state [1]: Direction of the motion. (>= -1, <= 1, default 0) */
   STRIBECK_GEAR_EFFICIENCY_DIRECTION = 1601029994,
@@ -7887,7 +7888,7 @@ typedef enum stribeck_capstan_variable {
   STRIBECK_CAPSTAN_WRAP_ANGLE = 1384030741,
   /** tunable [N]: Tension on side 1 without load. (>= 0, default 0) */
   STRIBECK_CAPSTAN_PRELOAD = 1930668294,
-  /** tunable [m]: Way after which 1/e of a change of the friction share is left (default chosen).
+  /** tunable [m]: Distance after which 1/e of a change of the friction share is left (default chosen).
    *  (> 0, default 0.001) */
   STRIBECK_CAPSTAN_RELAXATION_DISTANCE = 1884902156,
   /** state [1]: Part of the angle whose friction acts, with the sign of the direction. (>= -1, <= 1, default 0) */

@@ -37,7 +37,7 @@ crate::model! {
     /// | T_0    | `preload`             | N    | tension on side 1 without load                                 |
     /// | mu_k   | `mu_k`                | 1    | kinetic coefficient of friction of rope and drum               |
     /// | phi    | `wrap_angle`          | rad  | angle of wrap, all bends and turns together                    |
-    /// | d      | `relaxation_distance` | m    | way after which 1/e of a change of z is left                   |
+    /// | d      | `relaxation_distance` | m    | distance after which 1/e of a change of z is left              |
     /// | z      | `friction_share`      | 1    | part of the angle whose friction acts, -1 to 1                 |
     /// | T_2    | `tension_2`           | N    | tension on side 2                                              |
     /// | f_f    | `friction_force`      | N    | friction force on the rope                                     |
@@ -102,7 +102,7 @@ crate::model! {
         wrap_angle: tunable = real("rad", std::f64::consts::PI).at_least(0.0).shown_in("deg"),
         /// Tension on side 1 without load.
         preload: tunable = real("N", 0.0).at_least(0.0).nominal(10.0),
-        /// Way after which 1/e of a change of the friction share is left (default chosen).
+        /// Distance after which 1/e of a change of the friction share is left (default chosen).
         relaxation_distance: tunable = real("m", 1e-3).positive().nominal(1e-3).shown_in("mm"),
         /// Part of the angle whose friction acts, with the sign of the direction.
         friction_share: state = real("1", 0.0).at_least(-1.0).at_most(1.0).odd(),

@@ -28,7 +28,7 @@ crate::model! {
     /// | f      | `transmitted_force`   | N    | force of the motor at the output, positive along `velocity` |
     /// | mu_d   | `mu_driving`          | 1    | part of the force that is lost when driving                 |
     /// | mu_b   | `mu_backdriving`      | 1    | part of the force that resists when driven back             |
-    /// | h      | `relaxation_distance` | m    | way after which 1/e of a change of z is left                |
+    /// | h      | `relaxation_distance` | m    | distance after which 1/e of a change of z is left           |
     /// | z      | `direction`           | 1    | direction of the motion, -1 to 1                            |
     /// | f_f    | `friction_force`      | N    | friction force                                              |
     ///
@@ -83,7 +83,7 @@ crate::model! {
         mu_driving: tunable = real("1", 0.2).at_least(0.0),
         /// Part of the force that resists when the load drives back (default chosen).
         mu_backdriving: tunable = real("1", 0.3).at_least(0.0),
-        /// Way after which 1/e of a change of the direction is left (default chosen).
+        /// Distance after which 1/e of a change of the direction is left (default chosen).
         relaxation_distance: tunable = real("m", 1e-3).positive().nominal(1e-3).shown_in("mm"),
         /// Direction of the motion.
         direction: state = real("1", 0.0).at_least(-1.0).at_most(1.0).odd(),

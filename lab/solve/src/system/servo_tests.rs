@@ -1,4 +1,4 @@
-//! A mass under a PID controller with friction: hunting by stiction, and what makes an end of it.
+//! A mass under a PID controller with friction: hunting by stiction, and what ends it.
 
 use stribeck::numerics::root::bisect;
 
@@ -144,9 +144,9 @@ fn it_sticks_and_slips_where_closed_forms_say() {
     }
 }
 
-/// The observer makes up for the friction of the law from which it has its values; the error dies out.
+/// The observer compensates for the friction of the law from which it has its values; the error dies out.
 #[test]
-fn an_observer_makes_an_end_of_hunting() {
+fn an_observer_ends_hunting() {
     let motion = |settings: &[(&str, &str)]| moved(&changed(&[], "LuGre", settings), None, 1e-8, Solver::Auto);
     let [hunts, rests] =
         [motion(&[]), motion(&[("servo.compensation", "Observer")])].map(|outcome| late(&outcome, 0.2));
