@@ -7,7 +7,7 @@ import { gzipSync } from "node:zlib";
 
 /** Limits in bytes: of the file, and of what a server sends. */
 const LARGEST = 3_000_000;
-const LARGEST_SENT = 1_250_000;
+const LARGEST_SENT = 1_400_000;
 
 test("the page is small enough to be sent by mail", () => {
   const file = readFileSync(process.env.PAGE);
