@@ -223,6 +223,7 @@ mod tests {
 
     use super::*;
     use crate::numerics::random::uniform;
+    use crate::numerics::runge_kutta::classical;
 
     /// A tension of 5 N, two of them preload, and an exponent of 1.2.
     fn bend() -> Capstan {
@@ -330,16 +331,7 @@ mod tests {
             rope.velocity = 6e-3 * (draws.next().unwrap() - 0.5);
             let (tension, v) = (2.0 + rope.tension_1, rope.velocity);
             let rate = |[z, _]: [f64; 2]| [(v - v.abs() * z) / 1e-3, tension * ((1.2 * z).exp() - 1.0) * v];
-            let mut at = [rope.friction_share, rope.dissipated_energy];
-            let h = 1.0 / 2000.0;
-            for _ in 0..2000 {
-                let ahead = |k: [f64; 2], share: f64| std::array::from_fn(|i| at[i] + share * h * k[i]);
-                let k_1 = rate(at);
-                let k_2 = rate(ahead(k_1, 0.5));
-                let k_3 = rate(ahead(k_2, 0.5));
-                let k_4 = rate(ahead(k_3, 1.0));
-                at = std::array::from_fn(|i| at[i] + h / 6.0 * (k_1[i] + 2.0 * k_2[i] + 2.0 * k_3[i] + k_4[i]));
-            }
+            let at = classical(rate, [rope.friction_share, rope.dissipated_energy], 1.0, 2000);
             rope.step(1.0);
             assert_abs_diff_eq!(rope.friction_share, at[0], epsilon = 1e-11);
             assert_abs_diff_eq!(rope.dissipated_energy, at[1], epsilon = 1e-11);
@@ -386,7 +378,7 @@ mod tests {
         assert_relative_eq!(moved(&mut rope, -1.0), -1.0, max_relative = 1e-12);
     }
 
-    /// Without friction or tension there is no force, and both sides are equal.
+    /// Equal tensions on both sides, and no force, without friction or tension.
     #[test]
     fn no_friction_without_angle_or_tension() {
         let mut rope = Capstan { wrap_angle: 0.0, ..bend() };

@@ -170,6 +170,7 @@ mod tests {
 
     use super::*;
     use crate::numerics::random::uniform;
+    use crate::numerics::runge_kutta::classical;
 
     fn gear(transmitted_force: f64) -> GearEfficiency {
         GearEfficiency { transmitted_force, mu_driving: 0.1, mu_backdriving: 0.4, ..Default::default() }
@@ -208,16 +209,7 @@ mod tests {
             law.velocity = 6e-3 * draws.next().unwrap();
             let (f, v) = (law.transmitted_force, law.velocity);
             let rate = |[z, _]: [f64; 2]| [(v - v.abs() * z) / 1e-3, (0.25 * f.abs() * z - 0.15 * f * z * z) * v];
-            let mut at = [law.direction, law.dissipated_energy];
-            let h = 1.0 / 2000.0;
-            for _ in 0..2000 {
-                let ahead = |k: [f64; 2], share: f64| std::array::from_fn(|i| at[i] + share * h * k[i]);
-                let k_1 = rate(at);
-                let k_2 = rate(ahead(k_1, 0.5));
-                let k_3 = rate(ahead(k_2, 0.5));
-                let k_4 = rate(ahead(k_3, 1.0));
-                at = std::array::from_fn(|i| at[i] + h / 6.0 * (k_1[i] + 2.0 * k_2[i] + 2.0 * k_3[i] + k_4[i]));
-            }
+            let at = classical(rate, [law.direction, law.dissipated_energy], 1.0, 2000);
             law.step(1.0);
             assert_abs_diff_eq!(law.direction, at[0], epsilon = 1e-11);
             assert_abs_diff_eq!(law.dissipated_energy, at[1], epsilon = 1e-12);

@@ -92,7 +92,7 @@ crate::model! {
     /// observer the step integrates the rates with error control. With a sample time it goes exactly from sample to
     /// sample, wherever the communication points lie; a sample at a communication point sees the inputs that are valid
     /// from there on, and the force is that of the sample as soon as they are set. Outputs follow from states and
-    /// target: there is no direct feed-through of the friction force. In Model Exchange a change of sign of the
+    /// target, without direct feed-through of the friction force. In Model Exchange a change of sign of the
     /// target's velocity is an event if the controller feeds friction forward.
     ///
     /// # Errors
@@ -102,7 +102,7 @@ crate::model! {
     /// `sample_time`.
     ///
     /// # Limits
-    /// The drive is stiff and its force has no limit, and there are no stops. The closed loop is stable without
+    /// The drive is stiff, its force has no limit, and the travel has no stops. The closed loop is stable without
     /// friction only if $k_p k_v > k_i m$. The three target inputs are not compared: a step is a `target_position` that
     /// jumps, with the other two at 0, and then the velocity gain damps the motion.
     ///
@@ -178,7 +178,7 @@ crate::model! {
         error_integral: state = real("m.s", 0.0).nominal(1e-2),
         /// Deflection of the bristles as the observer estimates it.
         deflection_estimate: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
-        /// Has a sample been taken?
+        /// Has the controller taken a sample?
         started: state = boolean(false).hidden(),
         /// Time to the next sample.
         time_to_sample: state = real("s", 0.0).discrete().hidden(),
@@ -254,7 +254,7 @@ impl<T: Real> PositionControl<T> {
         self.time_to_sample.at_most(T::from(EARLY) * self.sample_time)
     }
 
-    /// What a sample now would give.
+    /// The sample that the controller would take now.
     fn sampled(&self) -> Sample<T> {
         let resolution = self.encoder_resolution;
         let whole = |lane: usize| {

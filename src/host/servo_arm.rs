@@ -44,7 +44,7 @@ crate::model! {
     /// sliding; the arm feels `-friction_force`.
     ///
     /// # Step
-    /// By the rates, with error control to 1e-10. Outputs follow from states and the target: there is no direct
+    /// Integrates the rates with error control to 1e-10. Outputs follow from states and the target, without direct
     /// feed-through of the friction force.
     ///
     /// # Errors

@@ -67,6 +67,26 @@ pub fn growth(error: f64) -> f64 {
     if factor.is_nan() { LEAST } else { factor.clamp(LEAST, MOST) }
 }
 
+/// The classical method of fourth order in equal steps: another road for tests.
+#[cfg(test)]
+pub(crate) fn classical<const N: usize>(
+    rate: impl Fn([f64; N]) -> [f64; N],
+    mut at: [f64; N],
+    duration: f64,
+    steps: u32,
+) -> [f64; N] {
+    let h = duration / f64::from(steps);
+    for _ in 0..steps {
+        let ahead = |k: [f64; N], share: f64| std::array::from_fn(|i| at[i] + share * h * k[i]);
+        let k_1 = rate(at);
+        let k_2 = rate(ahead(k_1, 0.5));
+        let k_3 = rate(ahead(k_2, 0.5));
+        let k_4 = rate(ahead(k_3, 1.0));
+        at = std::array::from_fn(|i| at[i] + h / 6.0 * (k_1[i] + 2.0 * (k_2[i] + k_3[i]) + k_4[i]));
+    }
+    at
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -24,7 +24,7 @@ def andersson(load: float) -> float:
 
 
 def specker(load: float) -> float:
-    """Root of its curve below the peak; there is no closed form."""
+    """Speed below the peak at which its curve carries the load, by a search for the root."""
     peak = 1.0 - math.tanh(SPECKER_PEAK / SPECKER_TRANSITION)
 
     def excess(v: float) -> float:
@@ -35,7 +35,7 @@ def specker(load: float) -> float:
 
 
 def untold(load: float) -> float:
-    """Speed from which the force of a law that is told its mass, but not the load, stops the body in a step."""
+    """Speed that a law with the mass, but without the load, takes from the body in each step: h f_e / m."""
     return STEP * Slope(load).pull / MASS
 
 

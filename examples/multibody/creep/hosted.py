@@ -38,8 +38,8 @@ Law = Callable[[float], float]
 
 @contextmanager
 def open_law(name: str, parameters: Mapping[str, object], slope: Slope, fmus: Path, told: bool = True) -> Iterator[Law]:
-    """A law that presses the body to the slope with the weight across it; it is stepped before the body is. It is told
-    the weight along the slope, or not."""
+    """The law `name` under the weight across the slope; it is stepped before the body is. Unless `told` is false it
+    gets the weight along the slope as well."""
     with open_fmu(path_of(name, fmus), {**parameters, "normal_force": slope.normal_force}) as fmu:
         slave = fmu.slave
         if told and "external_force" in fmu.names("input"):

@@ -245,7 +245,8 @@ fn samples_come_to_the_continuous_loop() {
     assert!(coarse.abs() < 1e-2 && (coarse / fine - 2.0).abs() < 0.02, "{coarse} {fine}");
 }
 
-/// Communication steps that are no multiple of the sample time, jitter, or hold many samples, with forces that move.
+/// Any length of the communication steps gives the same motion, be it a fraction or a multiple of the sample time, under
+/// forces that change within a step.
 #[test]
 fn a_sampled_motion_does_not_depend_on_the_steps() {
     let until = 2.1;

@@ -37,8 +37,8 @@ pub(super) struct Problem<'a> {
     pub loss: Loss,
     /// Parts into which the intervals between samples are divided.
     pub parts: usize,
-    /// Whether the fit uses one-sided differences where there are no exact derivatives. These take half the evaluations,
-    /// and the search ends a little short of the best point.
+    /// Whether derivatives that are not exact are one-sided differences. These take half the evaluations, and the search
+    /// ends a little short of the best point.
     pub is_rough: bool,
     /// Coordinates that are held, for profiles.
     pub pinned: Vec<Option<f64>>,
