@@ -12,6 +12,7 @@
 // Tests take another road.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
+pub mod arrays;
 pub mod batch;
 pub mod catalogue;
 pub mod component;

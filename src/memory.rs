@@ -40,6 +40,13 @@ pub fn copied<T: Copy>(slice: &[T]) -> Result<Box<[T]>, OutOfMemory> {
     Ok(values.into_boxed_slice())
 }
 
+/// The elements of an iterator, which is run twice.
+pub fn collected<T>(elements: impl Iterator<Item = T> + Clone) -> Result<Box<[T]>, OutOfMemory> {
+    let mut values = room(elements.clone().count())?;
+    values.extend(elements);
+    Ok(values.into_boxed_slice())
+}
+
 /// The results of `make` for each element.
 pub fn each<T, U>(
     elements: impl ExactSizeIterator<Item = T>,

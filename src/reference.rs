@@ -22,6 +22,9 @@ pub enum Place {
 /// Reference of the independent variable.
 pub const TIME: Reference = Fnv::START.text("time").reference();
 
+/// Reference of the array of event indicators, which FMI 3.0 has as a variable.
+pub const EVENT_INDICATORS: Reference = Fnv::START.text("event_indicators").reference();
+
 /// Reference of the variable of that name.
 pub const fn of(path: &Path) -> Reference {
     Fnv::START.path(path).reference()
@@ -30,6 +33,11 @@ pub const fn of(path: &Path) -> Reference {
 /// Reference of the variable of that name, as spelled by [`Path`]'s `Display`.
 pub(crate) const fn of_name(name: &str) -> Reference {
     Fnv::START.text(name).reference()
+}
+
+/// Reference of the variable whose name is that of `stem` with this ending.
+pub(crate) const fn of_ending(stem: &Path, ending: &str) -> Reference {
+    Fnv::START.path(stem).text(ending).reference()
 }
 
 /// Reference of the time derivative of a state, FMI's `der(name)`.

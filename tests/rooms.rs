@@ -25,6 +25,7 @@ const HOUSES: &[House] = &[
             "guid",
             "reference",
             "model",
+            "arrays",
             "laws",
             "contact",
             "friction",

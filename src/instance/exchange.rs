@@ -171,10 +171,5 @@ pub(super) fn columns_of(
     model: &ModelType,
     is_wanted: impl Fn(&Variable) -> bool,
 ) -> Result<Box<[usize]>, OutOfMemory> {
-    let columns = || (0..model.table.len()).filter(|column| is_wanted(&model.table.at(*column)));
-    let mut wanted = memory::filled(0, columns().count())?;
-    for (place, column) in wanted.iter_mut().zip(columns()) {
-        *place = column;
-    }
-    Ok(wanted)
+    memory::collected((0..model.table.len()).filter(|column| is_wanted(&model.table.at(*column))))
 }

@@ -36,6 +36,28 @@ impl Path {
         self.segments.split_at(self.depth).0
     }
 
+    /// The name without its index, and the index, if exactly one of its steps has one.
+    pub fn without_index(&self) -> Option<(Path, u16)> {
+        let mut indexed = (0..self.depth).filter(|at| self.segments[*at].index > 0);
+        let (Some(at), None) = (indexed.next(), indexed.next()) else { return None };
+        let mut path = *self;
+        let index = std::mem::take(&mut path.segments[at].index);
+        Some((path, index))
+    }
+
+    /// The name of the table that an element belongs to: `damper.tab` for `damper.tab_v[1]`, `element` for
+    /// `element[1].force`.
+    pub(crate) fn stem(&self) -> Path {
+        let at = self.segments().iter().position(|step| step.index > 0).unwrap_or_default();
+        let name = self.segments[at].name;
+        let is_last = at + 1 == self.depth;
+        let name = name.rsplit_once('_').filter(|_| is_last).map_or(name, |(stem, _)| stem);
+        let mut path = *self;
+        path.depth = at + 1;
+        path.segments[at] = Segment { name, index: 0 };
+        path
+    }
+
     /// Whether both are the same name.
     pub(crate) const fn is(&self, other: &Path) -> bool {
         let mut at = 0;
@@ -111,6 +133,26 @@ mod tests {
         for other in ["", "element", "element[3]", "element[3].stiffness ", "element[2].stiffness", "stiffness"] {
             assert!(!element(3).is_spelled(other), "{other}");
         }
+    }
+
+    #[test]
+    fn one_index_can_be_left_out() {
+        let part = Segment { name: "part", index: 2 };
+        let (path, index) = element(3).without_index().unwrap();
+        assert_eq!((path.to_string().as_str(), index), ("element.stiffness", 3));
+        assert_eq!(element(3).within(part).without_index(), None, "it has two");
+        assert_eq!(Path::root("stiffness").without_index(), None);
+    }
+
+    #[test]
+    fn elements_of_one_table_have_one_stem() {
+        let table = Segment { name: "damper", index: 0 };
+        for name in ["tab_v", "tab_f"] {
+            let mut path = Path::root(name);
+            path.segments[0].index = 4;
+            assert_eq!(path.within(table).stem().to_string(), "damper.tab");
+        }
+        assert_eq!(element(3).stem().to_string(), "element");
     }
 
     #[test]
