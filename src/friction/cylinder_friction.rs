@@ -326,7 +326,19 @@ const RECIPROCALS: [f64; 2 * DEGREE + 1] = {
     reciprocals
 };
 
-type Polynomial = [f64; DEGREE + 1];
+/// Part of the first terms of a series that a term may have to be left out.
+const NEGLIGIBLE: f64 = 1e-18;
+
+/// A polynomial in the share of a piece; terms beyond its degree are 0.
+struct Polynomial {
+    terms: [f64; DEGREE + 1],
+    degree: usize,
+}
+
+/// Degree behind which the terms of a series fall below [`NEGLIGIBLE`], for a piece relative to the radius of convergence.
+fn degree(share: f64) -> usize {
+    ((ln(NEGLIGIBLE) / ln(share)) as usize + 1).min(DEGREE)
+}
 
 /// A bristle force y that follows a level g, both relative to the level g_ss to which the film leads:
 ///
@@ -380,20 +392,17 @@ impl Course {
     fn advance(&mut self, piece: f64, slip: f64) {
         let excess = self.series_of_excess(piece);
         if slip < LONG {
-            let mut missing = [self.missing; DEGREE + 1];
-            for n in 0..DEGREE {
-                missing[n + 1] = slip * RECIPROCALS[n + 1] * (excess[n] - missing[n]);
-            }
+            let missing = self.series_of_missing(&excess, slip);
             self.follow(rise(&missing), area(&excess, &missing));
         } else {
             // The polynomial p that solves it, and what decays: e = p + c exp(-slip s).
             let smooth = sum_of_derivatives(&excess, -1.0 / slip);
-            let decaying = self.missing - smooth[0];
+            let decaying = self.missing - smooth.terms[0];
             let weights = sum_of_derivatives(&excess, 1.0 / slip);
-            let end: f64 = weights.iter().sum();
+            let end: f64 = weights.terms.iter().sum();
             self.follow(
                 rise(&smooth) + decaying * exp_m1(-slip),
-                area(&excess, &smooth) - decaying * (weights[0] - exp(-slip) * end),
+                area(&excess, &smooth) - decaying * (weights.terms[0] - exp(-slip) * end),
             );
         }
         let rise = rise(&excess);
@@ -403,11 +412,26 @@ impl Course {
 
     /// d as a polynomial of the share of the piece.
     fn series_of_excess(&self, piece: f64) -> Polynomial {
-        let mut series = [0.0; DEGREE + 1];
-        series[0] = self.excess;
-        for n in 0..DEGREE {
-            let product: f64 = (0..n).map(|i| series[i] * series[n - i]).sum::<f64>() + series[n] * self.level;
-            series[n + 1] = -piece * RECIPROCALS[n + 1] * product;
+        let degree = degree(piece / self.radius());
+        let mut series = Polynomial { terms: [0.0; DEGREE + 1], degree };
+        let terms = &mut series.terms;
+        terms[0] = self.excess;
+        for n in 0..degree {
+            let product: f64 = (0..n).map(|i| terms[i] * terms[n - i]).sum::<f64>() + terms[n] * self.level;
+            terms[n + 1] = -piece * RECIPROCALS[n + 1] * product;
+        }
+        series
+    }
+
+    /// e as a polynomial of the share of a short piece, up to the first term behind those of d that adds nothing.
+    fn series_of_missing(&self, excess: &Polynomial, slip: f64) -> Polynomial {
+        let mut series = Polynomial { terms: [0.0; DEGREE + 1], degree: 0 };
+        let (terms, negligible) = (&mut series.terms, NEGLIGIBLE * (self.missing.abs() + self.excess.abs()));
+        terms[0] = self.missing;
+        while series.degree < DEGREE && (series.degree <= excess.degree || terms[series.degree].abs() > negligible) {
+            let n = series.degree;
+            terms[n + 1] = slip * RECIPROCALS[n + 1] * (excess.terms[n] - terms[n]);
+            series.degree += 1;
         }
         series
     }
@@ -415,22 +439,25 @@ impl Course {
 
 /// p(1) - p(0).
 fn rise(p: &Polynomial) -> f64 {
-    p[1..].iter().rev().sum()
+    p.terms[1..=p.degree].iter().rev().sum()
 }
 
 /// p + c p' + c^2 p'' + ...
 fn sum_of_derivatives(p: &Polynomial, c: f64) -> Polynomial {
-    let mut sum = *p;
-    for n in (0..DEGREE).rev() {
-        sum[n] += c * (n + 1) as f64 * sum[n + 1];
+    let mut sum = Polynomial { ..*p };
+    for n in (0..p.degree).rev() {
+        sum.terms[n] += c * (n + 1) as f64 * sum.terms[n + 1];
     }
     sum
 }
 
 /// Integral of p q' from 0 to 1.
 fn area(p: &Polynomial, q: &Polynomial) -> f64 {
-    let with = |j: usize| (0..=DEGREE).map(|i| p[i] * RECIPROCALS[i + j]).sum::<f64>() * j as f64 * q[j];
-    (1..=DEGREE).rev().map(with).sum()
+    let with = |j: usize| {
+        let inner: f64 = (0..=p.degree).map(|i| p.terms[i] * RECIPROCALS[i + j]).sum();
+        inner * j as f64 * q.terms[j]
+    };
+    (1..=q.degree).rev().map(with).sum()
 }
 
 #[cfg(test)]
