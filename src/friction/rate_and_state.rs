@@ -267,12 +267,14 @@ impl Model for RateAndState {
     released_without_load!(log_age);
 
     fn step(&mut self, dt: f64) {
-        if self.normal_force == 0.0 {
-            self.log_age = 0.0;
-            return;
+        if self.normal_force > 0.0 {
+            self.dissipated_energy += self.work(dt);
         }
-        self.dissipated_energy += self.work(dt);
-        self.log_age = self.log_age_after(dt);
+        self.step_without_energy(&mut [], dt);
+    }
+
+    fn step_without_energy(&mut self, _memory: &mut [f64], dt: f64) {
+        self.log_age = if self.normal_force == 0.0 { 0.0 } else { self.log_age_after(dt) };
     }
 }
 

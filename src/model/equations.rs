@@ -351,6 +351,13 @@ pub trait Model: Described + Law<Number = f64> {
         self.step(dt);
     }
 
+    /// [`Model::step_with`] for those who ask for the force alone: the dissipated energy may stay as it is, everything else
+    /// has the same bits. To be overridden if the energy is costly.
+    #[inline(always)]
+    fn step_without_energy(&mut self, memory: &mut [f64], dt: f64) {
+        self.step_with(memory, dt);
+    }
+
     /// [`Model::step`], and the outputs after it. To be overridden if both need the same costly term.
     #[inline(always)]
     fn step_and_output(&mut self, dt: f64) {
