@@ -1,7 +1,7 @@
 //! A snapshot as bytes, to be kept in a file or passed to another process.
 //!
 //! Little-endian, the same on every platform: magic, format number, guid of the model, then time, flags, the owner's
-//! own numbers, row, slopes and memory as f64, and an FNV-1a checksum of all that. Foreign, truncated and damaged bytes
+//! own numbers, row, slopes and memory as f64, further numbers of the owner, and an FNV-1a checksum of all that. Foreign, truncated and damaged bytes
 //! are refused.
 
 use std::fmt;
@@ -23,16 +23,32 @@ pub const OWNERS: usize = 4;
 
 /// Number of bytes of a snapshot of this model.
 pub fn size(model: &ModelType) -> usize {
-    HEAD + 8 * (OWN + OWNERS + 2 * model.table.len() + model.memory) + CHECKSUM
+    size_with(model, 0)
+}
+
+/// The same with so many further numbers of the owner.
+pub fn size_with(model: &ModelType, further: usize) -> usize {
+    HEAD + 8 * (OWN + OWNERS + 2 * model.table.len() + model.memory + further) + CHECKSUM
 }
 
 /// Writes a snapshot into `bytes`, which must have exactly [`size`] bytes.
 pub fn write(model: &ModelType, snapshot: &Snapshot, owners: [f64; OWNERS], bytes: &mut [u8]) {
+    write_with(model, snapshot, owners, [], bytes);
+}
+
+/// The same with further numbers of the owner, into exactly [`size_with`] bytes.
+pub fn write_with(
+    model: &ModelType,
+    snapshot: &Snapshot,
+    owners: [f64; OWNERS],
+    further: impl IntoIterator<Item = f64>,
+    bytes: &mut [u8],
+) {
     let flags = [snapshot.slopes_are_new, snapshot.stale].map(|flag| f64::from(u8::from(flag)));
     let numbers = [snapshot.time].into_iter().chain(flags).chain(owners);
     let numbers = numbers.chain(snapshot.row.iter().copied()).chain(snapshot.slope.iter().copied());
-    let numbers = numbers.chain(snapshot.memory.iter().copied());
-    let (body, checksum) = bytes.split_at_mut(size(model) - CHECKSUM);
+    let numbers = numbers.chain(snapshot.memory.iter().copied()).chain(further);
+    let (body, checksum) = bytes.split_at_mut(bytes.len() - CHECKSUM);
     let (head, data) = body.split_at_mut(HEAD);
     head[..8].copy_from_slice(MAGIC);
     head[8..12].copy_from_slice(&FORMAT.to_le_bytes());
@@ -49,7 +65,7 @@ fn refuse<T>(model: &ModelType, why: fmt::Arguments) -> Result<T, Fault> {
 }
 
 /// The numbers in the bytes of a snapshot of `model`, if origin, size and checksum are right.
-fn numbers<'a>(model: &ModelType, bytes: &'a [u8]) -> Result<impl Iterator<Item = f64> + use<'a>, Fault> {
+fn numbers<'a>(model: &ModelType, size: usize, bytes: &'a [u8]) -> Result<impl Iterator<Item = f64> + use<'a>, Fault> {
     // The origin is checked first: bytes of another version also have another size.
     let Some(head) = bytes.get(..HEAD).filter(|head| head.starts_with(MAGIC)) else {
         return refuse(model, format_args!("not a state of this library"));
@@ -60,8 +76,8 @@ fn numbers<'a>(model: &ModelType, bytes: &'a [u8]) -> Result<impl Iterator<Item 
     if &head[12..] != model.guid().as_bytes() {
         return refuse(model, format_args!("it belongs to another model or another version of it"));
     }
-    if bytes.len() != size(model) {
-        return refuse(model, format_args!("{} bytes, {} are expected", bytes.len(), size(model)));
+    if bytes.len() != size {
+        return refuse(model, format_args!("{} bytes, {size} are expected", bytes.len()));
     }
     let (body, checksum) = bytes.split_at(bytes.len() - CHECKSUM);
     if checksum != hash(body).to_le_bytes() {
@@ -94,7 +110,12 @@ fn check_row(model: &ModelType, row: &[f64]) -> Result<(), Fault> {
 
 /// Reads a snapshot of `model` back.
 pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS]), Fault> {
-    let mut numbers = numbers(model, bytes)?;
+    read_with(model, &mut [], bytes)
+}
+
+/// The same with further numbers of the owner.
+pub fn read_with(model: &ModelType, further: &mut [f64], bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS]), Fault> {
+    let mut numbers = numbers(model, size_with(model, further.len()), bytes)?;
     let mut take = || numbers.next().unwrap_or(f64::NAN);
     let [time, slopes_are_new, stale] = std::array::from_fn(|_| take());
     let owners = std::array::from_fn(|_| take());
@@ -105,6 +126,7 @@ pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS])
     let mut memory = memory::filled(0.0, model.memory)?;
     slope.fill_with(&mut take);
     memory.fill_with(&mut take);
+    further.fill_with(&mut take);
     check_row(model, &row)?;
     let is_sound =
         |(variable, slope): (Variable, &f64)| slope.is_finite() && (*slope == 0.0 || variable.role == Role::Input);

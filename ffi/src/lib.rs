@@ -4,6 +4,7 @@
 //! panic into a status with a message.
 
 pub mod c;
+mod component;
 pub mod fmi2;
 mod guard;
 mod models;

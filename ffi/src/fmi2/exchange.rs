@@ -3,6 +3,7 @@
 use super::component::{Component, Outcome, Refusal, enter, refuse};
 use super::lifecycle::{Call, State};
 use super::types::*;
+use crate::component::Lifecycle;
 use crate::guard::pointer::{array, array_mut};
 
 /// Refuses an array of the wrong length.
@@ -141,7 +142,8 @@ pub unsafe extern "C-unwind" fn fmi2GetDerivatives(
         // SAFETY: the caller promises `nx` elements.
         let values = unsafe { array_mut(derivatives, nx, "derivatives") }?;
         let model = component.instance.model();
-        let rates = component.instance.rates().map_err(|fault| Refusal::out_of_domain(component.state, fault))?;
+        let rates =
+            component.instance.rates().map_err(|fault| Refusal::out_of_domain(component.state.is_tried(), fault))?;
         for (value, column) in values.iter_mut().zip(model.continuous_states()) {
             *value = rates[column];
         }

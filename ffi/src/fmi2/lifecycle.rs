@@ -1,16 +1,9 @@
 //! The state machines of FMI 2.0.5 sections 3.2.3 (Model Exchange) and 4.2.4 (co-simulation), as one table: which
 //! function may be called in which state.
 
-use stribeck::instance::Phase;
+pub use crate::component::Purpose;
 
-/// Interface type requested in fmi2Instantiate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
-    /// The instance makes steps.
-    CoSimulation,
-    /// The importer integrates the states.
-    ModelExchange,
-}
+use stribeck::instance::Phase;
 
 /// States that an instance can reach. It never discards a step, and never fails irrecoverably.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,18 +1,17 @@
 //! From fmi2Instantiate to fmi2FreeInstance.
 
 use std::ffi::CStr;
-use std::fmt;
 use std::ptr::null_mut;
 
-use super::component::{self, Component, Experiment, Refusal, enter, refuse};
+use super::component::{self, Component, Experiment, enter, refuse};
 use super::lifecycle::{Call, Purpose, State};
-use super::log::{self, Line, Log};
+use super::log::{self, Callbacks};
 use super::types::*;
+use crate::component::log::{Line, Log};
+use crate::component::setup::{self, NoInstance};
+use crate::guard;
 use crate::guard::pointer::{self, array};
-use crate::guard::{self, Internal};
-use crate::models;
-use stribeck::instance::Instance;
-use stribeck::memory::{self, OutOfMemory};
+use stribeck::memory;
 use stribeck::model::{Computed, ModelType};
 
 /// The platform of the types: "default".
@@ -80,27 +79,6 @@ fn make(
     }
 }
 
-/// Why no instance was made.
-struct NoInstance(String);
-
-impl NoInstance {
-    fn because(why: impl fmt::Display) -> NoInstance {
-        NoInstance(memory::text(why))
-    }
-}
-
-impl From<Internal> for NoInstance {
-    fn from(internal: Internal) -> NoInstance {
-        NoInstance(internal.0)
-    }
-}
-
-impl From<OutOfMemory> for NoInstance {
-    fn from(error: OutOfMemory) -> NoInstance {
-        NoInstance::because(error)
-    }
-}
-
 fn instantiate(
     name: &CStr,
     kind: fmi2Type,
@@ -108,26 +86,12 @@ fn instantiate(
     callbacks: fmi2CallbackFunctions,
     debug: bool,
 ) -> Result<Box<Component>, NoInstance> {
-    if name.to_bytes().trim_ascii().is_empty() {
-        return Err(NoInstance::because("instanceName is NULL or blank"));
-    }
-    let model = model(guid)?;
+    setup::check_name(name)?;
+    let model = setup::model(guid, ["fmuGUID", "guid"])?;
     let purpose = purpose(kind, model)?;
-    let instance = match purpose {
-        Purpose::CoSimulation => Instance::try_new(model)?,
-        Purpose::ModelExchange => Instance::try_for_model_exchange(model)?,
-    };
-    Ok(memory::boxed(Component::new(instance, purpose, Log::new(callbacks, name, debug)?))?)
-}
-
-fn model(guid: Option<&CStr>) -> Result<&'static ModelType, NoInstance> {
-    let guid = pointer::name(guid.ok_or_else(|| NoInstance::because("fmuGUID is NULL"))?);
-    models::by_guid(guid).ok_or_else(|| {
-        NoInstance::because(format_args!(
-            "guid {guid} does not belong to a model of stribeck {}: modelDescription.xml and library differ in version",
-            env!("CARGO_PKG_VERSION")
-        ))
-    })
+    let instance = setup::instance(model, purpose)?;
+    let log = Log::new(Callbacks::new(callbacks, name)?, debug);
+    Ok(memory::boxed(Component::new(instance, purpose, log, ()))?)
 }
 
 fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, NoInstance> {
@@ -135,9 +99,9 @@ fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, NoInstance> {
     match kind {
         fmi2CoSimulation => Ok(Purpose::CoSimulation),
         fmi2ModelExchange if model.model_exchange => Ok(Purpose::ModelExchange),
-        fmi2ModelExchange => Err(NoInstance::because(format_args!(
-            "fmuType is {kind}: {name} has states that no solver can integrate and is for co-simulation only"
-        ))),
+        fmi2ModelExchange => {
+            Err(NoInstance::because(format_args!("fmuType is {kind}: {name} {}", setup::ONLY_CO_SIMULATION)))
+        }
         _ => Err(NoInstance::because(format_args!(
             "fmuType is {kind}: must be {fmi2ModelExchange} (Model Exchange) or {fmi2CoSimulation}"
         ))),
@@ -169,18 +133,8 @@ pub unsafe extern "C-unwind" fn fmi2SetDebugLogging(
 ) -> fmi2Status {
     let body = |component: &mut Component| {
         let enabled = loggingOn != fmi2False;
-        if nCategories == 0 {
-            component.log.switch(log::ALL.name, enabled);
-        }
-        // SAFETY: the caller promises `nCategories` pointers.
-        for category in unsafe { array(categories, nCategories, "categories") }? {
-            // SAFETY: the caller promises NULL or zero-terminated texts.
-            let Some(category) = (unsafe { pointer::text(*category) }) else { return refuse("a category is NULL") };
-            if component.log.switch(category, enabled).is_none() {
-                return refuse(format_args!("unknown log category {}", category.to_string_lossy()));
-            }
-        }
-        Ok(())
+        // SAFETY: the caller promises `nCategories` pointers to texts.
+        unsafe { setup::switch_log(component, enabled, array(categories, nCategories, "categories")?) }
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::SetDebugLogging, body) }
@@ -201,27 +155,11 @@ pub unsafe extern "C-unwind" fn fmi2SetupExperiment(
     stopTime: fmi2Real,
 ) -> fmi2Status {
     let body = |component: &mut Component| {
-        if toleranceDefined != fmi2False && !(tolerance > 0.0 && tolerance.is_finite()) {
-            return refuse(format_args!("tolerance = {tolerance}: must be > 0 and finite"));
-        }
-        component.experiment = experiment(startTime, (stopTimeDefined != fmi2False).then_some(stopTime))?;
-        component.instance.set_time(startTime);
-        Ok(())
+        let tolerance = (toleranceDefined != fmi2False).then_some(tolerance);
+        setup::set_up(component, tolerance, startTime, (stopTimeDefined != fmi2False).then_some(stopTime))
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::SetupExperiment, body) }
-}
-
-fn experiment(start: f64, stop: Option<f64>) -> Result<Experiment, Refusal> {
-    if !start.is_finite() {
-        return refuse(format_args!("startTime = {start}: must be finite"));
-    }
-    match stop {
-        Some(stop) if !(stop.is_finite() && stop >= start) => {
-            refuse(format_args!("stopTime = {stop}: must be finite and >= startTime = {start}"))
-        }
-        _ => Ok(Experiment { is_set_up: true, start, stop: stop.unwrap_or(f64::INFINITY) }),
-    }
 }
 
 /// Enters initialization mode, in which inputs are set and outputs read at the start time.

@@ -1,27 +1,10 @@
 //! fmi2DoStep and the queries about it.
 
-use super::component::{Component, Outcome, Refusal, enter, refuse};
+use super::component::{Component, Refusal, enter, refuse};
 use super::lifecycle::Call;
 use super::types::*;
+use crate::component::clock;
 use stribeck::memory;
-
-/// Slack for communication points and the stop time (chosen, in s): masters accumulate h, compute i h, or count
-/// nanoseconds.
-const TIME_SLACK: f64 = 1e-9;
-
-/// Slack relative to the time: some masters keep it in single precision, and two such times are off by half a digit
-/// each. However far that clock drifts, each step begins where the last one ended by the same clock.
-const RELATIVE_SLACK: f64 = f32::EPSILON as f64;
-
-/// But never more than this part of the step (chosen), apart from rounding: a step that is repeated or skipped is off
-/// by a whole step.
-const STEP_SLACK: f64 = 0.4;
-
-fn slack(t: f64, time: f64, h: f64) -> f64 {
-    let largest = t.abs().max(time.abs());
-    let rounding = 4.0 * f64::EPSILON * largest;
-    rounding + (TIME_SLACK + RELATIVE_SLACK * largest).min(STEP_SLACK * h)
-}
 
 /// Advances the instance by `communicationStepSize` > 0. Inputs are held, or move with the slopes of
 /// fmi2SetRealInputDerivatives. On an error nothing has changed.
@@ -37,42 +20,11 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
 ) -> fmi2Status {
     let body = |component: &mut Component| {
         let (t, h) = (currentCommunicationPoint, communicationStepSize);
-        check_step(component, t, h)?;
-        component.instance.step(h)?;
-        // The master's clock is the reference.
-        component.instance.set_time(t + h);
-        component.count_step();
-        Ok(())
+        clock::check_step(component, t, h)?;
+        clock::step(component, t, h)
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::DoStep, body) }
-}
-
-#[inline(always)]
-fn check_step(component: &Component, t: f64, h: f64) -> Outcome {
-    let stop = component.experiment.stop;
-    // The usual step first. Written so that NaN fails.
-    if t == component.instance.time() && h > 0.0 && t + h <= stop && t + h < f64::INFINITY {
-        return Ok(());
-    }
-    check_unusual_step(component, t, h)
-}
-
-/// A step that begins, or ends, a rounding error away from where it should; otherwise a wrong one.
-#[inline(never)]
-fn check_unusual_step(component: &Component, t: f64, h: f64) -> Outcome {
-    let (time, stop) = (component.instance.time(), component.experiment.stop);
-    if !(h > 0.0 && h.is_finite()) {
-        return refuse(format_args!("communicationStepSize = {h}: must be > 0 and finite"));
-    }
-    let slack = slack(t, time, h);
-    if !(t.is_finite() && (t - time).abs() <= slack) {
-        return refuse(format_args!("currentCommunicationPoint = {t}: must be {time}, where the last step ended"));
-    }
-    if t + h > stop + slack || !(t + h).is_finite() {
-        return refuse(format_args!("the step from {t} s to {} s passes the stop time {stop} s", t + h));
-    }
-    Ok(())
 }
 
 /// Always an error: steps are never pending.

@@ -6,6 +6,7 @@ use super::component::{self, Component, Outcome, Refusal, enter, refuse};
 use super::lifecycle::{Call, State};
 use super::types::fmi2Status::fmi2OK;
 use super::types::*;
+use crate::component::Lifecycle;
 use crate::guard::pointer::{array, array_mut};
 use stribeck::model::{BaseType, Computed, Fault, ModelType, Role, Variable};
 use stribeck::reference::Place;
@@ -163,7 +164,7 @@ fn read<B: Base>(component: &mut Component, references: &[fmi2ValueReference], v
     let (model, time) = (component.instance.model(), component.instance.time());
     if references.iter().any(|reference| component.is_derivative(*reference)) {
         let rates = component.instance.rates();
-        let rates = rates.map_err(|fault| Refusal::out_of_domain(component.state, fault))?;
+        let rates = rates.map_err(|fault| Refusal::out_of_domain(component.state.is_tried(), fault))?;
         for (reference, value) in references.iter().zip(&mut *values) {
             if let Some(Place::Derivative(state)) = model.place(*reference) {
                 *value = B::from_number(rates[state]);
@@ -500,7 +501,7 @@ fn write_derivatives(
     let (model, state) = (component.instance.model(), component.state);
     component.instance.refresh_to(component.needs(unknowns)).map_err(|fault| component.out_of_domain(fault))?;
     let (outputs, rates) = if unknowns.iter().any(|reference| component.is_derivative(*reference)) {
-        component.instance.rates().map_err(|fault| Refusal::out_of_domain(state, fault))?;
+        component.instance.rates().map_err(|fault| Refusal::out_of_domain(state.is_tried(), fault))?;
         component.instance.derivatives(seeds)
     } else {
         (component.instance.derivative(seeds), &[][..])
@@ -512,7 +513,7 @@ fn write_derivatives(
     };
     if let Some(reference) = unknowns.iter().find(|unknown| !slope(unknown).is_finite()) {
         let text = format_args!("the derivative of value reference {reference} is not finite");
-        return Err(Refusal::out_of_domain(state, Fault::new(text)));
+        return Err(Refusal::out_of_domain(state.is_tried(), Fault::new(text)));
     }
     for (reference, value) in unknowns.iter().zip(result) {
         *value = slope(reference);
