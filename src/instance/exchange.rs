@@ -51,10 +51,15 @@ impl Exchange {
 }
 
 impl Instance {
-    /// Columns of the states that an importer may integrate, in the order of the table; none if the model is for
-    /// co-simulation only.
+    /// Columns of the states that an importer may integrate, in the order of the table unless
+    /// [`Instance::order_continuous_states`] has changed it; none if the model is for co-simulation only.
     pub fn continuous_states(&self) -> &[usize] {
         &self.continuous
+    }
+
+    /// Brings the states into another order, that of an importer.
+    pub fn order_continuous_states<K: Ord>(&mut self, key: impl Fn(usize) -> K) {
+        self.continuous.sort_unstable_by_key(|column| key(*column));
     }
 
     /// Sets the states, whatever their bounds: a solver may try values beyond them on its way to a result. All, or none
@@ -78,6 +83,11 @@ impl Instance {
         } else {
             Err(self.not_finite(format_args!("the derivatives")))
         }
+    }
+
+    /// As [`Instance::rates`] has found them last.
+    pub fn latest_rates(&self) -> &[f64] {
+        &self.rate
     }
 
     /// Writes the event indicators.

@@ -7,10 +7,12 @@ use crate::memory::{self, OutOfMemory};
 use crate::model::{Brief, Computed, Fault, ModelType, Role, Variable};
 
 pub use access::{Phase, Refused};
+pub use events::Trial;
 pub use snapshot::Snapshot;
 
 mod access;
 mod derivative;
+mod events;
 mod exchange;
 mod slopes;
 mod snapshot;
