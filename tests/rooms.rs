@@ -40,7 +40,7 @@ const HOUSES: &[House] = &[
             "batch",
         ],
     },
-    House { folder: "ffi/src", rooms: &["guard", "models", "component", "fmi2", "c"] },
+    House { folder: "ffi/src", rooms: &["guard", "models", "component", "fmi2", "fmi3", "c"] },
     House { folder: "ssp/src", rooms: &["xml", "units", "parameter_set", "system"] },
     House { folder: "lab/draw/src", rooms: &["text", "axis", "curve", "frame"] },
     House {

@@ -1,10 +1,11 @@
-//! The FMI 2.0 functions from an importer's point of view: one subject per file, and what they share.
+//! The FMI functions from an importer's point of view: one subject per file, and what they share.
 
 #[path = "../common/mod.rs"]
 mod common;
 
 mod calls;
 mod derivatives;
+mod fmi3;
 mod hosts;
 mod model_exchange;
 mod saved_states;

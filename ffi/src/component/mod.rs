@@ -290,7 +290,7 @@ pub(crate) unsafe fn enter<V: Version>(
     body: impl FnOnce(&mut Component<V>) -> Outcome,
 ) -> V::Status {
     // SAFETY: the caller's promise.
-    let Some(component) = (unsafe { component::<V>(c) }) else { return V::ERROR };
+    let Some(component) = (unsafe { live::<V>(c) }) else { return V::ERROR };
     let status = guarded(component, call, body);
     if component.log.is_waiting() {
         component.log.tell();
@@ -347,7 +347,7 @@ impl<V: Version> Handle for Component<V> {
 #[inline(always)]
 pub(crate) unsafe fn stepping<'a, V: Version>(c: *mut c_void, state: V::State) -> Option<&'a mut Component<V>> {
     // SAFETY: the caller's promise.
-    unsafe { component::<V>(c) }.filter(|component| component.state == state)
+    unsafe { live::<V>(c) }.filter(|component| component.state == state)
 }
 
 /// The live instance behind `c`.
@@ -355,7 +355,7 @@ pub(crate) unsafe fn stepping<'a, V: Version>(c: *mut c_void, state: V::State) -
 /// # Safety
 /// As for [`enter`].
 #[inline(always)]
-unsafe fn component<'a, V: Version>(c: *mut c_void) -> Option<&'a mut Component<V>> {
+pub(crate) unsafe fn live<'a, V: Version>(c: *mut c_void) -> Option<&'a mut Component<V>> {
     let component = c.cast::<Component<V>>();
     // SAFETY: the caller promises NULL or a `Component` that is not in use elsewhere. Only its mark is read before it is
     // known to be one.
@@ -375,7 +375,7 @@ unsafe fn component<'a, V: Version>(c: *mut c_void) -> Option<&'a mut Component<
 /// As for [`enter`]; `c` must not be used afterwards.
 pub(crate) unsafe fn take<V: Version>(c: *mut c_void) -> Option<Box<Component<V>>> {
     // SAFETY: the caller's promise.
-    let component = unsafe { component::<V>(c) }?;
+    let component = unsafe { live::<V>(c) }?;
     // A second free of the same pointer then finds no mark, as long as the memory has not been reused. Volatile, or the
     // compiler would drop the last write to memory that is freed.
     // SAFETY: a live instance.
