@@ -16,6 +16,7 @@ use std::process::ExitCode;
 use anyhow::{Context, Result, bail, ensure};
 use clap::{Parser, Subcommand};
 use ssp::system;
+use stribeck_ffi::fmi3;
 
 use crate::build::library::{self, Library};
 use crate::build::platform::{self, Choice, Platform};
@@ -230,12 +231,13 @@ fn inspect(root: &Path, library: &Path, choice: Choice) -> Result<()> {
     Ok(())
 }
 
-/// Names of the functions that a library must export.
+/// Names of the functions that a library must export: those of the header, and those of FMI 3.0, which the standard's
+/// headers declare.
 fn exports(root: &Path) -> Result<Vec<String>> {
     let header = root.join("include").join("stribeck.h");
     let header = fs::read_to_string(&header).with_context(|| format!("cannot read {}", header.display()))?;
     let declared = declarations::of(&header).into_iter().filter(|found| found.kind == declarations::Kind::Function);
-    Ok(declared.map(|function| function.name).collect())
+    Ok(declared.map(|function| function.name).chain(fmi3::lifecycle::functions()).collect())
 }
 
 fn build(root: &Path, platforms: &[Platform]) -> Result<Vec<Library>> {

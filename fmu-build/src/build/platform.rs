@@ -159,9 +159,9 @@ impl Platform {
     pub fn check(&self, binary: &Binary, exports: &[String]) -> Result<()> {
         let name = self.name();
         let extra: Vec<_> = binary.exports.iter().filter(|export| !exports.contains(export)).collect();
-        ensure!(extra.is_empty(), "{name}: exports {extra:?}, which include/stribeck.h does not declare");
+        ensure!(extra.is_empty(), "{name}: exports {extra:?}, which neither include/stribeck.h nor FMI 3.0 declares");
         let lost: Vec<_> = exports.iter().filter(|export| !binary.exports.contains(*export)).collect();
-        ensure!(lost.is_empty(), "{name}: does not export {lost:?} of include/stribeck.h");
+        ensure!(lost.is_empty(), "{name}: does not export {lost:?} of include/stribeck.h or FMI 3.0");
         if self.is_host() { Ok(()) } else { self.check_portable(binary) }
     }
 
