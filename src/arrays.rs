@@ -105,6 +105,8 @@ mod tests {
                     assert_eq!(variable.kind, first.kind);
                     assert_eq!(variable.jumps, first.jumps);
                     assert_eq!(variable.bound, first.bound);
+                    assert_eq!((variable.nominal, variable.display), (first.nominal, first.display));
+                    assert_eq!((variable.help, variable.reinit), (first.help, first.reinit));
                 }
             }
         }
@@ -151,6 +153,7 @@ mod tests {
         assert!(strut.table.at(damper.in_use).path.is_spelled("damper.tab_n"));
         let element = size("friction.element.strength_share").unwrap();
         assert_eq!(element.to_string(), "friction.element_size");
+        assert_eq!(Some(element), size("friction.element.stiffness_share"));
         assert_eq!(size("memory_1"), None, "a state");
     }
 

@@ -52,8 +52,9 @@ impl Path {
         let name = self.segments[at].name;
         let is_last = at + 1 == self.depth;
         let name = name.rsplit_once('_').filter(|_| is_last).map_or(name, |(stem, _)| stem);
-        let mut path = *self;
-        path.depth = at + 1;
+        // What lies deeper is no part of the name, and would tell equal names apart.
+        let mut path = Path { depth: at + 1, ..Path::NONE };
+        path.segments[..at].copy_from_slice(&self.segments[..at]);
         path.segments[at] = Segment { name, index: 0 };
         path
     }
