@@ -23,7 +23,7 @@ use crate::build::platform::{self, Choice, Platform};
 use crate::describe::entry::{self, Entry};
 use crate::describe::generated::{self, Generated};
 use crate::describe::interface::Interface;
-use crate::describe::{compatibility, declarations, rules, xml};
+use crate::describe::{compatibility, declarations, fmi2, rules};
 use crate::pack::package::{self, Packing};
 use crate::pack::{archive, four_post};
 use crate::page::{html, texts};
@@ -41,8 +41,8 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Write modelDescription/*.xml, include/stribeck.h and the tables in README.md and docs. Reject changes to the
-    /// interface that break hosts, unless the version starts a new series.
+    /// Write the descriptions in modelDescription, include/stribeck.h and the tables in README.md and docs. Reject
+    /// changes to the interface that break hosts, unless the version starts a new series.
     Generate {
         /// Accept changes that break hosts, as before the first release of a series.
         #[arg(long)]
@@ -277,7 +277,7 @@ fn ssp(root: &Path, out: &Path) -> Result<()> {
     let models: Vec<String> = four_post::add_to(&mut files, root)?.into_iter().map(str::to_owned).collect();
     for entry in entry::select(&models)? {
         // libcosim and Ecos do not support enumerations.
-        let bytes = packing.fmu(&entry, xml::Choices::Numbered)?;
+        let bytes = packing.fmu(&entry, fmi2::Choices::Numbered)?;
         files.insert(system::fmu(entry.model.name), bytes);
     }
     let file = format!("{}.ssp", four_post::NAME);

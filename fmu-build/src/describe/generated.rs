@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use stribeck::catalogue;
+use stribeck::model::ModelType;
 
-use crate::describe::interface::{DESCRIPTIONS, HEADER_FILE, Interface};
-use crate::describe::{defaults, header, readme, xml};
+use crate::describe::interface::{HEADER_FILE, Interface, Version, committed_in};
+use crate::describe::{defaults, fmi2, fmi3, header, readme};
 use crate::project;
 
 /// A file with its expected contents.
@@ -52,13 +53,16 @@ pub struct Generated {
 pub fn of(root: &Path) -> Result<Generated> {
     let mut descriptions = Vec::new();
     for model in catalogue::models() {
-        let text = xml::model_description(model, project::release_date(), xml::Choices::Named)?;
-        descriptions.push((model.name.to_owned(), text));
+        let date = project::release_date();
+        descriptions.push((Version::Two, model, fmi2::model_description(model, date, fmi2::Choices::Named)?));
+        descriptions.push((Version::Three, model, fmi3::model_description(model, date)?));
     }
     let header = header::text(root)?;
-    let interface = Interface::of(&descriptions, &header)?;
-    let described = descriptions.into_iter().map(|(model, text)| File::new(description(&model), text));
-    let mut stale: Vec<File> = described.collect();
+    let owned = |(version, model, text): &(Version, &ModelType, String)| (version.owner(model.name), text.clone());
+    let interface = Interface::of(&descriptions.iter().map(owned).collect::<Vec<_>>(), &header)?;
+    let described = descriptions.into_iter();
+    let mut stale: Vec<File> =
+        described.map(|(version, model, text)| File::new(description(version, model.name), text)).collect();
     stale.push(File::new(HEADER_FILE, header));
     stale.push(File::new("README.md", readme::with_table(&read(root, "README.md")?, root)?));
     stale.push(File::new(defaults::PAGE, defaults::with_tables(&read(root, defaults::PAGE)?)?));
@@ -71,22 +75,17 @@ fn read(root: &Path, file: &str) -> Result<String> {
     fs::read_to_string(root.join(file)).with_context(|| format!("cannot read {file}"))
 }
 
-fn description(model: &str) -> PathBuf {
-    Path::new(DESCRIPTIONS).join(format!("{model}.xml"))
+fn description(version: Version, model: &str) -> PathBuf {
+    Path::new(version.folder()).join(format!("{model}.xml"))
 }
 
 /// Descriptions of models that no longer exist.
 fn left_over(root: &Path) -> Result<Vec<File>> {
-    let folder = root.join(DESCRIPTIONS);
-    if !folder.exists() {
-        return Ok(Vec::new());
-    }
     let mut files = Vec::new();
-    for entry in folder.read_dir().with_context(|| format!("cannot list {}", folder.display()))? {
-        let path = Path::new(DESCRIPTIONS).join(entry?.file_name());
-        if !catalogue::models().any(|model| description(model.name) == path) {
-            files.push(File { path, text: None });
-        }
+    for version in Version::ALL {
+        let is_gone = |path: &PathBuf| !catalogue::models().any(|model| description(version, model.name) == *path);
+        let gone = committed_in(root, version)?.into_iter().filter(is_gone);
+        files.extend(gone.map(|path| File { path, text: None }));
     }
     Ok(files)
 }
@@ -111,10 +110,10 @@ mod tests {
     #[test]
     fn description_of_a_removed_model_is_stale() {
         let root = tempfile::tempdir().unwrap();
-        for name in ["LuGre", "Removed"] {
-            File::new(description(name), String::new()).write(root.path()).unwrap();
+        for (version, name) in Version::ALL.into_iter().flat_map(|version| [(version, "LuGre"), (version, "Removed")]) {
+            File::new(description(version, name), String::new()).write(root.path()).unwrap();
         }
         let left: Vec<_> = left_over(root.path()).unwrap().into_iter().map(|file| file.path).collect();
-        assert_eq!(left, [description("Removed")]);
+        assert_eq!(left, Version::ALL.map(|version| description(version, "Removed")));
     }
 }

@@ -2,7 +2,7 @@
 //! the declarations of the header. The committed descriptions and header are those of the last commit.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use roxmltree::{Document, Node};
@@ -12,8 +12,35 @@ use crate::describe::declarations::{self, Declaration};
 /// The committed header.
 pub const HEADER_FILE: &str = "include/stribeck.h";
 
-/// The folder of the committed descriptions.
-pub const DESCRIPTIONS: &str = "modelDescription";
+/// A version of FMI in which the models are described.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Version {
+    /// FMI 2.0.
+    Two,
+    /// FMI 3.0.
+    Three,
+}
+
+impl Version {
+    /// All versions.
+    pub const ALL: [Version; 2] = [Version::Two, Version::Three];
+
+    /// The folder of the committed descriptions.
+    pub fn folder(self) -> &'static str {
+        match self {
+            Version::Two => "modelDescription",
+            Version::Three => "modelDescription/fmi3",
+        }
+    }
+
+    /// The owner of what a description lists.
+    pub fn owner(self, model: &str) -> String {
+        match self {
+            Version::Two => model.to_owned(),
+            Version::Three => format!("{model} (FMI 3.0)"),
+        }
+    }
+}
 
 /// The owner of the header's declarations.
 pub const HEADER: &str = "stribeck.h";
@@ -24,7 +51,7 @@ const ROOT_ATTRIBUTES: [&str; 3] = ["fmiVersion", "modelName", "variableNamingCo
 /// One line of the list. Properties that an item does not have are empty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Row {
-    /// A model or the header.
+    /// A model, in a version of FMI, or the header.
     pub owner: String,
     /// Kind of item: `variable`, `choice`, `log category`, `attribute`, `function`, `type` or `constant`.
     pub item: String,
@@ -32,7 +59,7 @@ pub struct Row {
     pub name: String,
     /// Value reference of a variable, number of a choice, value of an attribute or a constant, text of a declaration.
     pub value: String,
-    /// Type of a variable: that of FMI, or the name of an enumeration.
+    /// Type of a variable: that of FMI, or the name of an enumeration; of an array also its dimension.
     pub kind: String,
     /// Unit of a variable.
     pub unit: String,
@@ -60,7 +87,7 @@ impl Row {
 }
 
 impl Interface {
-    /// The interface of models with these names and descriptions, and of this header.
+    /// The interface of these owners with their descriptions, and of this header.
     pub fn of(descriptions: &[(String, String)], header: &str) -> Result<Interface> {
         let mut rows = Vec::new();
         for (model, description) in descriptions {
@@ -77,15 +104,30 @@ impl Interface {
     pub fn committed(root: &Path) -> Result<Interface> {
         let read = |file: &Path| fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()));
         let header = read(&root.join(HEADER_FILE))?;
-        let folder = root.join(DESCRIPTIONS);
         let mut descriptions = Vec::new();
-        for entry in folder.read_dir().with_context(|| format!("cannot list {}", folder.display()))? {
-            let file = entry?.path();
-            let model = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            descriptions.push((model, read(&file)?));
+        for version in Version::ALL {
+            for file in committed_in(root, version)? {
+                let model = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                descriptions.push((version.owner(&model), read(&root.join(&file))?));
+            }
         }
         Interface::of(&descriptions, &header)
     }
+}
+
+/// The committed descriptions of a version, relative to the root; none if it has no folder yet.
+pub fn committed_in(root: &Path, version: Version) -> Result<Vec<PathBuf>> {
+    let folder = root.join(version.folder());
+    if !folder.exists() {
+        return Ok(Vec::new());
+    }
+    let mut files = Vec::new();
+    for entry in folder.read_dir().with_context(|| format!("cannot list {}", folder.display()))? {
+        let name = PathBuf::from(entry?.file_name());
+        files.extend(name.extension().is_some().then(|| Path::new(version.folder()).join(&name)));
+    }
+    files.sort();
+    Ok(files)
 }
 
 fn of_model(model: &str, description: &str) -> Result<Vec<Row>> {
@@ -100,22 +142,27 @@ fn of_model(model: &str, description: &str) -> Result<Vec<Row>> {
     }
     rows.extend(all("Category").map(|category| row("log category", attribute(category, "name"), "")));
     for item in all("Item") {
-        let of_type = item.ancestors().find(|node| node.has_tag_name("SimpleType")).context("an item has no type")?;
+        let is_type = |node: &Node| node.has_tag_name("SimpleType") || node.has_tag_name("EnumerationType");
+        let of_type = item.ancestors().find(is_type).context("an item has no type")?;
         let name = format!("{}.{}", attribute(of_type, "name"), attribute(item, "name"));
         rows.push(row("choice", &name, attribute(item, "value")));
     }
-    rows.extend(all("ScalarVariable").map(|node| of_variable(model, node)));
+    let variables = all("ModelVariables").flat_map(|list| list.children()).filter(Node::is_element);
+    rows.extend(variables.map(|node| of_variable(model, node)));
     Ok(rows)
 }
 
 fn of_variable(model: &str, variable: Node) -> Row {
-    let of_type = variable.first_element_child().unwrap_or(variable);
+    let is_typed = variable.has_tag_name("ScalarVariable");
+    let of_type = variable.first_element_child().filter(|_| is_typed).unwrap_or(variable);
     let kind = match of_type.tag_name().name() {
         "Enumeration" => attribute(of_type, "declaredType"),
         kind => kind,
     };
+    let dimensions = variable.children().filter(|node| node.has_tag_name("Dimension"));
+    let sizes = dimensions.flat_map(|dimension| dimension.attributes()).map(|size| format!("[{}]", size.value()));
     Row {
-        kind: kind.into(),
+        kind: format!("{kind}{}", sizes.collect::<String>()),
         unit: attribute(of_type, "unit").into(),
         causality: attribute(variable, "causality").into(),
         variability: attribute(variable, "variability").into(),
@@ -139,7 +186,7 @@ fn of_declaration(declaration: &Declaration) -> Row {
 #[cfg(test)]
 pub mod tests {
     use super::*;
-    use crate::describe::xml::{Choices, model_description};
+    use crate::describe::fmi2::{Choices, model_description};
     use crate::project::{release_date, root};
     use crate::specimen::SPECIMEN;
     use std::sync::LazyLock;

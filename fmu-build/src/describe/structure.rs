@@ -63,6 +63,15 @@ impl Structure<'_> {
         Some(known)
     }
 
+    /// The variables that determine an unknown at any time, its own state included.
+    pub fn at_any_time(&self, unknown: usize) -> Option<BTreeSet<usize>> {
+        let mut known = self.initially(unknown)?;
+        let is_state =
+            |unknown: usize| unknown < self.model.table.len() && self.model.table.at(unknown).role.is_state();
+        known.extend(Some(unknown).filter(|unknown| is_state(*unknown)));
+        Some(known)
+    }
+
     /// The variables that determine an unknown at the start.
     pub fn initially(&self, unknown: usize) -> Option<BTreeSet<usize>> {
         self.known(unknown, |column| !self.model.table.at(column).is_hidden)

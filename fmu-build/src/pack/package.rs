@@ -9,8 +9,7 @@ use jiff::Timestamp;
 use crate::build::crates::Parts;
 use crate::build::library::Library;
 use crate::describe::entry::Entry;
-use crate::describe::xml;
-use crate::describe::xml::Choices;
+use crate::describe::fmi2::{self, Choices};
 use crate::pack::archive::{Archiver, Files};
 use crate::pack::{licenses, sbom};
 use crate::page::{html, icon};
@@ -54,7 +53,7 @@ impl Packing {
             ("documentation/index.html".into(), html::page(entry)?.into()),
             (sbom::FILE.into(), sbom::text(model, &self.parts)?.into()),
             ("model.png".into(), icon::png(model, family)?),
-            ("modelDescription.xml".into(), xml::model_description(model, self.date, choices)?.into()),
+            ("modelDescription.xml".into(), fmi2::model_description(model, self.date, choices)?.into()),
         ]);
         files.extend(self.licenses.clone());
         for Library { platform, bytes, .. } in &self.libraries {

@@ -11,8 +11,8 @@ use stribeck::model::{Kind, ModelType, Preset, Variable};
 use stribeck_draw::text::{escape, typeset_unit};
 
 use crate::describe::entry::Entry;
+use crate::describe::fmi2::CAPABILITIES;
 use crate::describe::text;
-use crate::describe::xml::CAPABILITIES;
 use crate::page::diagrams;
 use crate::page::typeset;
 use crate::project::{AUTHORS, LICENSE, VERSION};
