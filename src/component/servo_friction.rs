@@ -110,9 +110,9 @@ crate::model! {
     ServoFriction: "Friction of a servo drive that depends on the torques of motor and load (Duclusaud and others)" {
         velocity: input = VELOCITY,
         /// Force of the motor at the output, positive in the direction of the velocity.
-        motor_force: input = real("N", 0.0).odd(),
+        motor_force: input = real("N", 0.0).odd().means(Meaning::MotorForce),
         /// Force of the load on the output, positive in the direction of the velocity.
-        load_force: input = real("N", 0.0).odd(),
+        load_force: input = real("N", 0.0).odd().means(Meaning::LoadForce),
         /// Kinetic level of friction without load.
         kinetic_force: tunable = real("N", 0.0).at_least(0.0).means(Meaning::Preload),
         /// Excess of the static over the kinetic level without load.

@@ -59,7 +59,7 @@ crate::model! {
     /// ```
     Axis: "Axis of a machine, moved by the force of its drive" {
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: input = real("N", 0.0),
+        friction_force: input = real("N", 0.0).means(Meaning::FrictionForce),
         /// Force of the drive, as it is measured.
         drive_force: input = real("N", 0.0),
         /// Mass that moves.
@@ -73,7 +73,7 @@ crate::model! {
         /// Velocity of the slide.
         velocity: state_output = real("m/s", 0.0).nominal(0.1).means(Meaning::Velocity),
         /// Force that moves the slide.
-        external_force: output = real("N", 0.0),
+        external_force: output = real("N", 0.0).means(Meaning::ExternalForce),
         /// Sum of the normal forces of the guides.
         normal_force: output = real("N", 0.0).means(Meaning::NormalForce),
     }

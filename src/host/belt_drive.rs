@@ -64,7 +64,7 @@ crate::model! {
     /// ```
     BeltDrive: "Block on a belt of prescribed motion, held by a spring" {
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: input = real("N", 0.0),
+        friction_force: input = real("N", 0.0).means(Meaning::FrictionForce),
         /// Velocity of the belt.
         belt_velocity: input = real("m/s", 0.1),
         /// Acceleration of the belt.
@@ -82,7 +82,7 @@ crate::model! {
         /// Velocity of the block relative to the belt.
         velocity: output = real("m/s", 0.0).means(Meaning::Velocity),
         /// Spring force and force of inertia on the block, in the frame of the belt.
-        external_force: output = real("N", 0.0),
+        external_force: output = real("N", 0.0).means(Meaning::ExternalForce),
         /// Weight of the block on the belt.
         normal_force: output = real("N", 0.0).means(Meaning::NormalForce),
     }

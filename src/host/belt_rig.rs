@@ -58,7 +58,7 @@ crate::model! {
     /// ```
     BeltRig: "Block on a moving belt, held by a spring" {
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: input = real("N", 0.0),
+        friction_force: input = real("N", 0.0).means(Meaning::FrictionForce),
         /// Mass of the block.
         mass: fixed = real("kg", 1.0).positive(),
         /// Stiffness of the spring.
@@ -72,7 +72,7 @@ crate::model! {
         /// Velocity of the block relative to the belt.
         velocity: output = real("m/s", 0.0).means(Meaning::Velocity),
         /// Spring force on the block.
-        external_force: output = real("N", 0.0),
+        external_force: output = real("N", 0.0).means(Meaning::ExternalForce),
         /// Acceleration of gravity.
         gravity: tunable = real("m/s2", GRAVITY).at_least(0.0),
         /// Weight of the block on the belt.

@@ -1,7 +1,7 @@
 use crate::host::magic_formula::{Contact, MagicFormula, Side, Wrench};
 use crate::host::tyre_radii::Radii;
 use crate::host::vertical::{Axle, Body, Car, Corner, GRAVITY, Load, Motion, Wheel};
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, integrate, real};
+use crate::model::{Derivatives, Fault, Law, Model, Meaning, ModelExchange, integrate, real};
 use crate::number::Scalar;
 
 crate::part! {
@@ -18,9 +18,9 @@ crate::part! {
     /// A corner of the car, on the road.
     RollingWheel {
         /// Height of the road under the wheel.
-        road_height: input = real("m", 0.0).shown_in("mm"),
+        road_height: input = real("m", 0.0).shown_in("mm").means(Meaning::GroundHeight),
         /// Rate of the road's height.
-        road_velocity: input = real("m/s", 0.0),
+        road_velocity: input = real("m/s", 0.0).means(Meaning::GroundVelocity),
         /// The wheel and the strut.
         wheel: (Wheel),
         /// Side slip of the tyre; positive when the wheel slips to the left.

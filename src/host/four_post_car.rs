@@ -1,14 +1,14 @@
 use crate::host::vertical::{Axle, Body, Car, Corner, Motion, Wheel};
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, integrate, real};
+use crate::model::{Derivatives, Fault, Law, Model, Meaning, ModelExchange, integrate, real};
 use crate::number::Scalar;
 
 crate::part! {
     /// A corner of the car, on its post.
     Post {
         /// Height of the post under the wheel.
-        post_height: input = real("m", 0.0).shown_in("mm"),
+        post_height: input = real("m", 0.0).shown_in("mm").means(Meaning::GroundHeight),
         /// Rate of the post's height.
-        post_velocity: input = real("m/s", 0.0),
+        post_velocity: input = real("m/s", 0.0).means(Meaning::GroundVelocity),
         /// The wheel and the strut.
         wheel: (Wheel),
     }

@@ -66,7 +66,7 @@ crate::model! {
     /// ```
     Incline: "Block on an inclined plane" {
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: input = real("N", 0.0),
+        friction_force: input = real("N", 0.0).means(Meaning::FrictionForce),
         /// Angle of the plane above the horizontal.
         angle: input = real("rad", 0.0).at_least(-FRAC_PI_2).at_most(FRAC_PI_2).shown_in("deg"),
         /// Mass of the block.
@@ -78,7 +78,7 @@ crate::model! {
         /// Velocity of the block, positive down the slope.
         velocity: state_output = real("m/s", 0.0).nominal(0.1).means(Meaning::Velocity),
         /// Weight of the block along the plane.
-        external_force: output = real("N", 0.0),
+        external_force: output = real("N", 0.0).means(Meaning::ExternalForce),
         /// Weight of the block across the plane.
         normal_force: output = real("N", 0.0).means(Meaning::NormalForce),
     }

@@ -133,7 +133,7 @@ crate::model! {
     /// ```
     PositionControl: "Mass whose position a PID controller holds or moves" {
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: input = real("N", 0.0),
+        friction_force: input = real("N", 0.0).means(Meaning::FrictionForce),
         /// Position that the controller aims at.
         target_position: input = real("m", 0.0),
         /// Velocity that the controller aims at.
@@ -187,7 +187,7 @@ crate::model! {
         /// Force of the controller since the last sample.
         held_force: state = real("N", 0.0).discrete().hidden(),
         /// Force of the controller.
-        external_force: output = real("N", 0.0),
+        external_force: output = real("N", 0.0).means(Meaning::ExternalForce),
         /// Sum of the normal forces of the guides.
         normal_force: output = real("N", 0.0).means(Meaning::NormalForce),
     }

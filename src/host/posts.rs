@@ -1,15 +1,15 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::model::{Derivatives, Law, Model, ModelExchange, real};
+use crate::model::{Derivatives, Law, Model, Meaning, ModelExchange, real};
 use crate::number::{Mask, Real};
 
 crate::part! {
     /// A post under a wheel.
     Actuator {
         /// Height of the post under the wheel.
-        post_height: output = real("m", 0.0).nominal(1e-2).shown_in("mm"),
+        post_height: output = real("m", 0.0).nominal(1e-2).shown_in("mm").means(Meaning::GroundHeight),
         /// Rate of the post's height.
-        post_velocity: output = real("m/s", 0.0).nominal(0.1),
+        post_velocity: output = real("m/s", 0.0).nominal(0.1).means(Meaning::GroundVelocity),
         /// Travel of the post, lowest to highest.
         travel: fixed = real("m", 0.04).at_least(0.0).shown_in("mm"),
         /// Phase lag of the post; it rests until then.

@@ -67,7 +67,7 @@ crate::model! {
     /// ```
     PulledMass: "Mass pulled by a spring" {
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: input = real("N", 0.0),
+        friction_force: input = real("N", 0.0).means(Meaning::FrictionForce),
         /// Velocity of the end of the spring (default chosen).
         pull_velocity: input = real("m/s", 0.1),
         /// Mass.
@@ -87,7 +87,7 @@ crate::model! {
         /// Elongation of the spring.
         elongation: state_output = real("m", 0.0).nominal(1e-2),
         /// Force of spring and damper on the mass.
-        external_force: output = real("N", 0.0),
+        external_force: output = real("N", 0.0).means(Meaning::ExternalForce),
         /// Weight of the mass.
         normal_force: output = real("N", 0.0).means(Meaning::NormalForce),
     }

@@ -1,5 +1,5 @@
 use crate::host::vertical::{GRAVITY, Motion, Suspension, Wheel};
-use crate::model::{Derivatives, Law, Model, ModelExchange, integrate, real};
+use crate::model::{Derivatives, Law, Model, Meaning, ModelExchange, integrate, real};
 use crate::number::Scalar;
 
 crate::model! {
@@ -89,11 +89,11 @@ crate::model! {
     /// ```
     QuarterCar: "Quarter car: body, wheel and tyre, driven by the force of a strut" {
         /// Height of the road under the wheel.
-        road_height: input = real("m", 0.0).shown_in("mm"),
+        road_height: input = real("m", 0.0).shown_in("mm").means(Meaning::GroundHeight),
         /// Rate of the road's height.
-        road_velocity: input = real("m/s", 0.0),
+        road_velocity: input = real("m/s", 0.0).means(Meaning::GroundVelocity),
         /// Force of the strut without its friction; only the external force depends on it.
-        force_without_friction: input = real("N", 1325.2555),
+        force_without_friction: input = real("N", 1325.2555).means(Meaning::ForceWithoutFriction),
         /// Part of the strut force that moves the rod and not the body; 0 if they move together.
         rod_force: input = real("N", 0.0),
         /// Mass of the body, without the wheels.
@@ -107,7 +107,7 @@ crate::model! {
         /// The wheel and the strut.
         wheel: (Wheel),
         /// Force that the strut's friction must carry so that its length keeps its velocity; positive in extension.
-        external_force: output = real("N", 0.0),
+        external_force: output = real("N", 0.0).means(Meaning::ExternalForce),
     }
 }
 

@@ -73,7 +73,7 @@ crate::model! {
     /// ```
     ServoArm: "Arm with a load, held by a servo" {
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: input = real("N", 0.0),
+        friction_force: input = real("N", 0.0).means(Meaning::FrictionForce),
         /// Angle that the arm should have.
         target_angle: input = real("rad", 0.0).shown_in("deg"),
         /// Gain of the controller: voltage by the error of the angle.
@@ -99,11 +99,11 @@ crate::model! {
         /// Velocity at the radius.
         velocity: state_output = real("m/s", 0.0).means(Meaning::Velocity),
         /// Force of the motor at the radius.
-        motor_force: output = real("N", 0.0),
+        motor_force: output = real("N", 0.0).means(Meaning::MotorForce),
         /// Weight of the load, at the radius.
-        load_force: output = real("N", 0.0),
+        load_force: output = real("N", 0.0).means(Meaning::LoadForce),
         /// Sum of the forces of motor and load.
-        external_force: output = real("N", 0.0),
+        external_force: output = real("N", 0.0).means(Meaning::ExternalForce),
         /// Moment of inertia of drive and load, as a mass at the radius.
         effective_mass: output = real("kg", 0.0),
     }

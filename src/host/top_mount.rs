@@ -74,9 +74,9 @@ crate::model! {
     /// ```
     TopMount: "Inner part of a top mount, between a strut and the rubber to the body" {
         /// Force of the strut.
-        strut_force: input = real("N", 1325.2555),
+        strut_force: input = real("N", 1325.2555).means(Meaning::StrutForce),
         /// Force of the strut without its friction; only the external force depends on it.
-        force_without_friction: input = real("N", 1325.2555),
+        force_without_friction: input = real("N", 1325.2555).means(Meaning::ForceWithoutFriction),
         /// Force of the rubber, 0 at rest; pushes the inner part back where it is displaced.
         mount_force: input = real("N", 0.0),
         /// Height of the body above its height at rest.
@@ -110,13 +110,13 @@ crate::model! {
         /// Velocity of the inner part relative to the body.
         inner_velocity: output = real("m/s", 0.0).nominal(0.1),
         /// Length of the strut.
-        length: output = real("m", 0.0).shown_in("mm"),
+        length: output = real("m", 0.0).shown_in("mm").means(Meaning::StrutLength),
         /// Rate of the strut's length, positive in extension.
         velocity: output = real("m/s", 0.0).means(Meaning::Velocity),
         /// Part of the strut force that moves the rod and not the body.
         rod_force: output = real("N", 0.0),
         /// Force that the friction of a stuck strut carries.
-        external_force: output = real("N", 0.0),
+        external_force: output = real("N", 0.0).means(Meaning::ExternalForce),
     }
 }
 

@@ -66,7 +66,7 @@ crate::model! {
     /// ```
     TwoBlocks: "Two blocks, one on the other, under forces and on springs" {
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: input = real("N", 0.0),
+        friction_force: input = real("N", 0.0).means(Meaning::FrictionForce),
         /// Force on block 1.
         force_1: input = real("N", 0.0),
         /// Force on block 2.
@@ -92,7 +92,7 @@ crate::model! {
         /// Velocity of block 1 relative to block 2.
         velocity: output = real("m/s", 0.0).means(Meaning::Velocity),
         /// Force that the contact must carry so that both blocks move together.
-        external_force: output = real("N", 0.0),
+        external_force: output = real("N", 0.0).means(Meaning::ExternalForce),
         /// Weight of block 1 on block 2.
         normal_force: output = real("N", 0.0).means(Meaning::NormalForce),
         /// Effective mass of the relative motion.

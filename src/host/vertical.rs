@@ -30,13 +30,13 @@ crate::part! {
     /// A wheel with the strut above it.
     Wheel {
         /// Force of the strut; positive pushes its eyes apart.
-        strut_force: input = real("N", 1325.2555),
+        strut_force: input = real("N", 1325.2555).means(Meaning::StrutForce),
         /// Height of the wheel above its height at rest.
         wheel_height: state_output = real("m", 0.0).nominal(1e-2).shown_in("mm"),
         /// Vertical velocity of the wheel.
         wheel_velocity: state_output = real("m/s", 0.0).nominal(0.1),
         /// Length of the strut, eye to eye.
-        length: output = real("m", 0.1775).shown_in("mm"),
+        length: output = real("m", 0.1775).shown_in("mm").means(Meaning::StrutLength),
         /// Rate of the strut's length; positive as it extends.
         velocity: output = real("m/s", 0.0).means(Meaning::Velocity),
         /// Vertical force of the tyre on the ground; 0 while the wheel is off the ground.

@@ -103,7 +103,7 @@ crate::part! {
     /// Everything on which the forces of a strut depend, except its states.
     Setting {
         /// Distance of the eyes, or travel of the host: see adapter.
-        length: input = real("m", 0.1775).shown_in("mm"),
+        length: input = real("m", 0.1775).shown_in("mm").means(Meaning::StrutLength),
         /// Time derivative of the length; positive in extension.
         velocity: input = real("m/s", 0.0).means(Meaning::Velocity),
         /// Load across the axis.

@@ -167,7 +167,7 @@ crate::model! {
         /// Energy taken out of the motion by friction and damper since the start.
         dissipated_energy: state_output = real("J", 0.0).means(Meaning::Energy),
         /// Force of the strut; positive pushes the eyes apart.
-        force: output = real("N", 0.0),
+        force: output = real("N", 0.0).means(Meaning::StrutForce),
         /// The same with the opposite sign: positive pulls the eyes together.
         force_tension: output = real("N", 0.0),
         /// Part of the spring.
@@ -184,7 +184,7 @@ crate::model! {
         force_friction: output = real("N", 0.0),
         /// Axial force without friction. At rest the friction carries it, less the force with which the host holds the
         /// length.
-        force_without_friction: output = real("N", 0.0),
+        force_without_friction: output = real("N", 0.0).means(Meaning::ForceWithoutFriction),
         /// Force on the travel of the host, by virtual work: see adapter.
         force_travel: output = real("N", 0.0),
         /// Axial friction at the rod guide; has the sign of the velocity when sliding.

@@ -1,7 +1,8 @@
 //! What a variable is for, whatever it is called.
 
-/// The part that a variable plays in a law of friction. What is read of it elsewhere (by a strut, in ramps of the inputs, in
-/// a fit, on a page) is found by this, not by its name.
+/// The part that a variable plays in a law of friction, or where a model is connected to another. What is read of it
+/// elsewhere (by a strut, in ramps of the inputs, in a fit, on a page, for a terminal of an FMU) is found by this, not by
+/// its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Meaning {
@@ -20,10 +21,25 @@ pub enum Meaning {
     ExternalForce,
     /// Input: acceleration, for laws that differ as the contact speeds up or slows down.
     Acceleration,
+    /// Force of a motor, before a gear that rubs.
+    MotorForce,
+    /// Force of a load, behind a gear that rubs.
+    LoadForce,
     /// Mass of the body that is held at rest.
     Mass,
     /// Order in which a master exchanges values.
     Exchange,
+
+    /// Length of a strut, eye to eye; its rate is its velocity.
+    StrutLength,
+    /// Force of a strut; positive pushes its eyes apart.
+    StrutForce,
+    /// Force of a strut without its friction.
+    ForceWithoutFriction,
+    /// Height of the ground under a wheel.
+    GroundHeight,
+    /// Rate of that height.
+    GroundVelocity,
 
     /// Coefficient of the kinetic level of friction.
     KineticLevel,
