@@ -23,6 +23,11 @@ pub const fn fingerprint(model: &str, table: &[Variable], event_indicators: Opti
     spell(hash.0)
 }
 
+/// The guid of a description in which all variables are Real, which follows from that of the model.
+pub const fn plain(guid: &GuidText) -> GuidText {
+    spell(text(bytes(Fnv::START, guid), "all variables are Real").0)
+}
+
 /// FNV-1a with 128 bits (G. Fowler, L. C. Noll, K.-P. Vo; RFC 9923): offset basis and prime as published.
 #[derive(Clone, Copy)]
 struct Fnv(u128);
@@ -122,6 +127,14 @@ mod tests {
     fn hash_agrees_with_its_authors_test_vector() {
         let hash = bytes(Fnv::START, b"foobar");
         assert_eq!(hash.0, 0x343e_1662_793c_64bf_6f0d_3597_ba44_6f18);
+    }
+
+    #[test]
+    fn plain_guids_are_as_different_as_the_others() {
+        let guids = ["M", "N"].map(|model| fingerprint(model, &[], None));
+        let [a, b] = guids.map(|guid| plain(&guid));
+        assert!(a != b && !guids.contains(&a) && !guids.contains(&b));
+        assert_eq!(a[0], b'{');
     }
 
     #[test]

@@ -21,11 +21,13 @@ use stribeck_ffi::fmi3;
 use crate::build::library::{self, Library};
 use crate::build::platform::{self, Choice, Platform};
 use crate::describe::entry::{self, Entry};
+use crate::describe::fmi2::Choices;
 use crate::describe::generated::{self, Generated};
-use crate::describe::interface::Interface;
-use crate::describe::{compatibility, declarations, fmi2, rules};
-use crate::pack::package::{self, Packing};
-use crate::pack::{archive, four_post};
+use crate::describe::interface::{Interface, Version};
+use crate::describe::{compatibility, declarations, rules};
+use crate::pack::archive::{self, Archiver};
+use crate::pack::four_post;
+use crate::pack::package::{self, Contents, Form, Packing};
 use crate::page::{html, texts};
 
 /// Generates files from the tables of Stribeck's models, and packs the FMUs.
@@ -80,7 +82,7 @@ enum Command {
         #[arg(long, value_name = "PLATFORM")]
         platform: Choice,
     },
-    /// Build the library and pack one FMU per model.
+    /// Build the library and pack two FMUs per model: for FMI 2.0, and in the folder fmi3 for FMI 3.0.
     Pack {
         /// Models to pack (default: all).
         models: Vec<String>,
@@ -94,6 +96,10 @@ enum Command {
         /// Fail if a platform must be skipped.
         #[arg(long)]
         strict: bool,
+        /// Pack for hosts that know Real variables only as well, in the folder plain: FMI 2.0, Booleans as 0 and 1, choices
+        /// by number.
+        #[arg(long)]
+        plain: bool,
     },
 }
 
@@ -125,7 +131,11 @@ fn obey(command: Command, root: &Path) -> Result<()> {
         Command::Texts { out } => texts(&out),
         Command::Ssp { out } => ssp(root, &out),
         Command::Inspect { library, platform } => inspect(root, &library, platform),
-        Command::Pack { models, out, platform, strict } => pack(root, &models, &out, &platform, strict),
+        Command::Pack { models, out, platform, strict, plain } => {
+            let mut forms = vec![Form::Two(Choices::Named), Form::Three];
+            forms.extend(plain.then_some(Form::Two(Choices::Plain)));
+            pack(root, &models, &out, &platform, strict, &forms)
+        }
     }
 }
 
@@ -149,7 +159,8 @@ fn check(root: &Path) -> Result<()> {
     let Generated { stale, interface } = generated::of(root)?;
     compatibility::review(&Interface::committed(root)?, &interface)?;
     let mut breaches = rules::breaches(root)?;
-    let faulty_pages = entry::entries().into_iter().filter_map(|entry| html::page(&entry).err());
+    let page = |entry: &Entry| html::Page::of(entry)?.text(Version::Two);
+    let faulty_pages = entry::entries().into_iter().filter_map(|entry| page(&entry).err());
     breaches.extend(faulty_pages.map(|fault| format!("{fault:#}")));
     stale.iter().for_each(|file| println!("stale: {}", file.path.display()));
     breaches.iter().for_each(|breach| println!("{breach}"));
@@ -176,7 +187,7 @@ fn texts(out: &Path) -> Result<()> {
     Ok(())
 }
 
-fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: bool) -> Result<()> {
+fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: bool, forms: &[Form]) -> Result<()> {
     let entries = entry::select(models)?;
     refuse_stale(root)?;
     let date = project::packing_date()?;
@@ -184,24 +195,35 @@ fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: 
     if strict && !left_out.is_empty() {
         bail!("tools are missing:\n{}", left_out.join("\n"));
     }
-    let bundles = bundles(build(root, &platforms)?);
-    let is_empty = bundles.is_empty();
-    for (folder, libraries) in bundles {
-        let out = if folder.is_empty() { out.to_owned() } else { out.join(folder) };
-        write(&entries, &Packing::new(root, libraries, date)?, &out)?;
+    let (libraries, archiver) = (build(root, &platforms)?, Archiver::new(date)?);
+    ensure!(!libraries.is_empty(), "nothing to pack: every platform was skipped\n{}", left_out.join("\n"));
+    let mut bundles = Vec::new();
+    for form in forms {
+        for (folder, libraries) in bundles_of(*form, &libraries) {
+            let packing = Packing::new(root, libraries, date, &archiver)?;
+            bundles.push(Bundle { folder: out.join(folder).join(form.subfolder()), form: *form, packing });
+        }
     }
+    write(&entries, &bundles)?;
     for line in &left_out {
         println!("skipped: {line}");
     }
-    ensure!(!is_empty, "nothing to pack: every platform was skipped");
     Ok(())
 }
 
-/// The libraries of each folder for FMUs.
-fn bundles(libraries: Vec<Library>) -> BTreeMap<&'static str, Vec<Library>> {
-    let mut bundles: BTreeMap<&str, Vec<Library>> = BTreeMap::new();
+/// FMUs that share a folder.
+struct Bundle<'a> {
+    folder: PathBuf,
+    form: Form,
+    packing: Packing<'a>,
+}
+
+/// The folders for FMUs, with their libraries. An FMU of FMI 3.0 has room for all of them.
+fn bundles_of(form: Form, libraries: &[Library]) -> BTreeMap<&'static str, Vec<&Library>> {
+    let mut bundles: BTreeMap<&str, Vec<&Library>> = BTreeMap::new();
     for library in libraries {
-        bundles.entry(library.platform.subfolder()).or_default().push(library);
+        let folder = if form == Form::Three { "" } else { library.platform.subfolder() };
+        bundles.entry(folder).or_default().push(library);
     }
     bundles
 }
@@ -252,12 +274,17 @@ fn build(root: &Path, platforms: &[Platform]) -> Result<Vec<Library>> {
     Ok(libraries)
 }
 
-fn write(entries: &[Entry], packing: &Packing, out: &Path) -> Result<()> {
+fn write(entries: &[Entry], bundles: &[Bundle]) -> Result<()> {
     for entry in entries {
-        let size = packing.write(entry, out)?;
-        println!("{:<20} {:>9} bytes", format!("{}.fmu", entry.model.name), size);
+        let contents = Contents::of(entry)?;
+        for Bundle { folder, form, packing } in bundles {
+            let size = packing.write(&contents, *form, folder)?;
+            println!("{:<28} {size:>9} bytes", folder.join(format!("{}.fmu", entry.model.name)).display());
+        }
     }
-    println!("{} FMUs for {} in {}", entries.len(), packing.platforms().join(", "), out.display());
+    for Bundle { folder, packing, .. } in bundles {
+        println!("{} FMUs for {} in {}", entries.len(), packing.platforms().join(", "), folder.display());
+    }
     Ok(())
 }
 
@@ -272,16 +299,17 @@ fn refuse_stale(root: &Path) -> Result<()> {
 fn ssp(root: &Path, out: &Path) -> Result<()> {
     refuse_stale(root)?;
     let date = project::packing_date()?;
-    let packing = Packing::new(root, build(root, &platform::platforms(&[Choice::Host])?)?, date)?;
+    let (libraries, archiver) = (build(root, &platform::platforms(&[Choice::Host])?)?, Archiver::new(date)?);
+    let packing = Packing::new(root, libraries.iter().collect(), date, &archiver)?;
     let mut files = archive::Files::new();
     let models: Vec<String> = four_post::add_to(&mut files, root)?.into_iter().map(str::to_owned).collect();
     for entry in entry::select(&models)? {
         // libcosim and Ecos do not support enumerations.
-        let bytes = packing.fmu(&entry, fmi2::Choices::Numbered)?;
+        let bytes = packing.fmu(&Contents::of(&entry)?, Form::Two(Choices::Numbered))?;
         files.insert(system::fmu(entry.model.name), bytes);
     }
     let file = format!("{}.ssp", four_post::NAME);
-    let size = package::save(out, &file, &archive::Archiver::new(date)?.zip(&files)?)?;
+    let size = package::save(out, &file, &archiver.zip(&files)?)?;
     println!("{file:<20} {size:>9} bytes");
     Ok(())
 }

@@ -129,6 +129,11 @@ impl ModelType {
         self.guid
     }
 
+    /// The guid of a description in which all variables are Real, as hosts need it that know no other type.
+    pub fn plain_guid(&self) -> GuidText {
+        guid::plain(&self.guid)
+    }
+
     /// The column or other quantity with this value reference.
     #[inline(always)]
     pub fn place(&self, reference: Reference) -> Option<Place> {

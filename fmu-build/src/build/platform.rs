@@ -35,6 +35,8 @@ pub enum Choice {
 pub struct Platform {
     /// Folders of the library in an FMU, of which the first is the name of the platform.
     pub folders: &'static [&'static str],
+    /// Folders of the library in an FMU of FMI 3.0, which are named after processor and system.
+    pub tuples: &'static [&'static str],
     /// Ending of the library's name, with the dot.
     pub suffix: &'static str,
     /// Targets of the compiler; none if the library is built for this machine.
@@ -48,6 +50,7 @@ pub struct Platform {
 
 const LINUX64: Platform = Platform {
     folders: &["linux64"],
+    tuples: &["x86_64-linux"],
     suffix: ".so",
     targets: &[LINUX_X86_64],
     machines: &[(BinaryFormat::Elf, Architecture::X86_64)],
@@ -58,6 +61,7 @@ const LINUX64: Platform = Platform {
 /// folder is that of FMI 3.0.
 const AARCH64_LINUX: Platform = Platform {
     folders: &["aarch64-linux", "linux64"],
+    tuples: &["aarch64-linux"],
     suffix: ".so",
     targets: &[LINUX_AARCH64],
     machines: &[(BinaryFormat::Elf, Architecture::Aarch64)],
@@ -66,6 +70,7 @@ const AARCH64_LINUX: Platform = Platform {
 
 const WIN64: Platform = Platform {
     folders: &["win64"],
+    tuples: &["x86_64-windows"],
     suffix: ".dll",
     targets: &[WINDOWS_X86_64],
     machines: &[(BinaryFormat::Pe, Architecture::X86_64)],
@@ -75,6 +80,7 @@ const WIN64: Platform = Platform {
 
 const DARWIN64: Platform = Platform {
     folders: &["darwin64"],
+    tuples: &["x86_64-darwin", "aarch64-darwin"],
     suffix: ".dylib",
     targets: &[MACOS_X86_64, MACOS_AARCH64],
     machines: &[(BinaryFormat::MachO, Architecture::X86_64), (BinaryFormat::MachO, Architecture::Aarch64)],
@@ -108,15 +114,23 @@ fn host(os: &str, architecture: &str) -> Result<Platform> {
     let platform = match (os, architecture) {
         ("linux", "x86_64") => LINUX64,
         ("linux", "x86") => {
-            Platform { folders: &["linux32"], machines: &[(BinaryFormat::Elf, Architecture::I386)], ..LINUX64 }
+            let machines = &[(BinaryFormat::Elf, Architecture::I386)];
+            Platform { folders: &["linux32"], tuples: &["x86-linux"], machines, ..LINUX64 }
         }
         ("linux", "aarch64") => AARCH64_LINUX,
         ("windows", "x86_64") => WIN64,
         ("windows", "x86") => {
-            Platform { folders: &["win32"], machines: &[(BinaryFormat::Pe, Architecture::I386)], ..WIN64 }
+            let machines = &[(BinaryFormat::Pe, Architecture::I386)];
+            Platform { folders: &["win32"], tuples: &["x86-windows"], machines, ..WIN64 }
         }
-        ("macos", "x86_64") => Platform { machines: &[(BinaryFormat::MachO, Architecture::X86_64)], ..DARWIN64 },
-        ("macos", "aarch64") => Platform { machines: &[(BinaryFormat::MachO, Architecture::Aarch64)], ..DARWIN64 },
+        ("macos", "x86_64") => {
+            let machines = &[(BinaryFormat::MachO, Architecture::X86_64)];
+            Platform { tuples: &["x86_64-darwin"], machines, ..DARWIN64 }
+        }
+        ("macos", "aarch64") => {
+            let machines = &[(BinaryFormat::MachO, Architecture::Aarch64)];
+            Platform { tuples: &["aarch64-darwin"], machines, ..DARWIN64 }
+        }
         _ => bail!("FMI has no platform name for {architecture} {os}"),
     };
     Ok(Platform { targets: &[], ..platform })
@@ -226,6 +240,14 @@ mod tests {
         assert_eq!(host("linux", "x86_64").unwrap().name(), "linux64");
         let error = host("linux", "riscv64").err().unwrap().to_string();
         assert_eq!(error, "FMI has no platform name for riscv64 linux");
+    }
+
+    #[test]
+    fn folders_of_fmi_3_are_those_of_the_standard() {
+        let tuples: Vec<_> = platforms(&[Choice::All]).unwrap().iter().flat_map(|platform| platform.tuples).collect();
+        let known = ["x86_64-linux", "x86_64-windows", "x86_64-darwin", "aarch64-darwin", "aarch64-linux"];
+        assert_eq!(tuples, known.iter().collect::<Vec<_>>());
+        assert_eq!(host("macos", "aarch64").unwrap().tuples, ["aarch64-darwin"]);
     }
 
     #[test]

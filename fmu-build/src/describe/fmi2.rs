@@ -15,6 +15,7 @@ use crate::describe::description::{
     variable_attributes,
 };
 use crate::describe::structure::{Structure, index, integrated};
+use crate::describe::text::number;
 use crate::describe::xml::{Attributes, Xml, document, leaf, parent};
 
 /// Capabilities declared in `<ModelExchange>`.
@@ -41,18 +42,24 @@ pub const CAPABILITIES: [(&str, &str); 10] = [
     ("providesDirectionalDerivative", "true"),
 ];
 
-/// Form of enumerations in a description. A library accepts both: FMI 2.0 sets choices as integers.
+/// Form of what is no physical quantity. A library accepts choices in both forms: FMI 2.0 sets them as integers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choices {
     /// As enumerations, whose choices have names.
     Named,
     /// As integers, for importers that do not support enumerations.
     Numbered,
+    /// As Real, whole numbers and Booleans too, for importers that know no other type. The library knows by another guid
+    /// that the importer does so.
+    Plain,
 }
 
 /// The text of modelDescription.xml.
 pub fn model_description(model: &ModelType, date: Timestamp, choices: Choices) -> Result<String> {
     let mut attributes = root_attributes(model, date, "2.0", "guid");
+    if choices == Choices::Plain {
+        say_plain(model, &mut attributes);
+    }
     if model.model_exchange {
         attributes.push(("numberOfEventIndicators", model.event_indicators.to_string()));
     }
@@ -62,7 +69,7 @@ pub fn model_description(model: &ModelType, date: Timestamp, choices: Choices) -
         }
         interface(xml, "CoSimulation", model, &CAPABILITIES)?;
         unit_definitions(xml, model)?;
-        type_definitions(xml, model)?;
+        type_definitions(xml, model, choices)?;
         log_categories(xml)?;
         default_experiment(xml)?;
         model_variables(xml, model, choices)?;
@@ -70,14 +77,41 @@ pub fn model_description(model: &ModelType, date: Timestamp, choices: Choices) -
     })
 }
 
-fn type_definitions(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
+/// Says in name and description that all variables are Real.
+fn say_plain(model: &ModelType, attributes: &mut Attributes) {
+    for (name, value) in attributes {
+        match *name {
+            "modelName" => value.push_str(" (plain)"),
+            "description" => value.push_str("; all variables are Real, Booleans 0 and 1, choices by number"),
+            "guid" => *value = String::from_utf8_lossy(&model.plain_guid()).into_owned(),
+            _ => {}
+        }
+    }
+}
+
+/// The description of a variable. In a plain description it says what its numbers stand for.
+fn help(variable: &Variable, choices: Choices) -> String {
+    let meanings = match variable.kind {
+        _ if choices != Choices::Plain => return variable.help.to_owned(),
+        Kind::Boolean => "0 = false, 1 = true".to_owned(),
+        Kind::Integer => "A whole number".to_owned(),
+        Kind::Enumeration(items) => {
+            let named = items.items.iter().zip(1..).map(|(item, number): (_, i32)| format!("{number} = {}", item.name));
+            named.collect::<Vec<_>>().join(", ")
+        }
+        Kind::Real(_) => return variable.help.to_owned(),
+    };
+    format!("{} {meanings}.", variable.help)
+}
+
+fn type_definitions(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::Result<()> {
     parent(xml, "TypeDefinitions", vec![], |xml| {
         for unit in units(model).values() {
             simple_type(xml, unit.quantity, |xml| {
                 leaf(xml, "Real", vec![("quantity", unit.quantity.into()), ("unit", unit.name.into())])
             })?;
         }
-        for enumeration in enumerations(model).values() {
+        for enumeration in enumerations(model).values().filter(|_| choices != Choices::Plain) {
             simple_type(xml, enumeration.name, |xml| {
                 parent(xml, "Enumeration", vec![], |xml| items(xml, enumeration))
             })?;
@@ -94,7 +128,8 @@ fn model_variables(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::Re
     parent(xml, "ModelVariables", vec![], |xml| {
         for (column, variable) in model.variables() {
             let name = variable.path.to_string();
-            let attributes = variable_attributes(name, model.reference(column), variable.help, causality(&variable));
+            let help = help(&variable, choices);
+            let attributes = variable_attributes(name, model.reference(column), &help, causality(&variable));
             parent(xml, "ScalarVariable", attributes, |xml| declaration(xml, model, &variable, choices))?;
         }
         let attributes = variable_attributes("time".into(), reference::TIME, "Time.", INDEPENDENT);
@@ -118,14 +153,33 @@ fn derivative(xml: &mut Xml, model: &ModelType, state: usize) -> io::Result<()> 
 /// The element inside `<ScalarVariable>`: type, limits and start value.
 fn declaration(xml: &mut Xml, model: &ModelType, variable: &Variable, choices: Choices) -> io::Result<()> {
     let (element, mut attributes) = element_of(variable.kind, choices);
-    attributes.extend(value_attributes(model, variable, element == "Real", &start(variable)));
+    let is_plain = choices == Choices::Plain;
+    let start = if is_plain { number(variable.start) } else { start(variable) };
+    attributes.extend(value_attributes(model, variable, element == "Real", &start));
+    if is_plain {
+        limit(variable, &mut attributes);
+    }
     leaf(xml, element, attributes)
+}
+
+/// Adds the limits that the type of a variable has, where they are not narrower ones already.
+fn limit(variable: &Variable, attributes: &mut Attributes) {
+    let (low, high) = match variable.kind {
+        Kind::Boolean => (0.0, 1.0),
+        Kind::Enumeration(items) => (1.0, items.items.len() as f64),
+        Kind::Real(_) | Kind::Integer => return,
+    };
+    let is_given = |name| attributes.iter().any(|(known, _)| *known == name);
+    let missing = [("min", low), ("max", high)].into_iter().filter(|(name, _)| !is_given(*name));
+    let missing: Attributes = missing.map(|(name, value)| (name, number(value))).collect();
+    attributes.splice(0..0, missing);
 }
 
 /// The name of the element for a type, and the attributes of the type.
 fn element_of(kind: Kind, choices: Choices) -> (&'static str, Attributes) {
     match kind {
         Kind::Real(unit) => ("Real", real_type(unit)),
+        _ if choices == Choices::Plain => ("Real", vec![]),
         Kind::Boolean => ("Boolean", vec![]),
         Kind::Enumeration(items) if choices == Choices::Named => {
             ("Enumeration", vec![("declaredType", items.name.into())])
@@ -234,6 +288,30 @@ mod tests {
         }
         assert_eq!(changed, count);
         assert!(variables(&numbered).iter().all(|(_, kind)| !kind.has_tag_name("Enumeration")));
+    }
+
+    #[test]
+    fn plain_variables_are_real_and_say_what_their_numbers_mean() {
+        let [named, plain] = [Choices::Named, Choices::Plain]
+            .map(|choices| model_description(&SPECIMEN, release_date(), choices).unwrap());
+        let [named, plain] = [&named, &plain].map(|text| Document::parse(text).unwrap());
+        assert_eq!(all(&plain, "SimpleType").len(), all(&named, "SimpleType").len() - 1);
+        for ((old, a), (new, b)) in variables(&named).into_iter().zip(variables(&plain)) {
+            assert!(b.has_tag_name("Real"), "{new:?}");
+            assert_eq!(old.attribute("valueReference"), new.attribute("valueReference"));
+            let start = a.attribute("start").map(|start| start.replace("true", "1").replace("false", "0"));
+            assert_eq!(b.attribute("start"), start.as_deref(), "{new:?}");
+        }
+        let of = |name: &str| variables(&plain).into_iter().find(|(node, _)| text(*node, "name") == name).unwrap();
+        let (enabled, behaviour) = (of("enabled"), of("behaviour"));
+        assert_eq!(text(enabled.0, "description"), "Is it switched on? 0 = false, 1 = true.");
+        assert_eq!([text(enabled.1, "min"), text(enabled.1, "max")], ["0", "1"]);
+        assert_eq!(text(behaviour.0, "description"), "Behaviour of the specimen. 1 = Rest, 2 = Motion.");
+        assert_eq!([text(behaviour.1, "min"), text(behaviour.1, "max")], ["1", "2"]);
+        let root = plain.root_element();
+        assert_eq!(root.attribute("modelName"), Some("Specimen (plain)"));
+        assert_ne!(root.attribute("guid"), Some(SPECIMEN.guid()));
+        assert_eq!(text(all(&plain, "CoSimulation")[0], "modelIdentifier"), "Specimen");
     }
 
     #[test]

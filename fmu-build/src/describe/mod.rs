@@ -15,5 +15,6 @@ pub mod interface;
 pub mod readme;
 pub mod rules;
 pub mod structure;
+pub mod terminals;
 pub mod text;
 pub mod xml;

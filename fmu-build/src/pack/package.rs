@@ -10,26 +10,101 @@ use crate::build::crates::Parts;
 use crate::build::library::Library;
 use crate::describe::entry::Entry;
 use crate::describe::fmi2::{self, Choices};
+use crate::describe::fmi3;
+use crate::describe::interface::Version;
+use crate::describe::terminals;
 use crate::pack::archive::{Archiver, Files};
-use crate::pack::{licenses, sbom};
+use crate::pack::{licenses, related, sbom};
 use crate::page::{html, icon};
 
+/// A form in which a model is packed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// For FMI 2.0.
+    Two(Choices),
+    /// For FMI 3.0.
+    Three,
+}
+
+impl Form {
+    /// The version of FMI.
+    pub fn version(self) -> Version {
+        match self {
+            Form::Two(_) => Version::Two,
+            Form::Three => Version::Three,
+        }
+    }
+
+    /// The folder of the FMUs beside those of FMI 2.0: an FMU is named after its model in every form, and tools name
+    /// instances after the file.
+    pub fn subfolder(self) -> &'static str {
+        match self {
+            Form::Two(Choices::Plain) => "plain",
+            Form::Two(_) => "",
+            Form::Three => "fmi3",
+        }
+    }
+}
+
+/// Contents that all FMUs of a model share.
+pub struct Contents<'a> {
+    entry: &'a Entry,
+    page: html::Page,
+    icon: Vec<u8>,
+    related: Files,
+}
+
+impl Contents<'_> {
+    /// Page, icon, presets and results of a model.
+    pub fn of(entry: &Entry) -> Result<Contents<'_>> {
+        let (page, icon) = (html::Page::of(entry)?, icon::png(entry.model, entry.family)?);
+        Ok(Contents { entry, page, icon, related: related::files(entry)? })
+    }
+
+    /// The files of an FMU that do not depend on its platforms.
+    fn files(&self, form: Form, date: Timestamp) -> Result<Files> {
+        let (model, version) = (self.entry.model, form.version());
+        let description = match form {
+            Form::Two(choices) => fmi2::model_description(model, date, choices)?,
+            Form::Three => fmi3::model_description(model, date)?,
+        };
+        let icon = match version {
+            Version::Two => "model.png",
+            Version::Three => terminals::ICON,
+        };
+        let mut files = self.related.clone();
+        files.insert("documentation/index.html".into(), self.page.text(version)?.into());
+        files.insert("modelDescription.xml".into(), description.into());
+        files.insert(icon.into(), self.icon.clone());
+        files.extend(terminals::text(model, version)?.map(|text| (terminals::FILE.into(), text.into())));
+        if version == Version::Three && terminals::has_maps(model)? {
+            files.extend([related::manifest_of_tables()?]);
+        }
+        Ok(files)
+    }
+}
+
 /// Contents that the FMUs of one packing share.
-pub struct Packing {
-    libraries: Vec<Library>,
+pub struct Packing<'a> {
+    libraries: Vec<&'a Library>,
     parts: Parts,
     licenses: Files,
     date: Timestamp,
-    archiver: Archiver,
+    archiver: &'a Archiver,
 }
 
-impl Packing {
+impl Packing<'_> {
     /// A packing with these libraries and this date.
-    pub fn new(root: &Path, libraries: Vec<Library>, date: Timestamp) -> Result<Packing> {
+    pub fn new<'a>(
+        root: &Path,
+        libraries: Vec<&'a Library>,
+        date: Timestamp,
+        archiver: &'a Archiver,
+    ) -> Result<Packing<'a>> {
         let platforms: Vec<_> = libraries.iter().map(|library| library.platform).collect();
         let parts = Parts::of(root, &platforms)?;
         let licenses = licenses::files(root, &parts)?;
-        Ok(Packing { libraries, parts, licenses, date, archiver: Archiver::new(date)? })
+        Ok(Packing { libraries, parts, licenses, date, archiver })
     }
 
     /// Names of the platforms that the FMUs run on.
@@ -38,26 +113,23 @@ impl Packing {
     }
 
     /// Writes one FMU and returns its size in bytes.
-    pub fn write(&self, entry: &Entry, folder: &Path) -> Result<usize> {
-        save(folder, &format!("{}.fmu", entry.model.name), &self.fmu(entry, Choices::Named)?)
+    pub fn write(&self, contents: &Contents, form: Form, folder: &Path) -> Result<usize> {
+        save(folder, &format!("{}.fmu", contents.entry.model.name), &self.fmu(contents, form)?)
     }
 
     /// The bytes of one FMU.
-    pub fn fmu(&self, entry: &Entry, choices: Choices) -> Result<Vec<u8>> {
-        self.archiver.zip(&self.contents(entry, choices)?)
+    pub fn fmu(&self, contents: &Contents, form: Form) -> Result<Vec<u8>> {
+        self.archiver.zip(&self.files(contents, form)?)
     }
 
-    fn contents(&self, entry: &Entry, choices: Choices) -> Result<Files> {
-        let Entry { model, family, .. } = *entry;
-        let mut files = Files::from([
-            ("documentation/index.html".into(), html::page(entry)?.into()),
-            (sbom::FILE.into(), sbom::text(model, &self.parts)?.into()),
-            ("model.png".into(), icon::png(model, family)?),
-            ("modelDescription.xml".into(), fmi2::model_description(model, self.date, choices)?.into()),
-        ]);
+    fn files(&self, contents: &Contents, form: Form) -> Result<Files> {
+        let model = contents.entry.model;
+        let mut files = contents.files(form, self.date)?;
+        files.insert(sbom::FILE.into(), sbom::text(model, &self.parts)?.into());
         files.extend(self.licenses.clone());
         for Library { platform, bytes, .. } in &self.libraries {
-            for folder in platform.folders {
+            let folders = if form == Form::Three { platform.tuples } else { platform.folders };
+            for folder in folders {
                 files.insert(format!("binaries/{folder}/{}{}", model.name, platform.suffix), bytes.clone());
             }
         }
@@ -79,7 +151,7 @@ pub fn write_page(entry: &Entry, folder: &Path) -> Result<()> {
     let pages = folder.join("documentation");
     fs::create_dir_all(&pages).with_context(|| format!("cannot create {}", pages.display()))?;
     for (file, bytes) in [
-        (pages.join("index.html"), html::page(entry)?.into_bytes()),
+        (pages.join("index.html"), html::Page::of(entry)?.text(Version::Two)?.into_bytes()),
         (folder.join("model.png"), icon::png(entry.model, entry.family)?),
     ] {
         fs::write(&file, bytes).with_context(|| format!("cannot write {}", file.display()))?;
@@ -95,20 +167,23 @@ mod tests {
     use crate::project::{release_date, root};
     use jiff::SignedDuration;
 
-    /// FMUs with libraries of these platforms, which are only copied: their tools are not needed.
-    fn packing(choices: &[Choice], date: Timestamp) -> Packing {
+    /// Libraries of these platforms, which are only copied: their tools are not needed.
+    fn libraries(choices: &[Choice]) -> Vec<Library> {
         let bytes: Vec<_> = (0..100_000_u32).flat_map(|number| (number / 7).to_le_bytes()).collect();
         let library = |platform| Library { platform, bytes: bytes.clone(), glibc: None };
-        let libraries = platforms(choices).unwrap().into_iter().map(library).collect();
-        let parts = Parts::of(root(), &platforms(&[Choice::Host]).unwrap()).unwrap();
-        let licenses = licenses::files(root(), &parts).unwrap();
-        Packing { libraries, parts, licenses, date, archiver: Archiver::new(date).unwrap() }
+        platforms(choices).unwrap().into_iter().map(library).collect()
     }
 
-    fn packed(entry: &Entry, packing: &Packing) -> Vec<u8> {
+    fn packing<'a>(libraries: &'a [Library], date: Timestamp, archiver: &'a Archiver) -> Packing<'a> {
+        let parts = Parts::of(root(), &platforms(&[Choice::Host]).unwrap()).unwrap();
+        let licenses = licenses::files(root(), &parts).unwrap();
+        Packing { libraries: libraries.iter().collect(), parts, licenses, date, archiver }
+    }
+
+    fn packed(contents: &Contents, form: Form, packing: &Packing) -> Vec<u8> {
         let folder = tempfile::tempdir().unwrap();
-        let size = packing.write(entry, folder.path()).unwrap();
-        let bytes = fs::read(folder.path().join(format!("{}.fmu", entry.model.name))).unwrap();
+        let size = packing.write(contents, form, folder.path()).unwrap();
+        let bytes = fs::read(folder.path().join(format!("{}.fmu", contents.entry.model.name))).unwrap();
         assert_eq!(bytes.len(), size);
         bytes
     }
@@ -152,44 +227,87 @@ mod tests {
 
     #[test]
     fn archives_keep_the_rules_of_the_standard() {
-        let packing = packing(&[Choice::Win64], release_date());
+        let (libraries, archiver) = (libraries(&[Choice::Win64]), Archiver::new(release_date()).unwrap());
+        let packing = packing(&libraries, release_date(), &archiver);
         for entry in entries() {
-            let names = names_by_the_rules(&packed(&entry, &packing));
-            let binary = format!("binaries/win64/{}.dll", entry.model.name);
-            let expected = [
-                binary.as_str(),
-                "documentation/index.html",
-                "documentation/licenses/crates.txt",
-                "documentation/licenses/license.txt",
-                "documentation/licenses/rust.html",
-                "documentation/licenses/unicode.txt",
-                "documentation/sbom.cdx.json",
-                "model.png",
-                "modelDescription.xml",
-            ];
-            assert_eq!(names, expected);
+            let contents = Contents::of(&entry).unwrap();
+            for (form, folder) in [(Form::Two(Choices::Named), "win64"), (Form::Three, "x86_64-windows")] {
+                let mut names = names_by_the_rules(&packed(&contents, form, &packing));
+                names.retain(|name| !name.starts_with("extra/") && !name.starts_with("terminalsAndIcons/"));
+                let binary = format!("binaries/{folder}/{}.dll", entry.model.name);
+                let mut expected = vec![
+                    binary.as_str(),
+                    "documentation/index.html",
+                    "documentation/licenses/crates.txt",
+                    "documentation/licenses/license.txt",
+                    "documentation/licenses/rust.html",
+                    "documentation/licenses/unicode.txt",
+                    "documentation/sbom.cdx.json",
+                    "model.png",
+                    "modelDescription.xml",
+                ];
+                expected.retain(|name| *name != "model.png" || form != Form::Three);
+                assert_eq!(names, expected);
+            }
         }
     }
 
     #[test]
+    fn terminals_icons_and_related_files_are_where_each_version_looks_for_them() {
+        let entry = entries().into_iter().find(|entry| entry.model.name == "HydraulicDamper").unwrap();
+        let contents = Contents::of(&entry).unwrap();
+        let beside = |form| -> Vec<String> {
+            let files = contents.files(form, release_date()).unwrap();
+            files.into_keys().filter(|name| name.starts_with("extra/") || name.starts_with("terminals")).collect()
+        };
+        let results = [
+            "extra/org.fmi-standard.fmi-ls-ref/HydraulicDamper_in.csv",
+            "extra/org.fmi-standard.fmi-ls-ref/HydraulicDamper_out.csv",
+            "extra/org.fmi-standard.fmi-ls-ref/fmi-ls-manifest.xml",
+        ];
+        assert_eq!(beside(Form::Two(Choices::Named)), results);
+        let tables = ["extra/org.fmi-standard.fmi-ls-struct/fmi-ls-manifest.xml", terminals::ICON, terminals::FILE];
+        assert_eq!(beside(Form::Three), [&results[..], &tables].concat());
+    }
+
+    #[test]
     fn every_platform_has_its_folder_and_arm_has_two() {
-        let binaries = |choices: &[Choice]| -> Vec<String> {
-            let files = packing(choices, release_date()).contents(&entries()[0], Choices::Named).unwrap();
+        let archiver = Archiver::new(release_date()).unwrap();
+        let entries = entries();
+        let contents = Contents::of(&entries[0]).unwrap();
+        let binaries = |choices: &[Choice], form: Form| -> Vec<String> {
+            let libraries = libraries(choices);
+            let files = packing(&libraries, release_date(), &archiver).files(&contents, form).unwrap();
             files.into_keys().filter(|path| path.starts_with("binaries/")).collect()
         };
-        let of = |folder: &str, suffix: &str| format!("binaries/{folder}/{}{suffix}", entries()[0].model.name);
+        let of = |folder: &str, suffix: &str| format!("binaries/{folder}/{}{suffix}", entries[0].model.name);
+        let two = Form::Two(Choices::Named);
         assert_eq!(
-            binaries(&[Choice::Linux64, Choice::Win64, Choice::Darwin64]),
+            binaries(&[Choice::Linux64, Choice::Win64, Choice::Darwin64], two),
             [of("darwin64", ".dylib"), of("linux64", ".so"), of("win64", ".dll")]
         );
-        assert_eq!(binaries(&[Choice::Aarch64Linux]), [of("aarch64-linux", ".so"), of("linux64", ".so")]);
+        assert_eq!(binaries(&[Choice::Aarch64Linux], two), [of("aarch64-linux", ".so"), of("linux64", ".so")]);
+        assert_eq!(
+            binaries(&[Choice::All], Form::Three),
+            [
+                of("aarch64-darwin", ".dylib"),
+                of("aarch64-linux", ".so"),
+                of("x86_64-darwin", ".dylib"),
+                of("x86_64-linux", ".so"),
+                of("x86_64-windows", ".dll")
+            ]
+        );
     }
 
     #[test]
     fn packing_twice_gives_the_same_bytes_and_the_date_is_the_given_one() {
-        let entry = &entries()[0];
+        let (entries, libraries) = (entries(), libraries(&[Choice::Win64]));
+        let contents = Contents::of(&entries[0]).unwrap();
         let date = release_date();
-        let packed = |date| packed(entry, &packing(&[Choice::Win64], date));
+        let packed = |date| {
+            let archiver = Archiver::new(date).unwrap();
+            packed(&contents, Form::Two(Choices::Named), &packing(&libraries, date, &archiver))
+        };
         assert_eq!(packed(date), packed(date));
         assert_ne!(packed(date), packed(date + SignedDuration::from_hours(30)));
     }

@@ -11,8 +11,9 @@ use stribeck::model::{Kind, ModelType, Preset, Variable};
 use stribeck_draw::text::{escape, typeset_unit};
 
 use crate::describe::entry::Entry;
-use crate::describe::fmi2::CAPABILITIES;
+use crate::describe::interface::Version;
 use crate::describe::text;
+use crate::describe::{fmi2, fmi3};
 use crate::page::diagrams;
 use crate::page::typeset;
 use crate::project::{AUTHORS, LICENSE, VERSION};
@@ -29,15 +30,42 @@ struct Pictures {
     presets: Vec<String>,
 }
 
-/// The page of a model.
-pub fn page(entry: &Entry) -> Result<String> {
-    let Entry { model, family, documentation } = *entry;
+/// The page of a model, for all versions of FMI.
+pub struct Page {
+    model: &'static ModelType,
+    documentation: &'static str,
+    pictures: Pictures,
+}
+
+impl Page {
+    /// The page of a model, with its diagrams.
+    pub fn of(entry: &Entry) -> Result<Page> {
+        let Entry { model, documentation, .. } = *entry;
+        Ok(Page { model, documentation, pictures: pictures(entry)? })
+    }
+
+    /// The text in an FMU of this version.
+    pub fn text(&self, version: Version) -> Result<String> {
+        document(self.model, self.documentation, &self.pictures, version)
+    }
+}
+
+fn pictures(entry: &Entry) -> Result<Pictures> {
+    let Entry { model, family, .. } = *entry;
     let preset = |preset: &'static Preset| match family {
         Family::Friction if !holds_start_values(model, preset) => diagrams::preset(model, preset),
         _ => Ok(String::new()),
     };
     let presets = model.presets.iter().map(preset).collect::<Result<_>>()?;
-    document(model, documentation, &Pictures { model: diagrams::html(model, family)?, presets })
+    Ok(Pictures { model: diagrams::html(model, family)?, presets })
+}
+
+/// The icon, seen from the page.
+fn icon(version: Version) -> &'static str {
+    match version {
+        Version::Two => "../model.png",
+        Version::Three => "../terminalsAndIcons/icon.png",
+    }
 }
 
 /// Whether a preset only repeats the start values.
@@ -46,21 +74,22 @@ fn holds_start_values(model: &ModelType, preset: &Preset) -> bool {
     preset.values.iter().all(is_start)
 }
 
-fn document(model: &ModelType, documentation: &str, pictures: &Pictures) -> Result<String> {
+fn document(model: &ModelType, documentation: &str, pictures: &Pictures, version: Version) -> Result<String> {
     let text = typeset::html(model.name, documentation, &pictures.model)?;
     Ok(format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{name} - Stribeck</title>\n<style>\n{STYLE}</style>\n</head>\n\
-         <body>\n<header>\n<img src=\"../model.png\" alt=\"\" width=\"96\" height=\"96\">\n\
+         <body>\n<header>\n<img src=\"{}\" alt=\"\" width=\"96\" height=\"96\">\n\
          <div>\n<h1>{name}</h1>\n<p>{}</p>\n</div>\n</header>\n<main>\n{text}{}{}{}{}</main>\n\
          <footer>Stribeck {VERSION}, {AUTHORS}. Licence: {LICENSE}, \
          <a href=\"licenses/license.txt\">text</a>.</footer>\n</body>\n</html>\n",
+        icon(version),
         escape(model.summary),
         variables(model),
         choices(model),
         presets(model, &pictures.presets),
-        capabilities(model),
+        capabilities(model, version),
         name = model.name
     ))
 }
@@ -137,13 +166,22 @@ fn meaning(capability: &str) -> &'static str {
         "needsExecutionTool" => "The FMU is self-contained; it needs no other program.",
         "canHandleVariableCommunicationStepSize" => "Communication steps may differ in length.",
         "canInterpolateInputs" => "Inputs may move linearly within a step: fmi2SetRealInputDerivatives, order 1.",
-        "maxOutputDerivativeOrder" => "fmi2GetRealOutputDerivatives gives exact first derivatives.",
+        "maxOutputDerivativeOrder" => "Exact first derivatives of the outputs.",
         "canRunAsynchronuously" => "fmi2DoStep returns when the step is done.",
         "canBeInstantiatedOnlyOncePerProcess" => "A process may have any number of instances.",
         "canNotUseMemoryManagementFunctions" => "The memory callbacks of the importer are not used.",
-        "canGetAndSetFMUstate" => "The state may be saved and restored between steps.",
-        "canSerializeFMUstate" => "A saved state may be written to a file and read by another process.",
+        "canGetAndSetFMUstate" | "canGetAndSetFMUState" => "The state may be saved and restored between steps.",
+        "canSerializeFMUstate" | "canSerializeFMUState" => {
+            "A saved state may be written to a file and read by another process."
+        }
         "providesDirectionalDerivative" => "fmi2GetDirectionalDerivative gives exact derivatives.",
+        "providesDirectionalDerivatives" => "fmi3GetDirectionalDerivative gives exact derivatives.",
+        "providesAdjointDerivatives" => "fmi3GetAdjointDerivative gives exact derivatives.",
+        "providesIntermediateUpdate" => "Continuous outputs may be read within a step.",
+        "mightReturnEarlyFromDoStep" => "Whether a step may end at an event, if the importer allows it.",
+        "canReturnEarlyAfterIntermediateUpdate" => "A step is not ended by the importer.",
+        "hasEventMode" => "The importer may handle events itself.",
+        "providesEvaluateDiscreteStates" => "Discrete states have one value at an event.",
         _ => "",
     }
 }
@@ -179,10 +217,14 @@ fn counted(count: usize, one: &str) -> String {
     if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
 }
 
-fn capabilities(model: &ModelType) -> String {
+fn capabilities(model: &ModelType, version: Version) -> String {
     let kinds = if model.model_exchange { "Co-Simulation and Model Exchange" } else { "Co-Simulation" };
+    let (number, declared) = match version {
+        Version::Two => ("2.0", fmi2::CAPABILITIES.to_vec()),
+        Version::Three => (fmi3::VERSION, fmi3::capabilities(model).to_vec()),
+    };
     let facts = [
-        ["Interface".to_owned(), format!("FMI 2.0 for {kinds}"), exchange(model)],
+        ["Interface".to_owned(), format!("FMI {number} for {kinds}"), exchange(model)],
         ["Version".to_owned(), VERSION.to_owned(), String::new()],
         ["Model identifier".to_owned(), format!("<code>{}</code>", model.name), String::new()],
         [
@@ -193,7 +235,7 @@ fn capabilities(model: &ModelType) -> String {
     ];
     let capability =
         |(name, value): (&str, &str)| [format!("<code>{name}</code>"), value.to_owned(), meaning(name).to_owned()];
-    let rows = facts.into_iter().chain(CAPABILITIES.map(capability));
+    let rows = facts.into_iter().chain(declared.into_iter().map(capability));
     format!("<h2>This FMU</h2>\n{}", table(&["Property", "Value", "Meaning"], rows))
 }
 
@@ -204,10 +246,15 @@ mod tests {
     use crate::specimen::{SPECIMEN, Specimen};
     use stribeck::model::Described;
 
+    fn page(entry: &Entry) -> String {
+        Page::of(entry).unwrap().text(Version::Two).unwrap()
+    }
+
     /// Every page, and that of a model with features that no shipped model has.
     fn pages() -> impl Iterator<Item = (&'static ModelType, String)> {
-        let specimen = document(&SPECIMEN, <Specimen as Described>::DOCUMENTATION, &Pictures::default()).unwrap();
-        let of_entry = |entry: Entry| (entry.model, page(&entry).unwrap());
+        let specimen =
+            document(&SPECIMEN, <Specimen as Described>::DOCUMENTATION, &Pictures::default(), Version::Two).unwrap();
+        let of_entry = |entry: Entry| (entry.model, page(&entry));
         entries().into_iter().map(of_entry).chain([(&SPECIMEN, specimen)])
     }
 
@@ -274,7 +321,7 @@ mod tests {
     #[test]
     fn every_block_of_equations_is_typeset() {
         for entry in entries() {
-            let page = page(&entry).unwrap();
+            let page = page(&entry);
             let kept = entry.documentation.split(" # Example").next().unwrap();
             let blocks: Vec<&str> =
                 kept.split("```text\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
@@ -290,17 +337,28 @@ mod tests {
     #[test]
     fn every_page_has_a_diagram_and_is_the_same_twice() {
         for entry in entries() {
-            let page = page(&entry).unwrap();
+            let page = page(&entry);
             assert!(page.contains("<svg ") && page.contains("<figcaption>"), "{}", entry.model.name);
-            assert_eq!(page, super::page(&entry).unwrap(), "{}", entry.model.name);
+            assert_eq!(page, super::tests::page(&entry), "{}", entry.model.name);
         }
     }
 
     #[test]
     fn capabilities_are_explained() {
-        for (name, _) in CAPABILITIES {
+        let lugre = stribeck::catalogue::by_name("LuGre").unwrap();
+        for (name, _) in fmi2::CAPABILITIES.into_iter().chain(fmi3::capabilities(lugre)) {
             assert_ne!(meaning(name), "", "{name}");
         }
+    }
+
+    #[test]
+    fn a_page_is_about_its_version() {
+        let lugre = entries().into_iter().find(|entry| entry.model.name == "LuGre").unwrap();
+        let text = Page::of(&lugre).unwrap().text(Version::Three).unwrap();
+        for part in ["FMI 3.0 for Co-Simulation", "<code>hasEventMode</code>", "../terminalsAndIcons/icon.png"] {
+            assert!(text.contains(part), "{part}");
+        }
+        assert!(!text.contains("canInterpolateInputs") && !text.contains("model.png"));
     }
 
     #[test]
