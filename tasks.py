@@ -296,10 +296,10 @@ def test_registers_of_arm() -> None:
 
 @task("1 to 2 minutes")
 def pack(*fmu_build: str | Path) -> None:
-    """Builds the library and packs every model as an FMU into dist/, and the four-post rig as an SSP package."""
+    """Builds the library and packs every model as FMUs into dist/, and the four-post rig as an SSP package."""
     need_rust()
     fmu_build = fmu_build or ("cargo", "run", "--package", "fmu-build", "--")
-    run(*fmu_build, "pack", "--out", "dist")
+    run(*fmu_build, "pack", "--plain", "--out", "dist")
     run(*fmu_build, "ssp", "--out", "dist")
 
 

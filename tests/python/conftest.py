@@ -23,23 +23,27 @@ def guids_of_sources() -> dict[str, str]:
     return {path.stem: ElementTree.parse(path).getroot().get("guid") for path in DESCRIPTIONS.glob("*.xml")}
 
 
-def guids_of_fmus() -> dict[str, str]:
-    """Guid of each packed FMU."""
+def guids_of_fmus(folder: Path, attribute: str) -> dict[str, str]:
+    """Guid of each FMU in a folder, by the attribute of its version of FMI."""
     guids = {}
-    for path in FMUS.glob("*.fmu"):
+    for path in folder.glob("*.fmu"):
         with zipfile.ZipFile(path) as archive:
-            guids[path.stem] = ElementTree.fromstring(archive.read("modelDescription.xml")).get("guid")
+            guids[path.stem] = ElementTree.fromstring(archive.read("modelDescription.xml")).get(attribute)
     return guids
 
 
 def pytest_sessionstart() -> None:
     """Fails if FMUs are missing or belong to other sources."""
-    wanted, found = guids_of_sources(), guids_of_fmus()
+    wanted = guids_of_sources()
     if not wanted:
         pytest.exit(f"no model descriptions in {DESCRIPTIONS}: run `cargo run -p fmu-build -- generate`", returncode=1)
-    stale = sorted(model for model in wanted | found if wanted.get(model) != found.get(model))
-    if stale:
-        pytest.exit(f"missing or outdated in {FMUS}: {', '.join(stale)}; run `python3 tasks.py pack`", returncode=1)
+    for folder, attribute in [(FMUS, "guid"), (FMUS / "fmi3", "instantiationToken")]:
+        found = guids_of_fmus(folder, attribute)
+        stale = sorted(model for model in wanted | found if wanted.get(model) != found.get(model))
+        if stale:
+            pytest.exit(
+                f"missing or outdated in {folder}: {', '.join(stale)}; run `python3 tasks.py pack`", returncode=1
+            )
 
 
 def pytest_terminal_summary(terminalreporter) -> None:

@@ -1,23 +1,17 @@
 """Rules of FMI 2.0 for modelDescription.xml that FMPy and the schema do not check, and proof that each can fail."""
 
 import re
-from collections.abc import Callable
 from pathlib import Path
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
 import pytest
-
-DESCRIPTIONS = sorted((Path(__file__).parents[2] / "modelDescription").glob("*.xml"))
+from descriptions import DESCRIPTIONS, drop, duplicates, edit, experiment_breaches, remove_last
 
 
 def kind_of(variable: Element) -> Element:
     """The element that holds type, start and bounds of a variable."""
     return next(child for child in variable if child.tag in {"Real", "Integer", "Boolean", "String", "Enumeration"})
-
-
-def duplicates(words: list[str]) -> list[str]:
-    return sorted({word for word in words if words.count(word) > 1})
 
 
 def range_breaches(root: Element) -> list[str]:
@@ -46,14 +40,6 @@ def start_breaches(root: Element) -> list[str]:
         needs = variable.get("causality") in {"input", "parameter"} or variable.get("initial") in {"exact", "approx"}
         if needs != (kind_of(variable).get("start") is not None):
             found.append(f"{variable.get('name')}: start value {'missing' if needs else 'where none may be'}")
-    return found
-
-
-def experiment_breaches(root: Element) -> list[str]:
-    values = {name: float(value) for name, value in root.find("DefaultExperiment").attrib.items()}
-    found = [f"{name} <= 0" for name in ("tolerance", "stepSize") if not values.get(name, 1.0) > 0.0]
-    if not values.get("startTime", 0.0) < values.get("stopTime", float("inf")):
-        found.append("stopTime <= startTime")
     return found
 
 
@@ -120,24 +106,11 @@ def test_no_rule_is_broken(path: Path):
     assert [breach for rule in RULES for breach in rule(root)] == []
 
 
-def edit(path: str, **attributes: str) -> Callable[[Element], None]:
-    """Gives the first element at `path` other attributes."""
-    return lambda root: root.find(path).attrib.update(attributes)
-
-
-def remove_last(path: str) -> Callable[[Element], None]:
-    def remove(root: Element) -> None:
-        parent = root.find(path)
-        parent.remove(parent[-1])
-
-    return remove
-
-
 MASS = "ModelVariables/ScalarVariable[@name='mass']"
 MISTAKES = {
     "min > max": (edit(f"{MASS}/Real", min="2", max="1"), "min 2.0 > max 1.0"),
     "start outside": (edit(f"{MASS}/Real", min="2"), "start 1.0 outside 2.0"),
-    "start missing": (lambda root: root.find(f"{MASS}/Real").attrib.pop("start"), "start value missing"),
+    "start missing": (drop(f"{MASS}/Real", "start"), "start value missing"),
     "stop before start": (edit("DefaultExperiment", stopTime="-1"), "stopTime <= startTime"),
     "negative step": (edit("DefaultExperiment", stepSize="-0.1"), "stepSize <= 0"),
     "negative tolerance": (edit("DefaultExperiment", tolerance="-1"), "tolerance <= 0"),
