@@ -15,6 +15,11 @@ pub(crate) fn by_name(name: &str) -> Option<&'static ModelType> {
     all().find(|model| model.name == name)
 }
 
+/// The model whose FMU with Real variables only has this guid.
+pub(crate) fn by_plain_guid(guid: impl AsRef<[u8]>) -> Option<&'static ModelType> {
+    all().find(|model| model.plain_guid() == guid.as_ref())
+}
+
 /// The model whose table has this fingerprint.
 pub(crate) fn by_guid(guid: impl AsRef<[u8]>) -> Option<&'static ModelType> {
     all().find(|model| model.guid().as_bytes() == guid.as_ref())

@@ -10,6 +10,15 @@ pub(super) use crate::component::{Experiment, Outcome, Refusal, refuse};
 /// The instance behind an importer's `fmi2Component`.
 pub(super) type Component = component::Component<Fmi2>;
 
+/// The types in which an instance shows its variables.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Types {
+    /// As they are declared.
+    Declared,
+    /// All as Real, for FMUs of hosts that know no other type.
+    Real,
+}
+
 /// FMI 2.0.
 pub(super) enum Fmi2 {}
 
@@ -18,7 +27,7 @@ impl Version for Fmi2 {
     type State = State;
     type Status = fmi2Status;
     type Logger = Callbacks;
-    type Own = ();
+    type Own = Types;
     const PREFIX: &'static str = "fmi2";
     const MAGIC: u64 = u64::from_le_bytes(*b"STRIBECK");
     const SAVED: u64 = u64::from_le_bytes(*b"STRISAVE");

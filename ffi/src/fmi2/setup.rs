@@ -3,7 +3,7 @@
 use std::ffi::CStr;
 use std::ptr::null_mut;
 
-use super::component::{self, Component, Experiment, enter, refuse};
+use super::component::{self, Component, Experiment, Types, enter, refuse};
 use super::lifecycle::{Call, Purpose, State};
 use super::log::{self, Callbacks};
 use super::types::*;
@@ -11,6 +11,7 @@ use crate::component::log::{Line, Log};
 use crate::component::setup::{self, NoInstance};
 use crate::guard;
 use crate::guard::pointer::{self, array};
+use crate::models;
 use stribeck::memory;
 use stribeck::model::{Computed, ModelType};
 
@@ -87,11 +88,19 @@ fn instantiate(
     debug: bool,
 ) -> Result<Box<Component>, NoInstance> {
     setup::check_name(name)?;
-    let model = setup::model(guid, ["fmuGUID", "guid"])?;
+    let (model, types) = model(guid)?;
     let purpose = purpose(kind, model)?;
     let instance = setup::instance(model, purpose)?;
     let log = Log::new(Callbacks::new(callbacks, name)?, debug);
-    Ok(memory::boxed(Component::new(instance, purpose, log, ()))?)
+    Ok(memory::boxed(Component::new(instance, purpose, log, types))?)
+}
+
+/// The model with this guid, or with this guid of its plain FMU.
+fn model(guid: Option<&CStr>) -> Result<(&'static ModelType, Types), NoInstance> {
+    let plain = |why| guid.and_then(|guid| models::by_plain_guid(pointer::name(guid))).ok_or(why);
+    setup::model(guid, ["fmuGUID", "guid"])
+        .map(|model| (model, Types::Declared))
+        .or_else(|why| plain(why).map(|model| (model, Types::Real)))
 }
 
 fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, NoInstance> {

@@ -12,6 +12,7 @@ use super::step::*;
 use super::types::*;
 use super::values::*;
 use crate::models;
+use stribeck::model::{Kind, Role};
 
 const CALLBACKS: fmi2CallbackFunctions = fmi2CallbackFunctions {
     logger: None,
@@ -28,6 +29,10 @@ fn probe() -> fmi2Component {
 
 fn probe_with(callbacks: &fmi2CallbackFunctions, debug: fmi2Boolean) -> fmi2Component {
     let guid = CString::new(models::by_name("Probe").expect("the probe").guid()).expect("no zero byte");
+    made(&guid, callbacks, debug)
+}
+
+fn made(guid: &CStr, callbacks: &fmi2CallbackFunctions, debug: fmi2Boolean) -> fmi2Component {
     // SAFETY: valid texts and callbacks; the instance is used by one test only.
     unsafe {
         let c =
@@ -38,6 +43,32 @@ fn probe_with(callbacks: &fmi2CallbackFunctions, debug: fmi2Boolean) -> fmi2Comp
         assert_eq!(fmi2ExitInitializationMode(c), fmi2Status::fmi2OK);
         c
     }
+}
+
+/// The guid of the FMU with Real variables only makes an instance in which every variable is one, as it is in the row.
+#[test]
+fn in_a_plain_fmu_all_variables_are_real() {
+    let model = models::by_name("Probe").expect("the probe");
+    let plain = CString::new(model.plain_guid()).expect("no zero byte");
+    let c = made(&plain, &CALLBACKS, fmi2True);
+    for (column, variable) in model.variables().filter(|(_, variable)| !matches!(variable.kind, Kind::Real(_))) {
+        let (reference, mut value) = (model.reference(column), f64::NAN);
+        // SAFETY: one reference, one value.
+        let status = unsafe { fmi2GetReal(c, &reference, 1, &mut value) };
+        assert_eq!(status, fmi2Status::fmi2OK, "{}", variable.path);
+        if !variable.role.is_computed() {
+            assert_eq!(value, variable.start, "{}", variable.path);
+        }
+        if variable.role == Role::Tunable {
+            // SAFETY: as above.
+            let refused = unsafe { fmi2SetReal(c, &reference, 1, &0.5) };
+            assert_eq!(refused, fmi2Status::fmi2Discard, "{}", variable.path);
+            // SAFETY: as above.
+            assert_eq!(unsafe { fmi2SetReal(c, &reference, 1, &variable.start) }, fmi2Status::fmi2OK);
+        }
+    }
+    // SAFETY: made above, used no more.
+    unsafe { fmi2FreeInstance(c) };
 }
 
 fn column(name: &str) -> fmi2ValueReference {

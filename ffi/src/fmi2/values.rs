@@ -2,7 +2,7 @@
 
 use std::slice::{from_raw_parts, from_raw_parts_mut};
 
-use super::component::{self, Component, Outcome, Refusal, enter, refuse};
+use super::component::{self, Component, Outcome, Refusal, Types, enter, refuse};
 use super::lifecycle::{Call, State};
 use super::types::fmi2Status::fmi2OK;
 use super::types::*;
@@ -77,6 +77,14 @@ impl Component {
         }
     }
 
+    /// The same, or any column as Real in an instance of an FMU that has no other type.
+    fn shown_as<B: Base>(&self, reference: fmi2ValueReference) -> Result<usize, Refusal> {
+        match self.place(reference) {
+            Some(Place::Column(column)) if self.own == Types::Real && B::TYPE == BaseType::Real => Ok(column),
+            _ => self.column::<B>(reference),
+        }
+    }
+
     fn variable(&self, column: usize) -> Variable {
         self.instance.model().table.at(column)
     }
@@ -143,7 +151,7 @@ unsafe fn get<B: Base>(
 fn check_readable<B: Base>(component: &Component, reference: fmi2ValueReference) -> Outcome {
     match component.place(reference) {
         Some(Place::Time | Place::Derivative(_)) if B::TYPE == BaseType::Real => Ok(()),
-        _ => component.column::<B>(reference).map(|_| ()),
+        _ => component.shown_as::<B>(reference).map(|_| ()),
     }
 }
 
@@ -193,7 +201,7 @@ unsafe fn set<B: Base>(
     let body = |component: &mut Component| {
         // SAFETY: the importer promises `n` value references and `n` values.
         let (references, values) = unsafe { (array(vr, n, "vr")?, array(value, n, "value")?) };
-        references.iter().try_for_each(|reference| component.column::<B>(*reference).map(drop))?;
+        references.iter().try_for_each(|reference| component.shown_as::<B>(*reference).map(drop))?;
         let model = component.instance.model();
         let columns = references.iter().filter_map(|reference| column_of(model, *reference));
         let values = columns.zip(values.iter().map(|value| B::to_number(*value)));
