@@ -4,6 +4,8 @@
 #![allow(non_upper_case_globals, reason = "the names of the standard")]
 
 mod common;
+#[path = "allocation/fmi3.rs"]
+mod fmi3;
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
