@@ -255,6 +255,30 @@ pub mod tests {
         assert_eq!(NOW.rows.iter().filter(is_preset).count(), presets);
     }
 
+    /// With the length of an array, or the reference of its size: a host relies on both.
+    #[test]
+    fn descriptions_of_fmi_3_are_listed_too() {
+        let row = |item: &str, name: &str| {
+            let is_it = |row: &&Row| row.owner == "ShockAbsorber (FMI 3.0)" && row.item == item && row.name == name;
+            NOW.rows.iter().find(is_it).unwrap_or_else(|| panic!("no {item} {name}"))
+        };
+        let size = row("variable", "damper.tab_size");
+        assert_eq!(
+            (size.kind.as_str(), size.causality.as_str(), size.start.as_str()),
+            ("UInt64", "structuralParameter", "16")
+        );
+        let table = row("variable", "damper.tab_v");
+        assert_eq!(table.kind, format!("Float64[{}]", size.value));
+        assert_eq!(table.start.split(' ').count(), 16);
+        assert_eq!(row("variable", "event_indicators").kind, "Float64[8]");
+        assert_eq!(row("attribute", "fmiVersion").value, "3.0");
+        assert_eq!(row("attribute", "CoSimulation.hasEventMode").value, "true");
+        let choices = NOW.rows.iter().filter(|row| row.item == "choice");
+        let of = |owner: &str| choices.clone().filter(|row| row.owner == owner).count();
+        assert!(of("ShockAbsorber") > 0);
+        assert_eq!(of("ShockAbsorber"), of("ShockAbsorber (FMI 3.0)"));
+    }
+
     #[test]
     fn the_version_is_that_of_the_header() {
         assert_eq!(NOW.version, crate::project::VERSION);
