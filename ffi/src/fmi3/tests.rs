@@ -124,6 +124,62 @@ fn an_array_is_one_variable() {
     }
 }
 
+/// An instance that its importer reads within a step.
+struct Visited {
+    instance: fmi3Instance,
+    seen: Vec<(f64, f64)>,
+    end: Option<f64>,
+}
+
+unsafe extern "C-unwind" fn visit(
+    environment: fmi3InstanceEnvironment,
+    time: f64,
+    _: fmi3Boolean,
+    _: fmi3Boolean,
+    _: fmi3Boolean,
+    early: fmi3Boolean,
+    requested: *mut fmi3Boolean,
+    end: *mut f64,
+) {
+    // SAFETY: the environment is the `Visited` of the test, which nothing else uses meanwhile.
+    unsafe {
+        let visited = &mut *environment.cast::<Visited>();
+        visited.seen.push((time, doubled(visited.instance)));
+        if let Some(asked) = visited.end.filter(|_| early == fmi3True) {
+            (*requested, *end) = (fmi3True, asked);
+        }
+    }
+}
+
+/// The integral of 4 over four parts of a step of 0.5 s, doubled; also one that the importer ends.
+#[test]
+fn an_importer_reads_within_a_step() {
+    for (end, expected) in [(None, 0.5), (Some(0.3), 0.3)] {
+        let mut visited = Visited { instance: null_mut(), seen: Vec::new(), end };
+        let place = &raw mut visited;
+        let token = CString::new(models::by_name("Probe").expect("the probe").guid()).expect("no zero byte");
+        let ([mut event, mut stop, mut early], mut time) = ([9; 3], f64::NAN);
+        let doubled = reference("doubled");
+        // SAFETY: an instance of this test, used by its own callback while nothing else uses it.
+        unsafe {
+            let (name, token, update) = (c"probe".as_ptr(), token.as_ptr(), Some(visit as _));
+            let c =
+                fmi3InstantiateCoSimulation(name, token, null(), 0, 0, 0, 1, &doubled, 1, place.cast(), None, update);
+            (*place).instance = c;
+            assert_eq!(fmi3EnterInitializationMode(c, 0, 0.0, 0.0, 0, 0.0), fmi3OK);
+            assert_eq!(fmi3ExitInitializationMode(c), fmi3OK);
+            assert_eq!(fmi3SetFloat64(c, &reference("rate"), 1, &4.0, 1), fmi3OK);
+            assert_eq!(fmi3DoStep(c, 0.0, 0.5, 1, &mut event, &mut stop, &mut early, &mut time), fmi3OK);
+            assert_eq!((event, stop, early, time), (0, 0, fmi3Boolean::from(end.is_some()), expected));
+            fmi3FreeInstance(c);
+            let times: Vec<f64> = (*place).seen.iter().map(|(time, _)| *time).collect();
+            let all = [0.125, 0.25, 0.375, 0.5];
+            assert_eq!(times, if end.is_some() { vec![0.125, 0.3] } else { all.to_vec() });
+            assert!((*place).seen.iter().all(|(time, doubled)| (doubled - 8.0 * time).abs() < 1e-15));
+        }
+    }
+}
+
 #[test]
 fn every_state_has_a_way_out() {
     for state in STATES.into_iter().filter(|state| *state != State::IntermediateUpdateMode) {
