@@ -64,7 +64,7 @@ TARGETS = [
     "aarch64-apple-darwin",
 ]
 # Tests for Miri: memory, states as bytes, instances of the test model, and a complete run of every model.
-UNDER_MIRI = ["guid::", "memory::", "number::", "serial::", "probe::", "fmi2::tests::child"]
+UNDER_MIRI = ["guid::", "memory::", "number::", "serial::", "probe::", "fmi2::tests::child", "fmi3::tests::"]
 # Programs, files and libraries that tasks need, and the packages of Debian and Ubuntu that contain them. First those
 # for the tests: the German locale is made from a file, Ecos calls unzip, exudyn is linked to libraries for its window.
 TEST_PROGRAMS = {
