@@ -80,15 +80,26 @@ struct Hears {
     error: bool,
 }
 
+impl Hears {
+    /// All categories, or none.
+    fn all(enabled: bool) -> Hears {
+        Hears { warning: enabled, note: enabled, discard: enabled, trial: enabled, error: enabled }
+    }
+}
+
 impl<L: Logger> Log<L> {
+    /// A log that reports failures even without `loggingOn`.
     pub fn new(logger: L, debug: bool) -> Log<L> {
-        Log {
-            logger,
-            hears: Hears { warning: true, note: debug, discard: true, trial: debug, error: true },
-            message: None,
-            waiting: None,
-            told: Told::default(),
-        }
+        Log::hearing(logger, Hears { note: debug, trial: debug, ..Hears::all(true) })
+    }
+
+    /// A log that reports nothing without `loggingOn`, as FMI 3.0 requires (section 2.3.1).
+    pub fn strict(logger: L, enabled: bool) -> Log<L> {
+        Log::hearing(logger, Hears::all(enabled))
+    }
+
+    fn hearing(logger: L, hears: Hears) -> Log<L> {
+        Log { logger, hears, message: None, waiting: None, told: Told::default() }
     }
 
     /// Switches the named category; `None` if it does not exist.
@@ -101,7 +112,7 @@ impl<L: Logger> Log<L> {
         } else if category == ERROR.name {
             hears.error = enabled;
         } else if category == ALL.name {
-            *hears = Hears { warning: enabled, note: enabled, discard: enabled, trial: enabled, error: enabled };
+            *hears = Hears::all(enabled);
         } else {
             return None;
         }

@@ -25,7 +25,7 @@ pub extern "C-unwind" fn fmi3GetVersion() -> fmi3String {
 /// Makes an instance for Model Exchange of the model whose instantiation token this is, to be freed once with
 /// fmi3FreeInstance.
 ///
-/// `logMessage` may be NULL; `resourcePath` and `visible` are not used. Returns NULL, and logs the reason, if the token
+/// `logMessage` may be NULL; `resourcePath` and `visible` are not used. Returns NULL, and with `loggingOn` logs the reason, if the token
 /// does not belong to a model of this library, if the model is for co-simulation only, if the name is blank, or if memory
 /// runs out.
 ///
@@ -44,7 +44,7 @@ pub unsafe extern "C-unwind" fn fmi3InstantiateModelExchange(
     let messages = Messages { environment: instanceEnvironment, callback: logMessage };
     // SAFETY: the caller promises NULL or zero-terminated texts.
     let (name, token) = unsafe { (pointer::text(instanceName), pointer::text(instantiationToken)) };
-    make(messages, "ModelExchange", || {
+    make((messages, loggingOn), "ModelExchange", || {
         let model = model(name, token)?;
         if !model.model_exchange {
             return Err(NoInstance::because(format_args!("{} {}", model.name, setup::ONLY_CO_SIMULATION)));
@@ -84,7 +84,7 @@ pub unsafe extern "C-unwind" fn fmi3InstantiateCoSimulation(
             array(requiredIntermediateVariables, nRequiredIntermediateVariables, "requiredIntermediateVariables");
         (pointer::text(instanceName), pointer::text(instantiationToken), required)
     };
-    make(messages, "CoSimulation", || {
+    make((messages, loggingOn), "CoSimulation", || {
         let model = model(name, token)?;
         let (has_event_mode, may_return_early) = (eventModeUsed != fmi3False, earlyReturnAllowed != fmi3False);
         let has_trials = has_event_mode || intermediateUpdate.is_some();
@@ -102,7 +102,7 @@ pub unsafe extern "C-unwind" fn fmi3InstantiateCoSimulation(
     })
 }
 
-/// Returns NULL and logs the reason: no model has partitions to be scheduled.
+/// Returns NULL, and with `loggingOn` logs the reason: no model has partitions to be scheduled.
 ///
 /// # Safety
 /// `logMessage` must be NULL or the importer's logger.
@@ -112,7 +112,7 @@ pub unsafe extern "C-unwind" fn fmi3InstantiateScheduledExecution(
     _instantiationToken: fmi3String,
     _resourcePath: fmi3String,
     _visible: fmi3Boolean,
-    _loggingOn: fmi3Boolean,
+    loggingOn: fmi3Boolean,
     instanceEnvironment: fmi3InstanceEnvironment,
     logMessage: fmi3LogMessageCallback,
     _clockUpdate: fmi3ClockUpdateCallback,
@@ -121,14 +121,18 @@ pub unsafe extern "C-unwind" fn fmi3InstantiateScheduledExecution(
 ) -> fmi3Instance {
     let messages = Messages { environment: instanceEnvironment, callback: logMessage };
     let why = "no model has partitions that can be scheduled; co-simulation is available";
-    make(messages, "ScheduledExecution", || Err(NoInstance::because(why)))
+    make((messages, loggingOn), "ScheduledExecution", || Err(NoInstance::because(why)))
 }
 
 /// Makes an instance, or returns NULL and logs why there is none.
-fn make(messages: Messages, kind: &str, body: impl FnOnce() -> Result<Box<Component>, NoInstance>) -> fmi3Instance {
+fn make(
+    (messages, is_logged): (Messages, fmi3Boolean),
+    kind: &str,
+    body: impl FnOnce() -> Result<Box<Component>, NoInstance>,
+) -> fmi3Instance {
     let mut why = Line::EMPTY;
     let instance = made(kind, body, &mut why);
-    if instance.is_null() {
+    if instance.is_null() && is_logged != fmi3False {
         // The logger may throw: there is nothing to clean up, see `Log`.
         // SAFETY: the importer's logger.
         unsafe { messages.send(Level::Error, &log::ERROR, why.text()) };
@@ -163,7 +167,7 @@ fn instantiate(
     let own = Own::of(model, stepping)?;
     let mut instance = setup::instance(model, purpose)?;
     instance.order_continuous_states(|column| own.layout.order(column));
-    Ok(memory::boxed(Component::new(instance, purpose, Log::new(messages, debug != fmi3False), own))?)
+    Ok(memory::boxed(Component::new(instance, purpose, Log::strict(messages, debug != fmi3False), own))?)
 }
 
 /// Whether it is a continuous input or output.
@@ -200,8 +204,7 @@ pub unsafe extern "C-unwind" fn fmi3FreeInstance(instance: fmi3Instance) {
 }
 
 /// Switches log categories (`logStatusWarning`, `logStatusDiscard`, `logStatusError`, `logAll`); all of them if
-/// `nCategories` is 0. Before this call, errors, refused values and warnings are logged even if `loggingOn` was false when
-/// the instance was made; values refused in a solver's trials only if it was true.
+/// `nCategories` is 0. Before this call, `loggingOn` of the function that made the instance decides for all of them.
 ///
 /// # Safety
 /// `instance` as for every call on an instance; `categories` must hold `nCategories` zero-terminated texts.

@@ -37,7 +37,7 @@ fn instantiation_rejects_what_it_cannot_serve() {
                 token,
                 null(),
                 0,
-                0,
+                1,
                 0,
                 0,
                 required,
@@ -65,7 +65,7 @@ fn other_interface_types_are_rejected_with_a_reason() {
     let exchange = |token: *const _| {
         let environment = (&raw const said).cast_mut().cast();
         // SAFETY: valid texts.
-        unsafe { fmi3InstantiateModelExchange(name, token, null(), 0, 0, environment, Some(record)) }
+        unsafe { fmi3InstantiateModelExchange(name, token, null(), 0, 1, environment, Some(record)) }
     };
     assert!(exchange(c"{x}".as_ptr()).is_null());
     let only_steps = stribeck::catalogue::models().filter(|model| !model.model_exchange);
@@ -73,13 +73,15 @@ fn other_interface_types_are_rejected_with_a_reason() {
     // SAFETY: valid texts.
     unsafe {
         let environment = (&raw const said).cast_mut().cast();
+        let silent = fmi3InstantiateModelExchange(name, c"{x}".as_ptr(), null(), 0, 0, environment, Some(record));
+        assert!(silent.is_null(), "and without loggingOn no word");
         let token = token("LuGre");
         let scheduled = fmi3InstantiateScheduledExecution(
             name,
             token.as_ptr(),
             null(),
             0,
-            0,
+            1,
             environment,
             Some(record),
             None,
