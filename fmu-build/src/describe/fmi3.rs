@@ -48,7 +48,7 @@ pub fn capabilities(model: &ModelType) -> [(&'static str, &'static str); 13] {
         ("maxOutputDerivativeOrder", "1"),
         ("providesIntermediateUpdate", "true"),
         ("mightReturnEarlyFromDoStep", truth(has_jumping_results(model) || model.event_indicators > 0)),
-        ("canReturnEarlyAfterIntermediateUpdate", "false"),
+        ("canReturnEarlyAfterIntermediateUpdate", "true"),
         ("hasEventMode", "true"),
         ("providesEvaluateDiscreteStates", "false"),
     ]

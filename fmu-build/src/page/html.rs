@@ -179,7 +179,7 @@ fn meaning(capability: &str) -> &'static str {
         "providesAdjointDerivatives" => "fmi3GetAdjointDerivative gives exact derivatives.",
         "providesIntermediateUpdate" => "Continuous outputs may be read within a step.",
         "mightReturnEarlyFromDoStep" => "Whether a step may end at an event, if the importer allows it.",
-        "canReturnEarlyAfterIntermediateUpdate" => "A step is not ended by the importer.",
+        "canReturnEarlyAfterIntermediateUpdate" => "The importer may end a step where it reads results within it.",
         "hasEventMode" => "The importer may handle events itself.",
         "providesEvaluateDiscreteStates" => "Discrete states have one value at an event.",
         _ => "",
