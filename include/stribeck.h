@@ -699,6 +699,8 @@ typedef enum stribeck_damper_mode {
   STRIBECK_DAMPER_MODE_TABLE = 2,
   /** Falling slope: c v / (1 + d |v|). */
   STRIBECK_DAMPER_MODE_DEGRESSIVE = 3,
+  /** Hysteresis that follows a voltage: see MagnetorheologicalDamper. */
+  STRIBECK_DAMPER_MODE_MAGNETORHEOLOGICAL_DAMPER = 4,
 } stribeck_damper_mode;
 
 /** Choices of a variable of the type ElementDistribution. */
@@ -5099,7 +5101,7 @@ typedef enum stribeck_cylinder_friction_variable {
 } stribeck_cylinder_friction_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{fae9e411-c32f-e8b4-41c3-81f098d6623e}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{346b0093-79fd-14bd-ff58-f2b534eaa7df}"
 
 /** Preset of ShockAbsorber: Formula Student, front axle: the start values. */
 #define STRIBECK_SHOCK_ABSORBER_PRESET_FRONT "front"
@@ -5109,6 +5111,9 @@ typedef enum stribeck_cylinder_friction_variable {
 
 /** Preset of ShockAbsorber: Example of a digressive damper: the table of the start values. */
 #define STRIBECK_SHOCK_ABSORBER_PRESET_DAMPER_TABLE "damper_table"
+
+/** Preset of ShockAbsorber: Spencer, Dyke, Sain, Carlson (1997): their damper, whose accumulator the spring replaces; otherwise as front. */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_MAGNETORHEOLOGICAL "magnetorheological"
 
 /** Preset of ShockAbsorber: Example without friction: the start values otherwise. */
 #define STRIBECK_SHOCK_ABSORBER_PRESET_FRICTIONLESS "frictionless"
@@ -5181,6 +5186,9 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_ACCELERATION = 799062685,
   /** in [K]: Ambient temperature; used if thermal.enabled is true. (>= 0, default 293.15) */
   STRIBECK_SHOCK_ABSORBER_TEMPERATURE_AMBIENT = 1378166418,
+  /** in [V]: Voltage at the current driver of the damper's coil; used by damper.mode = MagnetorheologicalDamper.
+   *  (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_VOLTAGE = 1637048165,
   /** fixed [m]: Distance of the eyes at full extension (default chosen). (> 0, default 0.2) */
   STRIBECK_SHOCK_ABSORBER_GEOM_LENGTH_EXTENDED = 1634510775,
   /** fixed [m]: Stroke from full extension to full compression. (> 0, default 0.055) */
@@ -5412,6 +5420,33 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_DAMPER_SCALE = 1838924032,
   /** fixed [N/m]: Stiffness in series with the damper, of oil and top mount; 0 = rigid. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_K_SERIES = 1401687841,
+  /** tunable [N.s/m]: Damping at high speeds without voltage. (>= 0, default 2100) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MR_C_0A = 19433904,
+  /** tunable [N.s/(m.V)]: Increase of the damping at high speeds with the voltage. (>= 0, default 350) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MR_C_0B = 69766761,
+  /** tunable [N/m]: Stiffness at high speeds. (>= 0, default 4690) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MR_K_0 = 639419545,
+  /** tunable [N.s/m]: Coefficient of the dashpot in series without voltage. (> 0, default 28300) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MR_C_1A = 489060141,
+  /** tunable [N.s/(m.V)]: Increase of the coefficient of the dashpot in series with the voltage. (>= 0, default 295) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MR_C_1B = 438727284,
+  /** tunable [N/m]: Stiffness of the hysteresis without voltage. (>= 0, default 14000) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MR_ALPHA_A = 1352302827,
+  /** tunable [N/(m.V)]: Increase of the stiffness of the hysteresis with the voltage. (>= 0, default 69500) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MR_ALPHA_B = 1369080446,
+  /** tunable [1/m2]: Form of the hysteresis: its part that acts in both directions of motion, in m^-n.
+   *  (>= 0, default 3630000) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MR_HYSTERESIS_GAMMA = 1000379448,
+  /** tunable [1/m2]: Form of the hysteresis: its part that changes sign with the motion, in m^-n; above -hysteresis_gamma.
+   *  (default 3630000) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MR_HYSTERESIS_BETA = 490073321,
+  /** tunable [1]: Slope of the evolutionary variable over the displacement where it is 0. (> 0, default 301) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MR_A = 181946176,
+  /** tunable [1]: Exponent of the hysteresis: its transition to the saturated level is sharper if larger.
+   *  (>= 1, default 2) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MR_N = 970494269,
+  /** tunable [1/s]: Rate at which the voltage on the fluid follows that at the driver. (> 0, default 190) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MR_VOLTAGE_RATE = 2066688272,
   /** fixed [stribeck_friction_model]: Friction law; parameters of other laws are ignored. (default LuGre) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_MODEL = 718325868,
   /** tunable [stribeck_friction_switch]: Active parts of the friction. (default On) */
@@ -5715,6 +5750,12 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_TEMPERATURE = 1777510709,
   /** state, out [J]: Energy taken out of the motion by friction and damper since the start. (default 0) */
   STRIBECK_SHOCK_ABSORBER_DISSIPATED_ENERGY = 758404530,
+  /** state [m]: Displacement of the damper less that of its dashpot in series. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MR_SLIP = 1434598982,
+  /** state [m]: Evolutionary variable of the hysteresis. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MR_Z = 1962930174,
+  /** state [V]: Voltage that acts on the fluid. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MR_FILTERED_VOLTAGE = 1562798738,
   /** out [N]: Force of the strut; positive pushes the eyes apart. */
   STRIBECK_SHOCK_ABSORBER_FORCE = 2041153668,
   /** out [N]: The same with the opposite sign: positive pulls the eyes together. */
@@ -6235,12 +6276,15 @@ typedef enum stribeck_end_stops_variable {
 } stribeck_end_stops_variable;
 
 /** Guid of HydraulicDamper for fmi2Instantiate. */
-#define STRIBECK_HYDRAULIC_DAMPER_GUID "{6567281f-8e7a-ef7a-1a5f-070b449a16c4}"
+#define STRIBECK_HYDRAULIC_DAMPER_GUID "{c547ac03-c0fa-01ce-4aba-b6ce12da4429}"
 
-/** HydraulicDamper: Hydraulic damper, linear, degressive or from a table. Variables of "HydraulicDamper". */
+/** HydraulicDamper: Hydraulic damper, linear, degressive, from a table or magnetorheological. Variables of "HydraulicDamper". */
 typedef enum stribeck_hydraulic_damper_variable {
   /** in [m/s]: Velocity of extension. (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_VELOCITY = 846470194,
+  /** in [V]: Voltage at the current driver of the coil; used by damper.mode = MagnetorheologicalDamper.
+   *  (>= 0, default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_VOLTAGE = 1637048165,
   /** fixed [Boolean]: Is there a damper? (default true) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_ENABLED = 653710919,
   /** fixed [stribeck_damper_mode]: Form of the damper's characteristic. (default Linear) */
@@ -6341,6 +6385,33 @@ typedef enum stribeck_hydraulic_damper_variable {
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_SCALE = 1838924032,
   /** fixed [N/m]: Stiffness in series with the damper, of oil and top mount; 0 = rigid. (>= 0, default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_K_SERIES = 1401687841,
+  /** tunable [N.s/m]: Damping at high speeds without voltage. (>= 0, default 2100) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MR_C_0A = 19433904,
+  /** tunable [N.s/(m.V)]: Increase of the damping at high speeds with the voltage. (>= 0, default 350) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MR_C_0B = 69766761,
+  /** tunable [N/m]: Stiffness at high speeds. (>= 0, default 4690) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MR_K_0 = 639419545,
+  /** tunable [N.s/m]: Coefficient of the dashpot in series without voltage. (> 0, default 28300) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MR_C_1A = 489060141,
+  /** tunable [N.s/(m.V)]: Increase of the coefficient of the dashpot in series with the voltage. (>= 0, default 295) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MR_C_1B = 438727284,
+  /** tunable [N/m]: Stiffness of the hysteresis without voltage. (>= 0, default 14000) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MR_ALPHA_A = 1352302827,
+  /** tunable [N/(m.V)]: Increase of the stiffness of the hysteresis with the voltage. (>= 0, default 69500) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MR_ALPHA_B = 1369080446,
+  /** tunable [1/m2]: Form of the hysteresis: its part that acts in both directions of motion, in m^-n.
+   *  (>= 0, default 3630000) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MR_HYSTERESIS_GAMMA = 1000379448,
+  /** tunable [1/m2]: Form of the hysteresis: its part that changes sign with the motion, in m^-n; above -hysteresis_gamma.
+   *  (default 3630000) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MR_HYSTERESIS_BETA = 490073321,
+  /** tunable [1]: Slope of the evolutionary variable over the displacement where it is 0. (> 0, default 301) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MR_A = 181946176,
+  /** tunable [1]: Exponent of the hysteresis: its transition to the saturated level is sharper if larger.
+   *  (>= 1, default 2) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MR_N = 970494269,
+  /** tunable [1/s]: Rate at which the voltage on the fluid follows that at the driver. (> 0, default 190) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MR_VOLTAGE_RATE = 2066688272,
   /** fixed [s]: Largest internal step (default chosen). (> 0, default 0.0001) */
   STRIBECK_HYDRAULIC_DAMPER_STEP_SIZE = 843244609,
   /** state [m/s]: Velocity of the piston behind the series stiffness; the velocity itself if there is none.
@@ -6348,6 +6419,12 @@ typedef enum stribeck_hydraulic_damper_variable {
   STRIBECK_HYDRAULIC_DAMPER_PISTON_VELOCITY = 1881215274,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DISSIPATED_ENERGY = 758404530,
+  /** state [m]: Displacement of the damper less that of its dashpot in series. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_MR_SLIP = 1434598982,
+  /** state [m]: Evolutionary variable of the hysteresis. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_MR_Z = 1962930174,
+  /** state [V]: Voltage that acts on the fluid. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_MR_FILTERED_VOLTAGE = 1562798738,
   /** out [N]: Force of the damper; positive pushes its ends apart. */
   STRIBECK_HYDRAULIC_DAMPER_FORCE = 2041153668,
   /** out [W]: Power taken out of the motion. */
@@ -7559,7 +7636,7 @@ typedef enum stribeck_position_control_variable {
 } stribeck_position_control_variable;
 
 /** Guid of MagnetorheologicalDamper for fmi2Instantiate. */
-#define STRIBECK_MAGNETORHEOLOGICAL_DAMPER_GUID "{549e80ec-5d47-e76d-f432-047c223b92fc}"
+#define STRIBECK_MAGNETORHEOLOGICAL_DAMPER_GUID "{3f12a36f-5995-4647-10ed-f4792238d2c0}"
 
 /** Preset of MagnetorheologicalDamper: Spencer, Dyke, Sain, Carlson (1997), the printed parameters: N/cm as 100 N/m, cm^-2 as 10,000 m^-2. */
 #define STRIBECK_MAGNETORHEOLOGICAL_DAMPER_PRESET_SPENCER_1997 "spencer_1997"
@@ -7580,10 +7657,6 @@ typedef enum stribeck_magnetorheological_damper_variable {
   STRIBECK_MAGNETORHEOLOGICAL_DAMPER_C_1A = 2089993385,
   /** tunable [N.s/(m.V)]: Increase of the coefficient of the dashpot in series with the voltage. (>= 0, default 295) */
   STRIBECK_MAGNETORHEOLOGICAL_DAMPER_C_1B = 2039660528,
-  /** tunable [N/m]: Stiffness of the accumulator. (>= 0, default 500) */
-  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_K_1 = 879978874,
-  /** tunable [m]: Displacement at which the accumulator carries nothing. (default 0.143) */
-  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_X_0 = 172254248,
   /** tunable [N/m]: Stiffness of the hysteresis without voltage. (>= 0, default 14000) */
   STRIBECK_MAGNETORHEOLOGICAL_DAMPER_ALPHA_A = 1165949383,
   /** tunable [N/(m.V)]: Increase of the stiffness of the hysteresis with the voltage. (>= 0, default 69500) */
@@ -7601,6 +7674,10 @@ typedef enum stribeck_magnetorheological_damper_variable {
   STRIBECK_MAGNETORHEOLOGICAL_DAMPER_N = 1795961905,
   /** tunable [1/s]: Rate at which the voltage on the fluid follows that at the driver. (> 0, default 190) */
   STRIBECK_MAGNETORHEOLOGICAL_DAMPER_VOLTAGE_RATE = 1590919820,
+  /** tunable [N/m]: Stiffness of the accumulator. (>= 0, default 500) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_K_1 = 879978874,
+  /** tunable [m]: Displacement at which the accumulator carries nothing. (default 0.143) */
+  STRIBECK_MAGNETORHEOLOGICAL_DAMPER_X_0 = 172254248,
   /** state, out [m]: Displacement of body 1 relative to body 2. (default 0) */
   STRIBECK_MAGNETORHEOLOGICAL_DAMPER_DISPLACEMENT = 81840086,
   /** state [m]: Displacement of the dashpot in series. (default 0) */

@@ -2,6 +2,46 @@ use crate::contact::quantities::{DISSIPATED_ENERGY, DISSIPATED_POWER, FRICTION_F
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, integrate, real};
 use crate::number::Real;
 
+crate::part! {
+    /// Fluid and dashpots of a magnetorheological damper.
+    MagnetorheologicalFluid {
+        /// Damping at high speeds without voltage.
+        c_0a: tunable = real("N.s/m", 2100.0).at_least(0.0).nominal(1e3),
+        /// Increase of the damping at high speeds with the voltage.
+        c_0b: tunable = real("N.s/(m.V)", 350.0).at_least(0.0).nominal(1e3),
+        /// Stiffness at high speeds.
+        k_0: tunable = real("N/m", 4690.0).at_least(0.0).nominal(1e3),
+        /// Coefficient of the dashpot in series without voltage.
+        c_1a: tunable = real("N.s/m", 28_300.0).positive().nominal(1e4),
+        /// Increase of the coefficient of the dashpot in series with the voltage.
+        c_1b: tunable = real("N.s/(m.V)", 295.0).at_least(0.0).nominal(1e3),
+        /// Stiffness of the hysteresis without voltage.
+        alpha_a: tunable = real("N/m", 14_000.0).at_least(0.0).nominal(1e4),
+        /// Increase of the stiffness of the hysteresis with the voltage.
+        alpha_b: tunable = real("N/(m.V)", 69_500.0).at_least(0.0).nominal(1e4),
+        /// Form of the hysteresis: its part that acts in both directions of motion, in m^-n.
+        hysteresis_gamma: tunable = real("1/m2", 3.63e6).at_least(0.0).nominal(1e6),
+        /// Form of the hysteresis: its part that changes sign with the motion, in m^-n; above -hysteresis_gamma.
+        hysteresis_beta: tunable = real("1/m2", 3.63e6).nominal(1e6),
+        /// Slope of the evolutionary variable over the displacement where it is 0.
+        A: tunable = real("1", 301.0).positive().nominal(100.0),
+        /// Exponent of the hysteresis: its transition to the saturated level is sharper if larger.
+        n: tunable = real("1", 2.0).at_least(1.0),
+        /// Rate at which the voltage on the fluid follows that at the driver.
+        voltage_rate: tunable = real("1/s", 190.0).positive().nominal(100.0),
+    }
+}
+
+crate::part! {
+    /// State of the fluid of a magnetorheological damper.
+    MagnetorheologicalState {
+        /// Evolutionary variable of the hysteresis.
+        z: state = real("m", 0.0).nominal(1e-3).shown_in("mm"),
+        /// Voltage that acts on the fluid.
+        filtered_voltage: state = real("V", 0.0),
+    }
+}
+
 crate::model! {
     /// Magnetorheological damper after Spencer: a Bouc-Wen hysteresis whose level follows the voltage on the coil, with
     /// a dashpot in series, for the force that falls off at low speeds, and the spring of an accumulator.
@@ -97,8 +137,8 @@ crate::model! {
     /// let mut damper = MagnetorheologicalDamper { velocity: 0.1, voltage: 1.5, ..Default::default() };
     /// damper.step(0.1);
     /// let z_max = (301.0f64 / 7.26e6).sqrt();
-    /// assert!((damper.z - z_max).abs() < 1e-9); // saturated
-    /// assert!((damper.filtered_voltage - 1.5 * (1.0 - (-19.0f64).exp())).abs() < 1e-9);
+    /// assert!((damper.state.z - z_max).abs() < 1e-9); // saturated
+    /// assert!((damper.state.filtered_voltage - 1.5 * (1.0 - (-19.0f64).exp())).abs() < 1e-9);
     /// damper.output();
     /// assert!(damper.friction_force > 0.0);
     /// ```
@@ -106,42 +146,18 @@ crate::model! {
         velocity: input = VELOCITY,
         /// Voltage at the current driver of the coil.
         voltage: input = real("V", 0.0).at_least(0.0),
-        /// Damping at high speeds without voltage.
-        c_0a: tunable = real("N.s/m", 2100.0).at_least(0.0).nominal(1e3),
-        /// Increase of the damping at high speeds with the voltage.
-        c_0b: tunable = real("N.s/(m.V)", 350.0).at_least(0.0).nominal(1e3),
-        /// Stiffness at high speeds.
-        k_0: tunable = real("N/m", 4690.0).at_least(0.0).nominal(1e3),
-        /// Coefficient of the dashpot in series without voltage.
-        c_1a: tunable = real("N.s/m", 28_300.0).positive().nominal(1e4),
-        /// Increase of the coefficient of the dashpot in series with the voltage.
-        c_1b: tunable = real("N.s/(m.V)", 295.0).at_least(0.0).nominal(1e3),
+        /// Fluid and dashpots.
+        fluid: (MagnetorheologicalFluid),
         /// Stiffness of the accumulator.
         k_1: tunable = real("N/m", 500.0).at_least(0.0).nominal(1e3),
         /// Displacement at which the accumulator carries nothing.
         x_0: tunable = real("m", 0.143).nominal(0.1),
-        /// Stiffness of the hysteresis without voltage.
-        alpha_a: tunable = real("N/m", 14_000.0).at_least(0.0).nominal(1e4),
-        /// Increase of the stiffness of the hysteresis with the voltage.
-        alpha_b: tunable = real("N/(m.V)", 69_500.0).at_least(0.0).nominal(1e4),
-        /// Form of the hysteresis: its part that acts in both directions of motion, in m^-n.
-        hysteresis_gamma: tunable = real("1/m2", 3.63e6).at_least(0.0).nominal(1e6),
-        /// Form of the hysteresis: its part that changes sign with the motion, in m^-n; above -hysteresis_gamma.
-        hysteresis_beta: tunable = real("1/m2", 3.63e6).nominal(1e6),
-        /// Slope of the evolutionary variable over the displacement where it is 0.
-        A: tunable = real("1", 301.0).positive().nominal(100.0),
-        /// Exponent of the hysteresis: its transition to the saturated level is sharper if larger.
-        n: tunable = real("1", 2.0).at_least(1.0),
-        /// Rate at which the voltage on the fluid follows that at the driver.
-        voltage_rate: tunable = real("1/s", 190.0).positive().nominal(100.0),
         /// Displacement of body 1 relative to body 2.
         displacement: state_output = real("m", 0.0).nominal(1e-2).shown_in("mm").odd(),
         /// Displacement of the dashpot in series.
         y: state = real("m", 0.0).nominal(1e-2).shown_in("mm"),
-        /// Evolutionary variable of the hysteresis.
-        z: state = real("m", 0.0).nominal(1e-3).shown_in("mm"),
-        /// Voltage that acts on the fluid.
-        filtered_voltage: state = real("V", 0.0),
+        /// Hysteresis and voltage.
+        state: (MagnetorheologicalState),
         dissipated_energy: state_output = DISSIPATED_ENERGY.nominal(1.0),
         friction_force: output = FRICTION_FORCE
             .help("Force of the damper; has the sign of the velocity when sliding. Body 1 feels its negative."),
@@ -160,11 +176,35 @@ struct Within<T> {
 }
 
 impl<T: Real> MagnetorheologicalDamper<T> {
+    /// At rest, without an accumulator; its displacement is counted from that of the dashpot in series.
+    pub(crate) fn without_accumulator(
+        fluid: MagnetorheologicalFluid<T>,
+        state: MagnetorheologicalState<T>,
+        slip: T,
+    ) -> Self {
+        let none = T::zero();
+        MagnetorheologicalDamper {
+            velocity: none,
+            voltage: none,
+            fluid,
+            k_1: none,
+            x_0: none,
+            displacement: slip,
+            y: none,
+            state,
+            dissipated_energy: none,
+            friction_force: none,
+            dissipated_power: none,
+        }
+    }
+
     /// The motion that holds the hysteresis and the dashpot in series in balance.
     fn within(&self) -> Within<T> {
-        let at = |without: T, increase: T| without + increase * self.filtered_voltage;
-        let (alpha, c_0, c_1) = (at(self.alpha_a, self.alpha_b), at(self.c_0a, self.c_0b), at(self.c_1a, self.c_1b));
-        let elastic = alpha * self.z + self.k_0 * (self.displacement - self.y);
+        let fluid = &self.fluid;
+        let at = |without: T, increase: T| without + increase * self.state.filtered_voltage;
+        let (alpha, c_0, c_1) =
+            (at(fluid.alpha_a, fluid.alpha_b), at(fluid.c_0a, fluid.c_0b), at(fluid.c_1a, fluid.c_1b));
+        let elastic = alpha * self.state.z + fluid.k_0 * (self.displacement - self.y);
         let slip = (c_1 * self.velocity - elastic) / (c_0 + c_1);
         Within { slip, force: elastic + c_0 * slip, dashpot: c_1 }
     }
@@ -175,9 +215,24 @@ impl<T: Real> MagnetorheologicalDamper<T> {
 
     /// dz/dt at dx/dt - dy/dt.
     fn evolution(&self, slip: T) -> T {
-        let saturation =
-            (self.hysteresis_gamma * (slip * self.z).sign() + self.hysteresis_beta) * self.z.abs().powf(self.n);
-        (self.A - saturation) * slip
+        let (fluid, z) = (&self.fluid, self.state.z);
+        let saturation = (fluid.hysteresis_gamma * (slip * z).sign() + fluid.hysteresis_beta) * z.abs().powf(fluid.n);
+        (fluid.A - saturation) * slip
+    }
+}
+
+impl MagnetorheologicalFluid {
+    /// Refuses a hysteresis without a bound. `part` is what the names of the parameters begin with.
+    pub(crate) fn check(&self, part: &str) -> Result<(), Fault> {
+        if self.hysteresis_gamma + self.hysteresis_beta <= 0.0 {
+            let limit = -self.hysteresis_gamma;
+            let why = "or the hysteresis has no bound";
+            return Err(Fault::new(format_args!(
+                "{part}hysteresis_beta = {}: must be > -{part}hysteresis_gamma = {limit}, {why}",
+                self.hysteresis_beta
+            )));
+        }
+        Ok(())
     }
 }
 
@@ -195,8 +250,8 @@ impl<T: Real> Derivatives for MagnetorheologicalDamper<T> {
         let within = self.within();
         rate.displacement = self.velocity;
         rate.y = within.force / within.dashpot;
-        rate.z = self.evolution(within.slip);
-        rate.filtered_voltage = self.voltage_rate * (self.voltage - self.filtered_voltage);
+        rate.state.z = self.evolution(within.slip);
+        rate.state.filtered_voltage = self.fluid.voltage_rate * (self.voltage - self.state.filtered_voltage);
         rate.dissipated_energy = self.force(&within) * self.velocity;
     }
 }
@@ -224,15 +279,7 @@ impl Model for MagnetorheologicalDamper {
     }];
 
     fn check(&self) -> Result<(), Fault> {
-        if self.hysteresis_gamma + self.hysteresis_beta <= 0.0 {
-            let limit = -self.hysteresis_gamma;
-            let why = "or the hysteresis has no bound";
-            return Err(Fault::new(format_args!(
-                "hysteresis_beta = {}: must be > -hysteresis_gamma = {limit}, {why}",
-                self.hysteresis_beta
-            )));
-        }
-        Ok(())
+        self.fluid.check("")
     }
 
     fn step(&mut self, dt: f64) {
@@ -300,8 +347,8 @@ mod tests {
         let found = [
             100.0 * damper.displacement,
             100.0 * damper.y,
-            100.0 * damper.z,
-            damper.filtered_voltage,
+            100.0 * damper.state.z,
+            damper.state.filtered_voltage,
             100.0 * damper.dissipated_energy,
         ];
         for (found, expected) in found.into_iter().zip(expected) {
@@ -319,38 +366,40 @@ mod tests {
     #[test]
     fn hysteresis_follows_its_closed_form_up_to_saturation() {
         for (gamma, beta) in [(3.63e6, 3.63e6), (5e6, -2e6), (1e6, 4e6)] {
-            let mut damper =
-                MagnetorheologicalDamper { hysteresis_gamma: gamma, hysteresis_beta: beta, ..Default::default() };
+            let mut damper = MagnetorheologicalDamper::default();
+            (damper.fluid.hysteresis_gamma, damper.fluid.hysteresis_beta) = (gamma, beta);
             let z_max = (301.0 / (gamma + beta)).sqrt();
             for velocity in [1e-4, 2e-3, 0.05, 0.1, 0.3] {
                 damper.velocity = velocity;
                 damper.step(0.01);
                 let slip = damper.displacement - damper.y;
                 let expected = z_max * ((301.0 * (gamma + beta)).sqrt() * slip).tanh();
-                assert!((damper.z - expected).abs() < 1e-9 * z_max, "{velocity}: {} {expected}", damper.z);
+                assert!((damper.state.z - expected).abs() < 1e-9 * z_max, "{velocity}: {} {expected}", damper.state.z);
             }
-            assert!((damper.z / z_max - 1.0).abs() < 1e-9);
+            assert!((damper.state.z / z_max - 1.0).abs() < 1e-9);
         }
         let sum = 1000.0;
-        let mut damper =
-            MagnetorheologicalDamper { n: 1.0, hysteresis_gamma: 600.0, hysteresis_beta: 400.0, ..Default::default() };
+        let mut damper = MagnetorheologicalDamper::default();
+        let fluid = &mut damper.fluid;
+        (fluid.n, fluid.hysteresis_gamma, fluid.hysteresis_beta) = (1.0, 600.0, 400.0);
         for velocity in [-1e-3, -0.02] {
             damper.velocity = velocity;
             damper.step(0.02);
             let expected = -301.0 / sum * (1.0 - (sum * (damper.displacement - damper.y)).exp());
-            assert!((damper.z - expected).abs() < 1e-9 * expected.abs(), "{} {expected}", damper.z);
+            assert!((damper.state.z - expected).abs() < 1e-9 * expected.abs(), "{} {expected}", damper.state.z);
         }
     }
 
     /// From the saturated state the rest is linear: at a held speed the slip ends exponentially.
     #[test]
     fn slip_ends_and_leaves_the_dashpot_in_series() {
-        let start =
-            MagnetorheologicalDamper { velocity: 0.1, voltage: 2.0, filtered_voltage: 2.0, ..Default::default() };
+        let mut start = MagnetorheologicalDamper { velocity: 0.1, voltage: 2.0, ..Default::default() };
+        start.state.filtered_voltage = 2.0;
         let z_max = (301.0f64 / 7.26e6).sqrt();
         let (alpha, c_0, c_1) = (153_000.0, 2800.0, 28_890.0);
         for time in [0.1, 1.0, 7.0, 60.0] {
-            let mut damper = MagnetorheologicalDamper { z: z_max, ..start };
+            let mut damper = start;
+            damper.state.z = z_max;
             damper.step(time);
             damper.output();
             let rate = 4690.0 / (c_0 + c_1);
@@ -369,10 +418,10 @@ mod tests {
     fn voltage_on_the_fluid_relaxes_exponentially() {
         let mut damper = MagnetorheologicalDamper { velocity: 0.03, voltage: 2.25, ..Default::default() };
         for (step, time) in [1e-4, 3e-3, 0.02].into_iter().enumerate() {
-            let before = damper.filtered_voltage;
+            let before = damper.state.filtered_voltage;
             damper.step(time);
             let expected = 2.25 + (before - 2.25) * (-190.0 * time).exp();
-            assert!((damper.filtered_voltage - expected).abs() < 1e-9, "{step}");
+            assert!((damper.state.filtered_voltage - expected).abs() < 1e-9, "{step}");
         }
     }
 
@@ -381,13 +430,14 @@ mod tests {
     #[test]
     fn it_gives_back_no_more_than_it_stored() {
         let stored = |damper: &MagnetorheologicalDamper| {
-            let alpha = damper.alpha_a + damper.alpha_b * damper.filtered_voltage;
+            let alpha = damper.fluid.alpha_a + damper.fluid.alpha_b * damper.state.filtered_voltage;
             let (bent, pressed) = (damper.displacement - damper.y, damper.displacement - damper.x_0);
-            let hysteresis = 0.5 * alpha / damper.A * damper.z * damper.z;
-            hysteresis + 0.5 * (damper.k_0 * bent * bent + damper.k_1 * pressed * pressed)
+            let hysteresis = 0.5 * alpha / damper.fluid.A * damper.state.z * damper.state.z;
+            hysteresis + 0.5 * (damper.fluid.k_0 * bent * bent + damper.k_1 * pressed * pressed)
         };
         for voltage in [0.0, 1.0, 2.25] {
-            let mut damper = MagnetorheologicalDamper { voltage, filtered_voltage: voltage, ..Default::default() };
+            let mut damper = MagnetorheologicalDamper { voltage, ..Default::default() };
+            damper.state.filtered_voltage = voltage;
             for step in 0..400 {
                 let before = (damper.dissipated_energy, stored(&damper));
                 damper.velocity = 0.2 * (0.7 * f64::from(step)).sin() * (0.013 * f64::from(step)).cos();
@@ -415,7 +465,7 @@ mod tests {
         }
         damper.output();
         // The ramps leave out h^2 / 12 of the velocity's curvature.
-        assert!((100.0 * damper.z - expected[2]).abs() < 1e-5, "{} {}", damper.z, expected[2]);
+        assert!((100.0 * damper.state.z - expected[2]).abs() < 1e-5, "{} {}", damper.state.z, expected[2]);
         assert!((damper.friction_force / force - 1.0).abs() < 1e-5, "{} {force}", damper.friction_force);
         assert!((100.0 * damper.dissipated_energy / expected[4] - 1.0).abs() < 1e-5);
     }
@@ -434,11 +484,14 @@ mod tests {
 
     #[test]
     fn hysteresis_without_bound_is_refused() {
-        let text =
-            |beta| MagnetorheologicalDamper { hysteresis_beta: beta, ..Default::default() }.check().unwrap_err().0;
+        let refused = |beta: f64| {
+            let mut damper = MagnetorheologicalDamper::default();
+            damper.fluid.hysteresis_beta = beta;
+            damper.check().err().map(|fault| fault.0)
+        };
         let expected =
             "hysteresis_beta = -3630000: must be > -hysteresis_gamma = -3630000, or the hysteresis has no bound";
-        assert_eq!(text(-3.63e6), expected);
-        assert!(MagnetorheologicalDamper { hysteresis_beta: -3.62e6, ..Default::default() }.check().is_ok());
+        assert_eq!(refused(-3.63e6).unwrap(), expected);
+        assert_eq!(refused(-3.62e6), None);
     }
 }

@@ -10,3 +10,5 @@ crate::model::family! {
     servo_friction::ServoFriction,
     capstan::Capstan,
 }
+
+pub(crate) use magnetorheological_damper::{MagnetorheologicalFluid, MagnetorheologicalState};

@@ -149,10 +149,9 @@ struct Of<M>(std::marker::PhantomData<M>);
 impl<M: Model> Of<M> {
     const COLUMNS: &'static Columns = &Columns::of(M::COLUMNS, M::TABLE, is_for_exchange::<M>());
 
-    const HAS_CHORDS: bool = {
-        assert!(!is_for_exchange::<M>() || Self::COLUMNS.count <= MOST, "too many states");
-        is_for_exchange::<M>() && Self::COLUMNS.has_states()
-    };
+    const HAS_FEW_STATES: bool = Self::COLUMNS.count <= MOST;
+
+    const HAS_CHORDS: bool = is_for_exchange::<M>() && Self::COLUMNS.has_states() && Self::HAS_FEW_STATES;
 
     const EQUATIONS: &'static Equations = &Equations {
         columns: Self::COLUMNS,
@@ -197,6 +196,7 @@ struct Ramp<'a> {
 
 /// Advances `model` by `dt` while its inputs change at the rates `slope`.
 pub(crate) fn advance<M: Model>(model: &mut M, slope: &M, dt: f64) {
+    const { assert!(!is_for_exchange::<M>() || Of::<M>::HAS_FEW_STATES, "too many states") };
     let begin = *model;
     let mut ramp = Ramp { of: Of::<M>::EQUATIONS, row: row_of_mut(model), begin: row_of(&begin), slope: row_of(slope) };
     if Of::<M>::COLUMNS.has_states() && !is_for_exchange::<M>() {

@@ -4,11 +4,11 @@ use crate::contact::ExchangeOrder;
 use crate::number::Mask;
 use crate::shock_absorber::ShockAbsorber;
 use crate::shock_absorber::coupling::{self, Series};
+use crate::shock_absorber::hydraulic_damper::DamperState;
 use crate::shock_absorber::law::Evaluate;
 use crate::shock_absorber::law_plan::MEMORY;
 use crate::shock_absorber::memories::Memories;
-use crate::shock_absorber::setting::{InputMode, Motion, Setting};
-use crate::shock_absorber::shock_absorber::OtherStates;
+use crate::shock_absorber::setting::{InputMode, Motion, OtherStates, Setting};
 
 /// Half widths of the central differences (chosen): far smaller than the transition of any friction law, far larger
 /// than rounding.
@@ -57,12 +57,12 @@ impl Setting {
 
     /// Damper resistance at this instant and after a step at a held velocity.
     fn resistance_after(&self, motion: &Motion<f64>, state: &OtherStates<f64>, dt: f64) -> f64 {
-        let mut piston = self.piston(motion, state.piston_velocity);
-        let factor = self.thermal.factor(state.temperature);
+        let mut state = *state;
         if dt > 0.0 {
-            self.damper.advance(&mut piston, motion.velocity, factor, dt);
+            let factor = self.thermal.factor(state.temperature);
+            self.damper.advance(&mut state.damper, motion.velocity, self.voltage, factor, dt);
         }
-        factor * self.damper.resistance(piston)
+        self.resistance(self.piston(motion, &state), &state)
     }
 
     /// Derivatives of the force: with respect to the length at this instant; to the velocity at this instant; and to a
@@ -88,14 +88,14 @@ impl Setting {
             velocity: difference(&undamped, 0.0, d_velocity),
             held_velocity: difference(&later, 0.0, d_velocity),
             held_damper: difference(&damper, 0.0, d_velocity),
-            damper: self.slope_of_the_damper(self.piston(&here, state.piston_velocity), state.temperature),
+            damper: self.slope_of_the_damper(self.piston(&here, state), state),
         }
     }
 
     /// Slope of the damper's resistance at a velocity of the piston.
-    fn slope_of_the_damper(&self, piston_velocity: f64, temperature: f64) -> f64 {
+    fn slope_of_the_damper(&self, piston_velocity: f64, state: &OtherStates<f64>) -> f64 {
         let d_velocity = PROBE_VELOCITY.max(1e-6 * piston_velocity.abs());
-        let at = |velocity: f64| self.resistance(velocity, temperature);
+        let at = |velocity: f64| self.resistance(velocity, state);
         (at(piston_velocity + d_velocity) - at(piston_velocity - d_velocity)) / (2.0 * d_velocity)
     }
 }
@@ -106,7 +106,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
         let (setting, state) = (&self.setting, self.damper_state());
         let (motion, damper) = (setting.motion(), &setting.damper);
         let [elastic, friction] = [setting.forces(&motion).sum(), setting.friction_now(&motion, memories)];
-        let resistance = setting.resistance(setting.piston(&motion, state.piston_velocity), state.temperature);
+        let resistance = setting.resistance(setting.piston(&motion, &state), &state);
         let touches = setting.touches(&motion);
         let [after_1, after_2] = [0, 1].map(|at| {
             let mut memory = *memories[at];
@@ -115,7 +115,10 @@ impl<T: Evaluate> ShockAbsorber<T> {
         });
         let duration = self.step_size.is_positive().choose(|| self.step_size, || setting.num.h_max);
         let in_series = damper.has_series().choose(|| damper.k_series + motion.velocity, || T::from(0.0));
-        let held = elastic + setting.friction_now(&motion, [&after_1, &after_2]) + resistance + duration + in_series;
+        let fluid = damper.fluid_rates(&state.damper.fluid, motion.velocity, setting.voltage);
+        let in_fluid = fluid.slip + fluid.hysteresis.z + fluid.hysteresis.filtered_voltage;
+        let moved = resistance + in_series + in_fluid;
+        let held = elastic + setting.friction_now(&motion, [&after_1, &after_2]) + moved + duration;
         let of_limit = setting.num.mass_ref + setting.num.input_mode + setting.friction.exchange;
         [elastic + friction + resistance, held, held + friction + of_limit]
     }
@@ -128,13 +131,21 @@ impl<T: Evaluate> ShockAbsorber<T> {
         for (values, memory) in values.iter_mut().zip(memories) {
             values.iter_mut().zip(memory).for_each(|(value, number)| *value = number.value());
         }
-        let OtherStates { piston_velocity, temperature } = self.damper_state();
-        let state = OtherStates { piston_velocity: piston_velocity.value(), temperature: temperature.value() };
+        let OtherStates { damper: DamperState { piston_velocity, fluid }, temperature } = self.damper_state();
+        let damper =
+            DamperState { piston_velocity: piston_velocity.value(), fluid: fluid.map(&|number: T| number.value()) };
+        let state = OtherStates { damper, temperature: temperature.value() };
         let dt =
             if self.step_size.value() > 0.0 { self.step_size.value().max(SHORTEST_PROBE) } else { setting.num.h_max };
         let tangents = setting.tangents([&values[0], &values[1]], &state, dt);
-        // The change of force due to a held velocity over a step comes from bristles: a stiffness.
-        let bristles = (tangents.velocity - tangents.held_velocity).max(0.0) / dt;
+        // The change of force due to a held velocity over a step comes from bristles and from a fluid that yields: a
+        // stiffness.
+        let elastic = if setting.damper.is_magnetorheological() {
+            (-tangents.damper - tangents.held_damper).max(0.0)
+        } else {
+            0.0
+        };
+        let bristles = ((tangents.velocity - tangents.held_velocity).max(0.0) + elastic) / dt;
         let is_held = InputMode::of(setting.num.input_mode) == InputMode::Hold;
         let (stiffness, held) = if is_held { (-tangents.length, bristles) } else { (bristles - tangents.length, 0.0) };
         let exchange = ExchangeOrder::of(setting.friction.exchange);

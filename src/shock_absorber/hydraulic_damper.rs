@@ -1,11 +1,13 @@
 use std::fmt;
 
+use crate::component::{MagnetorheologicalFluid, MagnetorheologicalState};
 use crate::model::ramp;
 use crate::model::{Column, Derivatives, Fault, Law, Meaning, Model, ModelExchange, boolean, integer, real};
 use crate::number::{Dual, Mask, Scalar};
 use crate::numerics::interpolation::Curve;
 use crate::numerics::root;
 use crate::shock_absorber::coil_spring::{POINTS, check_rising, points};
+use crate::shock_absorber::fluid_state::FluidState;
 
 crate::choices! {
     /// Form of a damper's characteristic.
@@ -16,6 +18,8 @@ crate::choices! {
         Table,
         /// Falling slope: c v / (1 + d |v|).
         Degressive,
+        /// Hysteresis that follows a voltage: see MagnetorheologicalDamper.
+        MagnetorheologicalDamper,
     }
 }
 
@@ -56,7 +60,16 @@ crate::part! {
         scale: tunable = real("1", 1.0).at_least(0.0),
         /// Stiffness in series with the damper, of oil and top mount; 0 = rigid.
         k_series: fixed = real("N/m", 0.0).at_least(0.0),
+        /// Magnetorheological damper.
+        mr: MagnetorheologicalFluid,
     }
+}
+
+/// States of a damper.
+#[derive(Clone, Copy)]
+pub(crate) struct DamperState<T: Copy> {
+    pub piston_velocity: T,
+    pub fluid: FluidState<T>,
 }
 
 /// Table of the default set (chosen).
@@ -95,13 +108,39 @@ const fn resistances() -> [Column; POINTS] {
 }
 
 impl<T: Scalar> Hydraulics<T> {
-    /// Whether the damper has a stiffness in series.
-    pub fn has_series(&self) -> T::Mask {
-        !self.enabled.vanishes() & self.k_series.is_positive()
+    /// Whether the damper is a magnetorheological one.
+    pub(crate) fn is_magnetorheological(&self) -> T::Mask {
+        !self.enabled.vanishes() & DamperMode::MagnetorheologicalDamper.is(self.mode)
     }
 
-    /// Resistance F_d at a velocity of the piston; it has the sign of the velocity.
-    pub fn resistance(&self, velocity: T) -> T {
+    /// Whether the damper has a stiffness in series.
+    pub fn has_series(&self) -> T::Mask {
+        !self.enabled.vanishes() & self.k_series.is_positive() & !self.is_magnetorheological()
+    }
+
+    /// Velocity of the piston.
+    pub(crate) fn piston(&self, velocity: T, state: &DamperState<T>) -> T {
+        self.has_series().choose(|| state.piston_velocity, || velocity)
+    }
+
+    /// Resistance to a velocity of the piston.
+    pub(crate) fn resistance(&self, piston: T, state: &DamperState<T>) -> T {
+        let of_fluid = || self.scale * state.fluid.resistance(&self.mr, piston);
+        self.is_magnetorheological().choose(of_fluid, || self.characteristic(piston))
+    }
+
+    /// Time derivatives of the state of the fluid.
+    pub(crate) fn fluid_rates(&self, fluid: &FluidState<T>, velocity: T, voltage: T) -> FluidState<T> {
+        let rates = || {
+            let FluidState { slip, hysteresis } = fluid.rates(&self.mr, velocity, voltage);
+            [slip, hysteresis.z, hysteresis.filtered_voltage]
+        };
+        let [slip, z, filtered_voltage] = self.is_magnetorheological().choose_all(rates, || [T::zero(); 3]);
+        FluidState { slip, hysteresis: MagnetorheologicalState { z, filtered_voltage } }
+    }
+
+    /// Resistance F_d of a damper without memory; it has the sign of the velocity.
+    fn characteristic(&self, velocity: T) -> T {
         let table = || self.interpolated(velocity);
         let resistance = || self.scale * DamperMode::Table.is(self.mode).choose(table, || self.formula(velocity));
         self.enabled.vanishes().choose(|| T::zero(), resistance)
@@ -172,16 +211,32 @@ const FOLLOWING_TIME: f64 = 1e-5;
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 
 impl Hydraulics {
-    /// Advances the velocity w of the piston behind the series stiffness by `dt`, with the strut at a held velocity v:
-    /// d F_d(w) / dt = k_s (v - w). Returns the energy that the piston dissipates. `factor` multiplies the resistance.
-    pub(crate) fn advance(&self, piston_velocity: &mut f64, velocity: f64, factor: f64, dt: f64) -> f64 {
-        if !self.has_series() {
-            *piston_velocity = velocity;
-            return factor * self.resistance(velocity) * velocity * dt;
+    /// Advances by `dt`, with the strut at a held velocity. Returns the energy taken out of the motion. `factor`
+    /// multiplies the resistance.
+    pub(crate) fn advance(
+        &self,
+        state: &mut DamperState<f64>,
+        velocity: f64,
+        voltage: f64,
+        factor: f64,
+        dt: f64,
+    ) -> f64 {
+        if self.has_series() {
+            return self.press(&mut state.piston_velocity, velocity, factor, dt);
         }
+        state.piston_velocity = velocity;
+        if self.is_magnetorheological() {
+            return factor * self.scale * state.fluid.advance(&self.mr, [velocity, voltage], [0.0; 2], dt);
+        }
+        factor * self.characteristic(velocity) * velocity * dt
+    }
+
+    /// Advances the velocity w of the piston behind the series stiffness by `dt`, with the strut at a held velocity v:
+    /// d F_d(w) / dt = k_s (v - w). Returns the energy that the piston dissipates.
+    fn press(&self, piston_velocity: &mut f64, velocity: f64, factor: f64, dt: f64) -> f64 {
         let law = self.map(&|number| Dual::from(number));
         let resistance = |w: f64| {
-            let force = law.resistance(Dual { value: w, slope: 1.0 });
+            let force = law.characteristic(Dual { value: w, slope: 1.0 });
             Dual { value: factor * force.value, slope: factor * force.slope }
         };
         let stage_gain = GAMMA * dt * self.k_series;
@@ -205,11 +260,25 @@ impl Hydraulics {
         dt * ((1.0 - GAMMA) * power(first) + GAMMA * power(second))
     }
 
-    /// Refuses impossible tables.
+    /// Refuses impossible tables and fluids.
     pub(crate) fn check(&self) -> Result<(), Fault> {
-        if self.enabled == 0.0 || DamperMode::of(self.mode) != DamperMode::Table {
-            return Ok(());
+        match DamperMode::of(self.mode) {
+            _ if self.enabled == 0.0 => Ok(()),
+            DamperMode::Table => self.check_table(),
+            DamperMode::MagnetorheologicalDamper => self.check_fluid(),
+            DamperMode::Linear | DamperMode::Degressive => Ok(()),
         }
+    }
+
+    fn check_fluid(&self) -> Result<(), Fault> {
+        if self.k_series > 0.0 {
+            let why = "must be 0 with damper.mode = MagnetorheologicalDamper, which has its own dashpot in series";
+            return Err(Fault::new(format_args!("damper.k_series = {}: {why}", self.k_series)));
+        }
+        self.mr.check("damper.mr.")
+    }
+
+    fn check_table(&self) -> Result<(), Fault> {
         check_rising("damper.tab_v", &self.tab_v, self.tab_n)?;
         for at in 0..self.tab_n as usize {
             let (i, force, velocity) = (at + 1, self.tab_f[at], self.tab_v[at]);
@@ -231,7 +300,7 @@ impl Hydraulics {
 }
 
 crate::model! {
-    /// Hydraulic damper: linear, degressive or from a table, with an optional stiffness in series.
+    /// Hydraulic damper: linear, degressive or from a table, with an optional stiffness in series, or magnetorheological.
     ///
     /// # Equations
     ///
@@ -243,6 +312,16 @@ crate::model! {
     /// F = -F_d(w)
     /// ```
     ///
+    /// and magnetorheological, with the slip $p = x - y$ of the component `MagnetorheologicalDamper`:
+    ///
+    /// ```text
+    /// F_d   = s (alpha z + k_0 p + c_0 dp/dt)
+    /// dp/dt = (c_1 v - alpha z - k_0 p) / (c_0 + c_1)
+    /// ```
+    ///
+    /// These are its equations for $F - k_1 (x - x_0)$: an accumulator is a spring beside the damper. Those for $z$ and
+    /// the voltage, $alpha$, $c_0$ and $c_1$ are on its page.
+    ///
     /// | symbol | variable                                   | unit  | meaning                                    |
     /// |--------|--------------------------------------------|-------|--------------------------------------------|
     /// | v      | `velocity`                                 | m/s   | velocity of extension                      |
@@ -252,6 +331,10 @@ crate::model! {
     /// | F_t    | `damper.tab_v[1]`, `damper.tab_f[1]`, ...  | m/s, N | points, `damper.tab_n` of them            |
     /// | s      | `damper.scale`                             | 1     | factor on the force                        |
     /// | k_s    | `damper.k_series`                          | N/m   | stiffness in series, 0 = rigid             |
+    /// | V      | `voltage`                                  | V     | voltage at the current driver              |
+    /// | p      | `mr.slip`                                  | m     | displacement beside the dashpot in series  |
+    /// | z      | `mr.z`                                     | m     | evolutionary variable of the hysteresis    |
+    /// | u      | `mr.filtered_voltage`                      | V     | voltage that acts on the fluid             |
     /// | F      | `force`                                    | N     | force of the damper                        |
     ///
     /// # Sign
@@ -261,18 +344,22 @@ crate::model! {
     /// # Step
     /// Without stiffness in series the force follows the velocity. With it, the step is L-stable and of second order,
     /// with internal steps of at most `step_size`. In Model Exchange the piston follows with a time constant of at
-    /// least 10 us, also where the slope of the characteristic is 0.
+    /// least 10 us, also where the slope of the characteristic is 0. The magnetorheological damper is integrated with
+    /// error control, as its component.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; a table whose velocities are not strictly ascending, or whose
-    /// resistances decrease, have the wrong sign or are not 0 at rest.
+    /// resistances decrease, have the wrong sign or are not 0 at rest; with `damper.mode` = MagnetorheologicalDamper a
+    /// stiffness in series, and what that component refuses.
     ///
     /// # Limits
-    /// No cavitation, no dependence on position. Beyond the ends of a table the end slopes are continued.
+    /// No cavitation, no dependence on position. Beyond the ends of a table the end slopes are continued. The energy of
+    /// the magnetorheological damper is the work of its force, part of which hysteresis and springs give back.
     ///
     /// # Source
     /// Degressive form as in the shock absorbers of Project Chrono; monotone cubic: Fritsch and Butland (1984),
-    /// doi:10.1137/0905021; step: Alexander (1977), doi:10.1137/0714068. The defaults are chosen: damping ratios of 0.5
+    /// doi:10.1137/0905021; step: Alexander (1977), doi:10.1137/0714068; magnetorheological damper: Spencer, Dyke, Sain
+    /// and Carlson (1997), see the page of the component. The defaults are chosen: damping ratios of 0.5
     /// and 0.75 at the front wheel of a Formula Student car.
     ///
     /// # Example
@@ -284,9 +371,11 @@ crate::model! {
     /// damper.output();
     /// assert!((damper.force + 540.0).abs() < 1e-12); // between 340 N at 0.1 m/s and 640 N at 0.25 m/s
     /// ```
-    HydraulicDamper: "Hydraulic damper, linear, degressive or from a table" {
+    HydraulicDamper: "Hydraulic damper, linear, degressive, from a table or magnetorheological" {
         /// Velocity of extension.
         velocity: input = real("m/s", 0.0).means(Meaning::Velocity),
+        /// Voltage at the current driver of the coil; used by damper.mode = MagnetorheologicalDamper.
+        voltage: input = real("V", 0.0).at_least(0.0),
         /// Characteristic.
         damper: Hydraulics,
         /// Largest internal step (default chosen).
@@ -295,6 +384,8 @@ crate::model! {
         piston_velocity: state = real("m/s", 0.0),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).means(Meaning::Energy),
+        /// Magnetorheological damper.
+        mr: FluidState,
         /// Force of the damper; positive pushes its ends apart.
         force: output = real("N", 0.0),
         /// Power taken out of the motion.
@@ -303,8 +394,16 @@ crate::model! {
 }
 
 impl<T: Scalar> HydraulicDamper<T> {
-    fn piston(&self) -> T {
-        self.damper.has_series().choose(|| self.piston_velocity, || self.velocity)
+    fn state(&self) -> DamperState<T> {
+        DamperState { piston_velocity: self.piston_velocity, fluid: self.mr }
+    }
+
+    /// Resistance, and the power that it takes out of the motion.
+    fn resists(&self) -> [T; 2] {
+        let state = self.state();
+        let piston = self.damper.piston(self.velocity, &state);
+        let resistance = self.damper.resistance(piston, &state);
+        [resistance, resistance * piston]
     }
 }
 
@@ -312,16 +411,26 @@ impl<T: Scalar> Law for HydraulicDamper<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
-        let resistance = self.damper.resistance(self.piston());
+        let [resistance, power] = self.resists();
         self.force = -resistance;
-        self.dissipated_power = resistance * self.piston();
+        self.dissipated_power = power;
     }
 }
 
 impl<T: Scalar> Derivatives for HydraulicDamper<T> {
     fn derivatives(&self, rate: &mut Self) {
-        rate.dissipated_energy = self.damper.resistance(self.piston()) * self.piston();
+        [_, rate.dissipated_energy] = self.resists();
+        rate.mr = self.damper.fluid_rates(&self.mr, self.velocity, self.voltage);
         rate.piston_velocity = self.damper.rate(self.piston_velocity, self.velocity, T::from(1.0));
+    }
+}
+
+impl HydraulicDamper {
+    /// Advances at held inputs.
+    fn advance(&mut self, dt: f64) {
+        let mut state = self.state();
+        self.dissipated_energy += self.damper.advance(&mut state, self.velocity, self.voltage, 1.0, dt);
+        (self.piston_velocity, self.mr) = (state.piston_velocity, state.fluid);
     }
 }
 
@@ -334,8 +443,7 @@ impl Model for HydraulicDamper {
         // Without stiffness in series there is nothing to integrate, and one step is exact.
         let count = if self.damper.has_series() { super::substeps(dt, self.step_size) } else { 1 };
         for _ in 0..count {
-            self.dissipated_energy +=
-                self.damper.advance(&mut self.piston_velocity, self.velocity, 1.0, dt / f64::from(count));
+            self.advance(dt / f64::from(count));
         }
     }
 
@@ -343,8 +451,15 @@ impl Model for HydraulicDamper {
     /// the piston has the velocity of the strut, and only the energy is an integral.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         let begin = ramp::Inputs::of(self);
+        if self.damper.is_magnetorheological() {
+            let (now, rates) = ([self.velocity, self.voltage], [slope.velocity, slope.voltage]);
+            self.dissipated_energy += self.damper.scale * self.mr.advance(&self.damper.mr, now, rates, dt);
+            ramp::set_inputs(self, &begin, slope, dt);
+            self.piston_velocity = self.velocity;
+            return;
+        }
         if !self.damper.has_series() {
-            let power = |law: &HydraulicDamper| law.damper.resistance(law.velocity) * law.velocity;
+            let power = |law: &HydraulicDamper| law.damper.characteristic(law.velocity) * law.velocity;
             self.dissipated_energy += ramp::integral(self, slope, dt, power);
             ramp::set_inputs(self, &begin, slope, dt);
             self.piston_velocity = self.velocity;
@@ -354,7 +469,7 @@ impl Model for HydraulicDamper {
         let h = dt / f64::from(count);
         for piece in 0..count {
             ramp::set_inputs(self, &begin, slope, (f64::from(piece) + 0.5) * h);
-            self.dissipated_energy += self.damper.advance(&mut self.piston_velocity, self.velocity, 1.0, h);
+            self.advance(h);
         }
         ramp::set_inputs(self, &begin, slope, dt);
     }

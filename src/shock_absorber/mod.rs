@@ -16,6 +16,7 @@ crate::model::family! {
 
 mod advice;
 mod coupling;
+mod fluid_state;
 mod geometry;
 mod law;
 mod law_list;

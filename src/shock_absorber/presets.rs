@@ -16,6 +16,11 @@ pub(crate) const ALL: &[Preset] = &[
         values: &[("damper.mode", 2.0)],
     },
     Preset {
+        name: "magnetorheological",
+        source: "Spencer, Dyke, Sain, Carlson (1997): their damper, whose accumulator the spring replaces; otherwise as front",
+        values: &[("damper.mode", 4.0)],
+    },
+    Preset {
         name: "frictionless",
         source: "Example without friction: the start values otherwise",
         values: &[("friction.model", 1.0)],

@@ -9,7 +9,7 @@ use crate::shock_absorber::end_stops::{BumpStop, ReboundStop};
 use crate::shock_absorber::gas_spring::GasChamber;
 use crate::shock_absorber::geometry::Geometry;
 use crate::shock_absorber::guide_contact::{FrictionLaw, Levels, Touch};
-use crate::shock_absorber::hydraulic_damper::Hydraulics;
+use crate::shock_absorber::hydraulic_damper::{DamperState, Hydraulics};
 use crate::shock_absorber::law::Evaluate;
 use crate::shock_absorber::telescopic_joint::{NormalSum, SideConvention, SideLoad, Wrench};
 
@@ -116,6 +116,8 @@ crate::part! {
         acceleration: input = real("m/s2", 0.0).means(Meaning::Acceleration),
         /// Ambient temperature; used if thermal.enabled is true.
         temperature_ambient: input = real("K", 293.15).at_least(0.0).nominal(300.0).shown_in("degC"),
+        /// Voltage at the current driver of the damper's coil; used by damper.mode = MagnetorheologicalDamper.
+        voltage: input = real("V", 0.0).at_least(0.0),
         /// Dimensions.
         geom: Geometry,
         /// Spring.
@@ -145,6 +147,13 @@ crate::part! {
         /// State at the start.
         init: Start,
     }
+}
+
+/// States of damper and temperature.
+#[derive(Clone, Copy)]
+pub(super) struct OtherStates<T: Copy> {
+    pub(super) damper: DamperState<T>,
+    pub(super) temperature: T,
 }
 
 /// Motion of the strut, after the adapter.
@@ -261,12 +270,13 @@ impl<T: Scalar> Setting<T> {
     }
 
     /// Velocity of the damper's piston.
-    pub(super) fn piston(&self, motion: &Motion<T>, piston_velocity: T) -> T {
-        self.damper.has_series().choose(|| piston_velocity, || motion.velocity)
+    pub(super) fn piston(&self, motion: &Motion<T>, state: &OtherStates<T>) -> T {
+        self.damper.piston(motion.velocity, &state.damper)
     }
 
-    pub(super) fn resistance(&self, piston_velocity: T, temperature: T) -> T {
-        self.thermal.factor(temperature) * self.damper.resistance(piston_velocity)
+    /// Resistance of the damper to a velocity of its piston.
+    pub(super) fn resistance(&self, piston: T, state: &OtherStates<T>) -> T {
+        self.thermal.factor(state.temperature) * self.damper.resistance(piston, &state.damper)
     }
 }
 

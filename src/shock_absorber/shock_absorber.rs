@@ -4,18 +4,14 @@ use std::ops::Range;
 use crate::model::ramp;
 use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, boolean, real};
 use crate::number::Mask;
+use crate::shock_absorber::fluid_state::FluidState;
 use crate::shock_absorber::guide_contact::Touch;
+use crate::shock_absorber::hydraulic_damper::DamperState;
 use crate::shock_absorber::law::{Answer, Evaluate, MOST_EVENTS};
 use crate::shock_absorber::law_plan::{MEMORY, blank_memory};
 use crate::shock_absorber::memories::Memories;
 use crate::shock_absorber::presets;
-use crate::shock_absorber::setting::{FrictionStart, InputMode, Motion, Setting};
-
-/// States of the damper.
-pub(super) struct OtherStates<T> {
-    pub(super) piston_velocity: T,
-    pub(super) temperature: T,
-}
+use crate::shock_absorber::setting::{FrictionStart, InputMode, Motion, OtherStates, Setting};
 
 /// Typical size of the deflections of most laws, in m.
 const DEFLECTION: f64 = 1e-5;
@@ -79,6 +75,7 @@ crate::model! {
     /// | p_a      | `gas.p_ambient`        | Pa    | ambient pressure                                         |
     /// | F_b, F_r | `force_bump`, `force_rebound` | N | forces of bump stop and rebound stop                  |
     /// | F_d      | `force_damper`         | N     | force of the damper                                      |
+    /// | V        | `voltage`              | V     | voltage at the driver of a magnetorheological damper     |
     /// | c        | `damper.c_comp`, `damper.c_reb` | N.s/m | coefficient in compression, in extension         |
     /// | r_k      | `geom.r_1`, `geom.r_2` | m     | radius of rod and piston                                 |
     /// | F        | `force`                | N     | force of the strut                                       |
@@ -166,6 +163,8 @@ crate::model! {
         temperature: state_output = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
         /// Energy taken out of the motion by friction and damper since the start.
         dissipated_energy: state_output = real("J", 0.0).means(Meaning::Energy),
+        /// Magnetorheological damper.
+        mr: FluidState,
         /// Force of the strut; positive pushes the eyes apart.
         force: output = real("N", 0.0).means(Meaning::StrutForce),
         /// The same with the opposite sign: positive pulls the eyes together.
@@ -225,10 +224,8 @@ impl<T: Evaluate> ShockAbsorber<T> {
 
     pub(super) fn damper_state(&self) -> OtherStates<T> {
         let settles = !self.has_started() & FrictionStart::Steady.is(self.setting.init.friction_state);
-        OtherStates {
-            piston_velocity: settles.choose(|| self.setting.motion().velocity, || self.piston_velocity),
-            temperature: self.temperature,
-        }
+        let piston_velocity = settles.choose(|| self.setting.motion().velocity, || self.piston_velocity);
+        OtherStates { damper: DamperState { piston_velocity, fluid: self.mr }, temperature: self.temperature }
     }
 
     #[inline(never)]
@@ -250,8 +247,8 @@ impl<T: Evaluate> ShockAbsorber<T> {
         let setting = &self.setting;
         let forces = setting.forces(motion);
         let state = self.damper_state();
-        let piston = setting.piston(motion, state.piston_velocity);
-        let resistance = setting.resistance(piston, state.temperature);
+        let piston = setting.piston(motion, &state);
+        let resistance = setting.resistance(piston, &state);
         self.force_spring = forces.spring;
         self.force_gas = forces.gas;
         self.force_bump = forces.bump;
@@ -268,12 +265,12 @@ impl<T: Evaluate> ShockAbsorber<T> {
     /// Power that friction and damper take out of the motion.
     fn power(&self, motion: &Motion<T>, touches: &[Touch<T>; 2], memories: Memories<T>) -> T {
         let (setting, state) = (&self.setting, self.damper_state());
-        let piston = setting.piston(motion, state.piston_velocity);
+        let piston = setting.piston(motion, &state);
         let friction = |at: usize| {
             let answer = setting.friction.force(setting.contacts()[at], &touches[at], memories[at]);
             answer.force * touches[at].signed_speed()
         };
-        setting.resistance(piston, state.temperature) * piston + friction(0) + friction(1)
+        setting.resistance(piston, &state) * piston + friction(0) + friction(1)
     }
 
     fn write_friction(&mut self, touches: &[Touch<T>; 2], answers: &[Answer<T>; 2]) {
@@ -321,8 +318,9 @@ impl<T: Evaluate> Derivatives for ShockAbsorber<T> {
         let setting = &self.setting;
         let motion = setting.motion();
         let touches = setting.touches(&motion);
-        let (piston, factor) = (self.damper_state().piston_velocity, setting.thermal.factor(self.temperature));
-        rate.piston_velocity = setting.damper.rate(piston, motion.velocity, factor);
+        let (state, factor) = (self.damper_state().damper, setting.thermal.factor(self.temperature));
+        rate.piston_velocity = setting.damper.rate(state.piston_velocity, motion.velocity, factor);
+        rate.mr = setting.damper.fluid_rates(&state.fluid, motion.velocity, setting.voltage);
         let power = self.with_memories(|memories| {
             let memory_rates = [&mut rate.memory_1, &mut rate.memory_2];
             for (at, rate) in memory_rates.into_iter().enumerate() {
@@ -338,7 +336,7 @@ impl<T: Evaluate> Derivatives for ShockAbsorber<T> {
 impl ShockAbsorber {
     fn start(&mut self) {
         if !self.has_started() {
-            self.piston_velocity = self.damper_state().piston_velocity;
+            self.piston_velocity = self.damper_state().damper.piston_velocity;
             self.remember_first();
             self.started = 1.0;
         }
@@ -414,7 +412,9 @@ impl ShockAbsorber {
         let setting = &self.setting;
         let factor = setting.thermal.factor(self.temperature);
         let velocity = setting.motion().velocity;
-        let damper = setting.damper.advance(&mut self.piston_velocity, velocity, factor, dt);
+        let mut state = DamperState { piston_velocity: self.piston_velocity, fluid: self.mr };
+        let damper = setting.damper.advance(&mut state, velocity, setting.voltage, factor, dt);
+        (self.piston_velocity, self.mr) = (state.piston_velocity, state.fluid);
         let power = friction + damper / dt;
         self.temperature = setting.thermal.after(self.temperature, setting.temperature_ambient, power, dt);
         self.dissipated_energy += friction * dt + damper;

@@ -12,6 +12,7 @@ mod derivatives;
 mod friction;
 mod golden;
 mod guide_contact;
+mod magnetorheological;
 mod parts;
 mod refusals;
 mod side_loads;

@@ -81,6 +81,21 @@ pub(super) fn is_used(model: &ModelType, row: &[f64], input: usize) -> bool {
     })
 }
 
+/// Whether the rate of a state depends on an input, whatever the other inputs and the states. A model without rates may
+/// depend on it.
+pub(super) fn drives(model: &ModelType, row: &[f64], input: usize) -> bool {
+    let mut draw = Draw::of(model, row);
+    let [mut row, mut before, mut after] = [row.to_vec(), row.to_vec(), row.to_vec()];
+    !model.model_exchange
+        || (0..TRIALS).any(|_| {
+            draw.fill(&mut row);
+            model.rate(&row, &mut before);
+            row[input] = draw.value(input);
+            model.rate(&row, &mut after);
+            columns(model, Role::is_state).iter().any(|state| before[*state].to_bits() != after[*state].to_bits())
+        })
+}
+
 /// Rows of a contact at rest: its force may follow an input that the force of a sliding contact does not follow.
 struct AtRest<'a> {
     start: &'a [f64],

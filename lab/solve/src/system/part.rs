@@ -8,7 +8,7 @@ use stribeck::contact::branching::AccelerationSource;
 use stribeck::model::{Kind, Meaning, ModelType, Role, Variable};
 
 use super::file::{Description, PartDescription, Source};
-use super::influence::{Influence, is_used};
+use super::influence::{Influence, drives, is_used};
 use super::signal::Course;
 use super::values::{column, spelled};
 use super::{Fault, Setting, Signal, slot};
@@ -418,11 +418,12 @@ fn model_named(name: &str) -> Result<&'static ModelType, Fault> {
 }
 
 impl Part {
-    /// Value of an input without a source: across the slip of a law 0; that of an acceleration on which nothing depends.
+    /// Value of an input without a source: across the slip of a law 0; the start value of one on which nothing depends.
     fn open(&self, input: usize) -> Option<f64> {
         let variable = self.model.table.at(input);
         let across = slot::across(&variable.path.to_string()).filter(|_| self.is_law);
-        let is_idle = || variable.meaning == Meaning::Acceleration && !self.uses(input);
+        let is_driven = || variable.meaning != Meaning::Acceleration && drives(self.model, &self.row, input);
+        let is_idle = || !self.uses(input) && !is_driven();
         across.or_else(|| is_idle().then_some(variable.start))
     }
 
