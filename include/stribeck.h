@@ -5101,7 +5101,7 @@ typedef enum stribeck_cylinder_friction_variable {
 } stribeck_cylinder_friction_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{346b0093-79fd-14bd-ff58-f2b534eaa7df}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{b4a4eb55-e653-e908-50ab-989526284e55}"
 
 /** Preset of ShockAbsorber: Formula Student, front axle: the start values. */
 #define STRIBECK_SHOCK_ABSORBER_PRESET_FRONT "front"
@@ -5719,6 +5719,23 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_THERMAL_CAPACITY = 1977759622,
   /** tunable [W/K]: Heat flow to the surroundings per kelvin (default chosen). (>= 0, default 1.5) */
   STRIBECK_SHOCK_ABSORBER_THERMAL_CONDUCTANCE = 1418428113,
+  /** fixed [Boolean]: Is there a rubber mount between the rod and its eye? (default false) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_ENABLED = 1931473901,
+  /** fixed [kg]: Mass of the rod with the inner part of the mount (default chosen). (> 0, default 0.3) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_MASS = 352722004,
+  /** tunable [N]: Force that the mount carries where it is not displaced. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_PRELOAD = 1872310633,
+  /** tunable [N/m]: Elastic stiffness (default chosen). (>= 0, default 500000) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_K_E = 765846497,
+  /** fixed [N/m]: Stiffness in series with the damper; 0 = no damper (default chosen). (>= 0, default 100000) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_K_V = 447071736,
+  /** tunable [N.s/m]: Coefficient of the damper (default chosen). (> 0, default 2000) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_C = 1948494925,
+  /** tunable [N]: Largest friction (default chosen). (>= 0, default 100) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_F_MAX = 407014795,
+  /** tunable [m]: Displacement from rest at which the friction is half of the largest (default chosen).
+   *  (> 0, default 0.0002) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_X_2 = 1115036993,
   /** fixed [m]: Length of the strut when the input length is 0. (default 0) */
   STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_OFFSET = 469657428,
   /** fixed [1]: Length of the strut per input length; -MR for wheel travel, -0.001 for millimetres of compression.
@@ -5756,6 +5773,19 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_MR_Z = 1962930174,
   /** state [V]: Voltage that acts on the fluid. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MR_FILTERED_VOLTAGE = 1562798738,
+  /** state [m]: Displacement of the rod towards its eye, by which the strut is longer than the distance of the eyes.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_DISPLACEMENT = 2059601815,
+  /** state [m/s]: Velocity of the rod towards its eye. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_VELOCITY = 1599028631,
+  /** state [1]: Friction as a part of the largest. (>= -1, <= 1, default 0) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_FRICTION_SHARE = 512981850,
+  /** state [1]: Friction at the last turning point as a part of the largest. (>= -1, <= 1, default 0) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_TURNING_SHARE = 1380903077,
+  /** state [Boolean]: Was the last motion towards positive displacements? (default true) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_RISING = 225892338,
+  /** state [N]: Force of the damper and its spring. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MOUNT_DAMPER_FORCE = 216505585,
   /** out [N]: Force of the strut; positive pushes the eyes apart. */
   STRIBECK_SHOCK_ABSORBER_FORCE = 2041153668,
   /** out [N]: The same with the opposite sign: positive pulls the eyes together. */
@@ -5774,6 +5804,10 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FORCE_FRICTION = 2078264455,
   /** out [N]: Axial force without friction. At rest the friction carries it, less the force with which the host holds the length. */
   STRIBECK_SHOCK_ABSORBER_FORCE_WITHOUT_FRICTION = 1698389154,
+  /** out [N]: Force of the mount, on the eye of the rod; force if there is no mount. */
+  STRIBECK_SHOCK_ABSORBER_FORCE_MOUNT = 697412790,
+  /** out [N]: Part of the force that moves the rod and not its eye: force less force_mount. */
+  STRIBECK_SHOCK_ABSORBER_ROD_FORCE = 1433420958,
   /** out [N]: Force on the travel of the host, by virtual work: see adapter. */
   STRIBECK_SHOCK_ABSORBER_FORCE_TRAVEL = 2046608485,
   /** out [N]: Axial friction at the rod guide; has the sign of the velocity when sliding. */

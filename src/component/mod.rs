@@ -12,3 +12,4 @@ crate::model::family! {
 }
 
 pub(crate) use magnetorheological_damper::{MagnetorheologicalFluid, MagnetorheologicalState};
+pub(crate) use rubber_mount::{Rubber, RubberState};

@@ -5,6 +5,36 @@ use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, boolean, ramp,
 use crate::number::elementary::{exp, ln_1p};
 use crate::number::{Real, choose};
 
+crate::part! {
+    /// Rubber of a mount.
+    Rubber {
+        /// Elastic stiffness (default chosen).
+        k_e: tunable = real("N/m", 5e5).at_least(0.0).nominal(1e5).shown_in("N/mm"),
+        /// Stiffness in series with the damper; 0 = no damper (default chosen).
+        k_v: fixed = real("N/m", 1e5).at_least(0.0).nominal(1e5).shown_in("N/mm"),
+        /// Coefficient of the damper (default chosen).
+        c: tunable = real("N.s/m", 2000.0).positive().nominal(1e3),
+        /// Largest friction (default chosen).
+        F_max: tunable = real("N", 100.0).at_least(0.0).nominal(100.0),
+        /// Displacement from rest at which the friction is half of the largest (default chosen).
+        x_2: tunable = real("m", 2e-4).positive().nominal(1e-4).shown_in("mm"),
+    }
+}
+
+crate::part! {
+    /// State of the rubber of a mount, beside its displacement.
+    RubberState {
+        /// Friction as a part of the largest.
+        friction_share: state = real("1", 0.0).at_least(-1.0).at_most(1.0).odd(),
+        /// Friction at the last turning point as a part of the largest.
+        turning_share: state = real("1", 0.0).at_least(-1.0).at_most(1.0).discrete().odd(),
+        /// Was the last motion towards positive displacements?
+        rising: state = boolean(true),
+        /// Force of the damper and its spring.
+        damper_force: state = real("N", 0.0).nominal(100.0).odd(),
+    }
+}
+
 crate::model! {
     /// Rubber mount after Berg: an elastic spring, a damper with a spring in series, and friction that remembers the
     /// last turning point, so that small strokes are stiffer than large ones and lose energy at any frequency.
@@ -86,33 +116,20 @@ crate::model! {
     /// ```
     /// use stribeck::component::RubberMount;
     /// use stribeck::model::{Law, Model};
-    /// let mut mount = RubberMount { velocity: 2e-4, k_v: 0.0, ..Default::default() };
+    /// let mut mount = RubberMount { velocity: 2e-4, ..Default::default() };
+    /// mount.rubber.k_v = 0.0;
     /// mount.step(1.0); // to x_2
     /// mount.output();
     /// assert!((mount.friction_force - 5e5 * 2e-4 - 50.0).abs() < 1e-12); // k_e x_2 + F_max / 2
     /// ```
     RubberMount: "Rubber mount with friction that remembers the last turning point (Berg)" {
         velocity: input = VELOCITY,
-        /// Elastic stiffness (default chosen).
-        k_e: tunable = real("N/m", 5e5).at_least(0.0).nominal(1e5).shown_in("N/mm"),
-        /// Stiffness in series with the damper; 0 = no damper (default chosen).
-        k_v: fixed = real("N/m", 1e5).at_least(0.0).nominal(1e5).shown_in("N/mm"),
-        /// Coefficient of the damper (default chosen).
-        c: tunable = real("N.s/m", 2000.0).positive().nominal(1e3),
-        /// Largest friction (default chosen).
-        F_max: tunable = real("N", 100.0).at_least(0.0).nominal(100.0),
-        /// Displacement from rest at which the friction is half of the largest (default chosen).
-        x_2: tunable = real("m", 2e-4).positive().nominal(1e-4).shown_in("mm"),
+        /// Rubber.
+        rubber: (Rubber),
         /// Displacement of body 1 relative to body 2.
         displacement: state_output = real("m", 0.0).nominal(1e-3).shown_in("mm").odd(),
-        /// Friction as a part of the largest.
-        friction_share: state = real("1", 0.0).at_least(-1.0).at_most(1.0).odd(),
-        /// Friction at the last turning point as a part of the largest.
-        turning_share: state = real("1", 0.0).at_least(-1.0).at_most(1.0).discrete().odd(),
-        /// Was the last motion towards positive displacements?
-        rising: state = boolean(true),
-        /// Force of the damper and its spring.
-        damper_force: state = real("N", 0.0).nominal(100.0).odd(),
+        /// Friction and damper.
+        state: (RubberState),
         dissipated_energy: state_output = DISSIPATED_ENERGY.nominal(0.1),
         friction_force: output = FRICTION_FORCE.help(
             "Force of the mount, elastic part included; resists a displacement. Body 1 feels its negative."),
@@ -121,20 +138,34 @@ crate::model! {
 }
 
 impl<T: Real> RubberMount<T> {
+    /// A mount as a part of something else.
+    pub(crate) fn of(rubber: Rubber<T>, state: RubberState<T>, [displacement, velocity]: [T; 2]) -> Self {
+        let none = T::zero();
+        let [dissipated_energy, friction_force, dissipated_power] = [none; 3];
+        RubberMount { velocity, rubber, displacement, state, dissipated_energy, friction_force, dissipated_power }
+    }
+
     /// 1 for rising displacement, -1 for falling.
     fn direction(&self) -> T {
-        choose!(self.rising.vanishes(), T::from(-1.0), T::from(1.0))
+        choose!(self.state.rising.vanishes(), T::from(-1.0), T::from(1.0))
     }
 
     /// Parts of F_max that the friction was away from its limit in this direction at the last turning point, and is
     /// now.
     fn missing(&self) -> [T; 2] {
         let direction = self.direction();
-        [self.turning_share, self.friction_share].map(|share| T::from(1.0) - direction * share)
+        [self.state.turning_share, self.state.friction_share].map(|share| T::from(1.0) - direction * share)
     }
 
     fn force(&self) -> T {
-        self.k_e * self.displacement + self.damper_force + self.F_max * self.friction_share
+        self.rubber.k_e * self.displacement + self.state.damper_force + self.rubber.F_max * self.state.friction_share
+    }
+}
+
+impl Rubber {
+    /// Stiffness for small and quick motions.
+    pub(crate) fn largest_stiffness(&self) -> f64 {
+        self.k_e + self.k_v + self.F_max / self.x_2
     }
 }
 
@@ -152,8 +183,8 @@ impl<T: Real> Derivatives for RubberMount<T> {
         let [at_turn, now] = self.missing();
         let part = choose!(at_turn.vanishes(), T::zero(), now / at_turn);
         rate.displacement = self.velocity;
-        rate.friction_share = part * part * self.velocity / self.x_2;
-        rate.damper_force = self.k_v * (self.velocity - self.damper_force / self.c);
+        rate.state.friction_share = part * part * self.velocity / self.rubber.x_2;
+        rate.state.damper_force = self.rubber.k_v * (self.velocity - self.state.damper_force / self.rubber.c);
         rate.dissipated_energy = self.force() * self.velocity;
     }
 }
@@ -162,8 +193,8 @@ impl RubberMount {
     /// Begins a motion in a direction.
     fn turn_to(&mut self, direction: f64) {
         if direction != self.direction() {
-            self.rising = f64::from(u8::from(direction > 0.0));
-            self.turning_share = self.friction_share;
+            self.state.rising = f64::from(u8::from(direction > 0.0));
+            self.state.turning_share = self.state.friction_share;
         }
     }
 
@@ -171,24 +202,25 @@ impl RubberMount {
     fn slide(&mut self, distance: f64) -> f64 {
         let [at_turn, now] = self.missing();
         // 1 - f = now / (1 + s now / room) at the distance s.
-        let room = self.x_2 * at_turn * at_turn;
+        let room = self.rubber.x_2 * at_turn * at_turn;
         if room == 0.0 {
             return (1.0 - now) * distance;
         }
         let part = distance * (now / room);
         // As a quotient that stays finite.
-        self.friction_share += self.direction() * now / (1.0 + 1.0 / part);
+        self.state.friction_share += self.direction() * now / (1.0 + 1.0 / part);
         distance - room * ln_1p(part)
     }
 
     /// Advances the damper and its spring, and gives their work.
     fn yield_over(&mut self, part: &Motion) -> f64 {
         let h = part.duration;
-        let decay = self.k_v / self.c * h;
+        let decay = self.rubber.k_v / self.rubber.c * h;
         let [one, two, three, four] = phi(-decay);
-        let (start, pull, change) = (self.damper_force, self.k_v * h * part.velocity, part.acceleration * h);
-        let push = self.k_v * h * change;
-        self.damper_force = start * exp(-decay) + pull * one + push * two;
+        let (start, pull, change) =
+            (self.state.damper_force, self.rubber.k_v * h * part.velocity, part.acceleration * h);
+        let push = self.rubber.k_v * h * change;
+        self.state.damper_force = start * exp(-decay) + pull * one + push * two;
         // Integrals of the force over the time in parts of h, and over the same once more.
         let once = start * one + pull * two + push * three;
         let twice = start * two + pull * three + push * four;
@@ -198,11 +230,11 @@ impl RubberMount {
     /// Advances over a motion in one direction.
     fn follow(&mut self, part: &Motion) {
         let (path, direction) = (part.path(part.duration), part.direction());
-        let elastic = self.k_e * path * (self.displacement + 0.5 * path);
+        let elastic = self.rubber.k_e * path * (self.displacement + 0.5 * path);
         let mut work = elastic + self.yield_over(part);
         if direction != 0.0 {
             self.turn_to(direction);
-            work += self.F_max * self.slide(path.abs());
+            work += self.rubber.F_max * self.slide(path.abs());
         }
         self.displacement += path;
         self.dissipated_energy += work;
@@ -255,9 +287,15 @@ mod tests {
     use super::*;
     use crate::model::ramp::held_inputs;
 
+    fn with(set: impl Fn(&mut Rubber)) -> RubberMount {
+        let mut mount = RubberMount::default();
+        set(&mut mount.rubber);
+        mount
+    }
+
     /// Friction only.
     fn friction() -> RubberMount {
-        RubberMount { k_e: 0.0, k_v: 0.0, ..Default::default() }
+        with(|rubber| (rubber.k_e, rubber.k_v) = (0.0, 0.0))
     }
 
     /// Moves by a distance in a second.
@@ -319,7 +357,11 @@ mod tests {
                 moved(&mut mount, 2.0 * x_0);
             }
             let share = ((x_2 * x_2 + x_0 * x_0 + 6.0 * x_2 * x_0).sqrt() - x_2 - x_0) / (2.0 * x_2);
-            assert!((mount.friction_force / (f_max * share) - 1.0).abs() < 1e-9, "{x_0}: {}", mount.friction_share);
+            assert!(
+                (mount.friction_force / (f_max * share) - 1.0).abs() < 1e-9,
+                "{x_0}: {}",
+                mount.state.friction_share
+            );
             let before = mount.dissipated_energy;
             moved(&mut mount, -2.0 * x_0);
             assert!((mount.friction_force / (f_max * share) + 1.0).abs() < 1e-9, "{x_0}");
@@ -341,11 +383,11 @@ mod tests {
     #[test]
     fn friction_may_add_energy() {
         let mut mount = friction();
-        while mount.friction_share < 0.999 {
+        while mount.state.friction_share < 0.999 {
             moved(&mut mount, 2e-8);
             moved(&mut mount, -1e-8);
         }
-        while mount.friction_share > 0.0 {
+        while mount.state.friction_share > 0.0 {
             moved(&mut mount, -1e-7);
         }
         let gained = -mount.dissipated_energy / (100.0 * 2e-4);
@@ -356,7 +398,8 @@ mod tests {
     /// the indicator changes its sign.
     #[test]
     fn ramps_agree_with_rates_and_events() {
-        let start = RubberMount { velocity: 0.01, damper_force: 30.0, ..Default::default() };
+        let mut start = RubberMount { velocity: 0.01, ..Default::default() };
+        start.state.damper_force = 30.0;
         let (mut exact, mut solved) = (start, start);
         for (slope, time) in [(-0.5, 0.05), (1.2, 0.03), (-0.4, 0.08)] {
             let rates = RubberMount { velocity: slope, ..held_inputs(&exact) };
@@ -376,29 +419,32 @@ mod tests {
             solved.velocity = begin + slope * time;
             for (found, expected, scale) in [
                 (solved.displacement, exact.displacement, 1e-3),
-                (solved.friction_share, exact.friction_share, 1.0),
-                (solved.damper_force, exact.damper_force, 100.0),
+                (solved.state.friction_share, exact.state.friction_share, 1.0),
+                (solved.state.damper_force, exact.state.damper_force, 100.0),
                 (solved.dissipated_energy, exact.dissipated_energy, 0.1),
             ] {
                 assert!((found - expected).abs() < 1e-5 * scale, "{slope}: {found} {expected}");
             }
         }
-        assert_eq!([exact.rising, solved.rising], [0.0, 0.0]);
-        assert_abs_diff_eq!(exact.turning_share, solved.turning_share, epsilon = 1e-5);
+        assert_eq!([exact.state.rising, solved.state.rising], [0.0, 0.0]);
+        assert_abs_diff_eq!(exact.state.turning_share, solved.state.turning_share, epsilon = 1e-5);
     }
 
     fn runge_kutta(mount: &mut RubberMount, slope: f64, h: f64) {
         let rates = |at: &RubberMount| {
             let mut rate = RubberMount::default();
             at.derivatives(&mut rate);
-            [rate.displacement, rate.friction_share, rate.damper_force, rate.dissipated_energy]
+            [rate.displacement, rate.state.friction_share, rate.state.damper_force, rate.dissipated_energy]
         };
         let begin = *mount;
         let moved = |k: [f64; 4], part: f64| RubberMount {
             velocity: begin.velocity + slope * part * h,
             displacement: begin.displacement + part * h * k[0],
-            friction_share: begin.friction_share + part * h * k[1],
-            damper_force: begin.damper_force + part * h * k[2],
+            state: RubberState {
+                friction_share: begin.state.friction_share + part * h * k[1],
+                damper_force: begin.state.damper_force + part * h * k[2],
+                ..begin.state
+            },
             dissipated_energy: begin.dissipated_energy + part * h * k[3],
             ..begin
         };
@@ -413,7 +459,7 @@ mod tests {
     #[test]
     fn damper_loses_as_its_complex_stiffness_says() {
         for frequency in [0.5, 8.0, 100.0] {
-            let mut mount = RubberMount { k_e: 0.0, F_max: 0.0, ..Default::default() };
+            let mut mount = with(|rubber| (rubber.k_e, rubber.F_max) = (0.0, 0.0));
             let (w, x_0, count) = (TAU * frequency, 1e-3, 4000);
             let h = 1.0 / frequency / f64::from(count);
             let velocity = |step: u32| x_0 * w * (w * h * f64::from(step)).cos();
@@ -436,14 +482,14 @@ mod tests {
     /// Without the damper the mount is a spring beside its friction; without both it is a spring.
     #[test]
     fn parts_can_be_left_out() {
-        let mut mount = RubberMount { k_v: 0.0, F_max: 0.0, ..Default::default() };
+        let mut mount = with(|rubber| (rubber.k_v, rubber.F_max) = (0.0, 0.0));
         for distance in [1e-3, -3e-3, 2e-3] {
             moved(&mut mount, distance);
             assert_abs_diff_eq!(mount.friction_force, 5e5 * mount.displacement, epsilon = 1e-9);
         }
         assert!(mount.dissipated_energy.abs() < 1e-12);
         // A damper far stiffer than it is quick is a damper alone.
-        let mut damper = RubberMount { k_e: 0.0, F_max: 0.0, k_v: 1e12, ..Default::default() };
+        let mut damper = with(|rubber| (rubber.k_e, rubber.F_max, rubber.k_v) = (0.0, 0.0, 1e12));
         moved(&mut damper, 0.1);
         assert_abs_diff_eq!(damper.friction_force, 200.0, epsilon = 1e-6);
         assert_abs_diff_eq!(damper.dissipated_energy, 20.0, epsilon = 1e-6);

@@ -86,6 +86,47 @@ pub fn newton(f: impl Fn(f64) -> Dual, mut low: f64, mut high: f64) -> f64 {
     x
 }
 
+/// The zero of a rising function near `start`: first in steps that double until f has changed its sign, then by regula
+/// falsi after Illinois. `slope` is the least slope of f, or a guess: with the least one, the first step passes the zero.
+/// A value of at most `near` counts as 0.
+pub fn rising(f: impl Fn(f64) -> f64, start: f64, slope: f64, near: f64) -> f64 {
+    let (mut a, mut at_a) = (start, f(start));
+    if at_a.abs() <= near {
+        return a;
+    }
+    let mut reach = -at_a / slope;
+    let (mut b, mut at_b) = (a + reach, f(a + reach));
+    for _ in 0..64 {
+        if at_b.signum() != at_a.signum() || at_b.abs() <= near {
+            break;
+        }
+        reach *= 2.0;
+        (a, at_a) = (b, at_b);
+        b = a + reach;
+        at_b = f(b);
+    }
+    for round in 1..200 {
+        if at_b.abs() <= near {
+            break;
+        }
+        let falsi = b - at_b * (b - a) / (at_b - at_a);
+        let is_between = falsi > a.min(b) && falsi < a.max(b);
+        // A kink may hold one end for long.
+        let c = if is_between && round % 4 != 0 { falsi } else { a + 0.5 * (b - a) };
+        if c == a || c == b {
+            break;
+        }
+        let at_c = f(c);
+        if at_c.signum() == at_b.signum() {
+            at_a *= 0.5;
+        } else {
+            (a, at_a) = (b, at_b);
+        }
+        (b, at_b) = (c, at_c);
+    }
+    b
+}
+
 /// The zeros of the cubic's derivative in rising order; infinite or NaN if they do not exist.
 fn turns([_, c_1, c_2, c_3]: [f64; 4]) -> [f64; 2] {
     // 3 c_3 t^2 + 2 c_2 t + c_1 = 0, in the form that preserves all digits.
@@ -109,6 +150,20 @@ mod tests {
         assert_abs_diff_eq!(newton(kinked, -50.0, 50.0), 1.0 + 1e-6, epsilon = 1e-15);
         assert_abs_diff_eq!(newton(|x| at((x - 0.3).signum(), 0.0), 0.0, 1.0), 0.3, epsilon = 1e-15);
         assert_eq!(newton(|x| at(x, 1.0), 0.0, 0.0), 0.0);
+    }
+
+    #[test]
+    fn rising_functions_are_followed_from_afar() {
+        let found = |f: fn(f64) -> f64, slope: f64| rising(f, 0.0, slope, 1e-12);
+        assert_abs_diff_eq!(found(|x| x * x * x - 2.0, 1e-3), 2f64.cbrt(), epsilon = 1e-12);
+        assert_abs_diff_eq!(found(|x| 5.0 * x + 3.0, 5.0), -0.6, epsilon = 1e-12);
+        assert_abs_diff_eq!(found(|x| x.atan() - 1.5, 1.0), 1.5f64.tan(), epsilon = 1e-9);
+        // A step, which no value of f meets, and a fall before the zero.
+        assert_abs_diff_eq!(found(|x| (x - 0.3).signum(), 1.0), 0.3, epsilon = 1e-15);
+        let wavy = |x: f64| x - 2.0 + (5.0 * x).sin();
+        assert_abs_diff_eq!(wavy(found(wavy, 1.0)), 0.0, epsilon = 1e-12);
+        assert_eq!(found(|x| x, 1.0), 0.0);
+        assert!(!found(|_| f64::NAN, 1.0).is_normal());
     }
 
     #[test]

@@ -32,7 +32,7 @@ struct Tangents {
 impl<T: Evaluate> Setting<T> {
     /// Friction force along the axis at this instant.
     #[inline(never)]
-    fn friction_now(&self, motion: &Motion<T>, memory: Memories<T>) -> T {
+    pub(super) fn friction_now(&self, motion: &Motion<T>, memory: Memories<T>) -> T {
         let touches = self.touches(motion);
         let force = |at: usize| {
             let answer = self.friction.force(self.contacts()[at], &touches[at], memory[at]);
@@ -68,8 +68,7 @@ impl Setting {
     /// Derivatives of the force: with respect to the length at this instant; to the velocity at this instant; and to a
     /// velocity held over a step of `dt`, separately for the damper.
     #[inline(never)] // as the other parts of an output, so that the stack of each is freed before the next
-    fn tangents(&self, memory: Memories<f64>, state: &OtherStates<f64>, dt: f64) -> Tangents {
-        let here = self.motion();
+    fn tangents(&self, here: Motion<f64>, memory: Memories<f64>, state: &OtherStates<f64>, dt: f64) -> Tangents {
         let now = |motion: &Motion<f64>| {
             self.forces(motion).sum() - self.friction_now(motion, memory) - self.resistance_after(motion, state, 0.0)
         };
@@ -92,6 +91,18 @@ impl Setting {
         }
     }
 
+    /// Stiffness between the damper and what the strut moves, if there is one. A mount counts as stiff as it is in small
+    /// and quick motions.
+    fn stiffness_in_series(&self) -> Option<f64> {
+        let (of_damper, of_mount) = (self.damper.k_series, self.mount.rubber.largest_stiffness());
+        match (self.damper.has_series(), self.has_mount()) {
+            (false, false) => None,
+            (true, false) => Some(of_damper),
+            (false, true) => Some(of_mount),
+            (true, true) => Some(of_damper * of_mount / (of_damper + of_mount)),
+        }
+    }
+
     /// Slope of the damper's resistance at a velocity of the piston.
     fn slope_of_the_damper(&self, piston_velocity: f64, state: &OtherStates<f64>) -> f64 {
         let d_velocity = PROBE_VELOCITY.max(1e-6 * piston_velocity.abs());
@@ -104,7 +115,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
     /// Stands for [`ShockAbsorber::advice`] where numbers have no values: numbers with the same dependencies.
     pub(super) fn sources_of_advice(&self, memories: Memories<T>) -> [T; 3] {
         let (setting, state) = (&self.setting, self.damper_state());
-        let (motion, damper) = (setting.motion(), &setting.damper);
+        let (motion, damper) = (self.motion(), &setting.damper);
         let [elastic, friction] = [setting.forces(&motion).sum(), setting.friction_now(&motion, memories)];
         let resistance = setting.resistance(setting.piston(&motion, &state), &state);
         let touches = setting.touches(&motion);
@@ -119,7 +130,10 @@ impl<T: Evaluate> ShockAbsorber<T> {
         let in_fluid = fluid.slip + fluid.hysteresis.z + fluid.hysteresis.filtered_voltage;
         let moved = resistance + in_series + in_fluid;
         let held = elastic + setting.friction_now(&motion, [&after_1, &after_2]) + moved + duration;
-        let of_limit = setting.num.mass_ref + setting.num.input_mode + setting.friction.exchange;
+        let rubber = &setting.mount.rubber;
+        let stiffest = || rubber.k_e + rubber.k_v + rubber.F_max + rubber.x_2;
+        let in_mount = setting.has_mount().choose(stiffest, || T::from(0.0));
+        let of_limit = setting.num.mass_ref + setting.num.input_mode + setting.friction.exchange + in_mount;
         [elastic + friction + resistance, held, held + friction + of_limit]
     }
 
@@ -137,7 +151,9 @@ impl<T: Evaluate> ShockAbsorber<T> {
         let state = OtherStates { damper, temperature: temperature.value() };
         let dt =
             if self.step_size.value() > 0.0 { self.step_size.value().max(SHORTEST_PROBE) } else { setting.num.h_max };
-        let tangents = setting.tangents([&values[0], &values[1]], &state, dt);
+        let Motion { length, velocity } = self.motion();
+        let here = Motion { length: length.value(), velocity: velocity.value() };
+        let tangents = setting.tangents(here, [&values[0], &values[1]], &state, dt);
         // The change of force due to a held velocity over a step comes from bristles and from a fluid that yields: a
         // stiffness.
         let elastic = if setting.damper.is_magnetorheological() {
@@ -150,8 +166,8 @@ impl<T: Evaluate> ShockAbsorber<T> {
         let (stiffness, held) = if is_held { (-tangents.length, bristles) } else { (bristles - tangents.length, 0.0) };
         let exchange = ExchangeOrder::of(setting.friction.exchange);
         let mass = setting.num.mass_ref;
-        let limit = if setting.damper.has_series() {
-            let series = Series { damping: tangents.damper, stiffness: setting.damper.k_series, is_late: is_held };
+        let limit = if let Some(in_series) = setting.stiffness_in_series() {
+            let series = Series { damping: tangents.damper, stiffness: in_series, is_late: is_held };
             coupling::step_limit_in_series(stiffness, held, -tangents.velocity, &series, mass, exchange)
         } else {
             coupling::step_limit(stiffness, held, tangents.velocity - tangents.damper, mass, exchange)

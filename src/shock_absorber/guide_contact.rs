@@ -308,6 +308,15 @@ impl FrictionLaw {
             .map_or(Ok(()), |law| law.check_model_exchange(&self.given(levels, &self.loaded_at_rest()), &self.law))
     }
 
+    /// Refuses a law that cannot act behind a mount, where forces and masses are not those of the host.
+    pub(crate) fn check_mounted(&self, levels: &Levels) -> Result<(), Fault> {
+        if self.moves_mass() {
+            let why = "must be 0 if mount.enabled is true, because the friction then stops mount.mass";
+            return Err(Fault::new(format_args!("friction.mass = {}: {why}", self.mass)));
+        }
+        self.chosen().map_or(Ok(()), |law| law.check_mounted(&self.given(levels, &self.loaded_at_rest()), &self.law))
+    }
+
     /// Refuses a law that sticks and slips at events.
     pub(crate) fn check_without_events(&self, levels: &Levels) -> Result<(), Fault> {
         self.chosen()

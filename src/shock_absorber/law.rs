@@ -33,6 +33,7 @@ const VELOCITY: usize = 0;
 const NORMAL_FORCE: usize = 1;
 const MASS: usize = 4;
 const EXTERNAL_FORCE: usize = 6;
+const ACCELERATION: usize = 7;
 
 impl<T: Copy> Given<T> {
     /// The columns that a law may have.
@@ -72,7 +73,23 @@ impl ChosenLaw {
 
     /// Whether it uses the mass that the contact has to stop.
     pub(crate) fn asks_for_mass(self) -> bool {
-        usize::from(self.0.given[MASS]) < self.0.model.table.len()
+        self.asks_for(MASS)
+    }
+
+    /// Whether it uses this one among [`Given::values`].
+    fn asks_for(self, place: usize) -> bool {
+        usize::from(self.0.given[place]) < self.0.model.table.len()
+    }
+
+    /// Refuses a law that needs more than the motion and the load of its contact.
+    pub(crate) fn check_mounted(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
+        let holds_by_event = self.asks_for(EXTERNAL_FORCE) && self.check_without_events(given, parameters).is_err();
+        if self.asks_for(ACCELERATION) || holds_by_event {
+            let why =
+                "must be a law that holds no mass by an event and follows no acceleration if mount.enabled is true";
+            return Err(Fault::new(format_args!("friction.model = {}: {why}", self.0.model.name)));
+        }
+        Ok(())
     }
 
     /// Number of places that it uses of a memory, from the first.

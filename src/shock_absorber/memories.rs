@@ -29,7 +29,7 @@ impl Setting {
     /// States of a contact after a while at this motion.
     #[inline(never)]
     fn settled(&self, at: usize) -> [f64; MEMORY] {
-        self.friction.settled(self.contacts()[at], &self.touches(&self.motion())[at])
+        self.friction.settled(self.contacts()[at], &self.touches(&self.first_motion())[at])
     }
 
     /// The same for a setting moved along its slopes.
@@ -87,7 +87,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
     #[inline(never)]
     fn mark_settled(&self, memories: &mut [[T; MEMORY]; 2]) {
         let setting = &self.setting;
-        let touches = setting.touches(&setting.motion());
+        let touches = setting.touches(&self.motion());
         for (at, memory) in memories.iter_mut().enumerate() {
             setting.friction.mark_settled(setting.contacts()[at], &touches[at], memory);
         }

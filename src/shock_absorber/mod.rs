@@ -23,6 +23,8 @@ mod law_list;
 mod law_parameters;
 mod law_plan;
 mod memories;
+mod mount;
+mod mounted;
 mod presets;
 mod setting;
 

@@ -11,6 +11,7 @@ use crate::shock_absorber::geometry::Geometry;
 use crate::shock_absorber::guide_contact::{FrictionLaw, Levels, Touch};
 use crate::shock_absorber::hydraulic_damper::{DamperState, Hydraulics};
 use crate::shock_absorber::law::Evaluate;
+use crate::shock_absorber::mount::Mount;
 use crate::shock_absorber::telescopic_joint::{NormalSum, SideConvention, SideLoad, Wrench};
 
 crate::choices! {
@@ -140,6 +141,8 @@ crate::part! {
         side: Side,
         /// Heating of the damper.
         thermal: Heating,
+        /// Rubber mount.
+        mount: Mount,
         /// Travel of the host.
         adapter: Adapter,
         /// Numerical settings.

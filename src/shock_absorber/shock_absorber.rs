@@ -10,6 +10,7 @@ use crate::shock_absorber::hydraulic_damper::DamperState;
 use crate::shock_absorber::law::{Answer, Evaluate, MOST_EVENTS};
 use crate::shock_absorber::law_plan::{MEMORY, blank_memory};
 use crate::shock_absorber::memories::Memories;
+use crate::shock_absorber::mount::MountState;
 use crate::shock_absorber::presets;
 use crate::shock_absorber::setting::{FrictionStart, InputMode, Motion, OtherStates, Setting};
 
@@ -40,6 +41,14 @@ crate::model! {
     ///
     /// ```text
     /// d_i = d_0 - s - 2/9 (d_0 - 2 s),   d_j = d_0 - s - 4/9 (d_0 - 2 s)
+    /// ```
+    ///
+    /// With `mount.enabled` the rod ends in a mass and a rubber mount, which is a `RubberMount` between it and its eye.
+    /// The strut is then longer than the distance of the eyes by the displacement y, and faster by its rate: d + y and v +
+    /// dy/dt take the places of d and v above. The eye of the rod feels $F_m$ instead of $F$:
+    ///
+    /// ```text
+    /// m d2y/dt2 = F - F_m,   F_m = F_0 + F_e
     /// ```
     ///
     /// $F_s$, $F_b$, $F_r$ and $F_d$ also have other forms, selected by `spring.mode`, `bump.mode` and `damper.mode`;
@@ -78,6 +87,11 @@ crate::model! {
     /// | V        | `voltage`              | V     | voltage at the driver of a magnetorheological damper     |
     /// | c        | `damper.c_comp`, `damper.c_reb` | N.s/m | coefficient in compression, in extension         |
     /// | r_k      | `geom.r_1`, `geom.r_2` | m     | radius of rod and piston                                 |
+    /// | y        | `mount.displacement`   | m     | displacement of the rod towards its eye                  |
+    /// | m        | `mount.mass`           | kg    | mass of the rod with the inner part of the mount         |
+    /// | F_m      | `force_mount`          | N     | force of the mount                                       |
+    /// | F_0      | `mount.preload`        | N     | force that it carries without displacement               |
+    /// | F_e      | -                      | N     | force of its rubber: see RubberMount                     |
     /// | F        | `force`                | N     | force of the strut                                       |
     /// | f_k      | `friction_1`, `friction_2` | N | friction force at rod guide and piston                   |
     /// | tau_k    | -                      | N.m   | friction torques, `friction_torque` is their sum         |
@@ -105,10 +119,15 @@ crate::model! {
     /// the state reached after one second at the initial velocity, unless `init.friction_state` selects another. The
     /// initial velocity is that of the first step; in Model Exchange it is that at the end of the initialization.
     ///
+    /// Behind a mount the rod moves at a constant velocity in each internal step, at the end of which the forces on it are
+    /// in balance: of first order in `num.h_max`, and stable however stiff the mount and light the rod is. The mount starts
+    /// at rest, displaced until it carries spring, gas and stops, unless `init.friction_state` = Value gives its state.
+    ///
     /// # Errors
     /// Refused: a parameter outside its bound; static levels below kinetic ones; tables that are not strictly
     /// ascending; a gas volume that the rod fills; `adapter.length_gain` = 0; a stroke of at least half the length if
-    /// the guidance is derived; whatever the chosen law refuses; in Model Exchange, a law that does not support it.
+    /// the guidance is derived; whatever the chosen law refuses; in Model Exchange, a law that does not support it; behind
+    /// a mount a law that holds a mass at events or follows the acceleration, `friction.mass`, and `mount.k_e` = 0.
     /// Parameters of laws and modes that are not chosen are ignored.
     ///
     /// # Limits
@@ -126,6 +145,11 @@ crate::model! {
     /// constant of 1 ms: at a reversal the force lags. A warning is logged if the host steps the strut at every
     /// evaluation of its integrator, several times per step: the distance travelled by `velocity` is then more than
     /// twice that by `length`.
+    ///
+    /// A mount moves along the axis only. The strut does not know how its eyes accelerate in space: the inertia of the rod
+    /// is that against its eye. `force_without_friction`, `dforce_dlength` and `dforce_dvelocity` are those of a rod that is
+    /// held; `step_limit` takes the mount for a stiffness in series with the damper. `dissipated_energy` does not contain
+    /// what the rubber takes.
     ///
     /// # Source
     /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
@@ -165,6 +189,8 @@ crate::model! {
         dissipated_energy: state_output = real("J", 0.0).means(Meaning::Energy),
         /// Magnetorheological damper.
         mr: FluidState,
+        /// Rubber mount.
+        mount: MountState,
         /// Force of the strut; positive pushes the eyes apart.
         force: output = real("N", 0.0).means(Meaning::StrutForce),
         /// The same with the opposite sign: positive pulls the eyes together.
@@ -184,6 +210,10 @@ crate::model! {
         /// Axial force without friction. At rest the friction carries it, less the force with which the host holds the
         /// length.
         force_without_friction: output = real("N", 0.0).means(Meaning::ForceWithoutFriction),
+        /// Force of the mount, on the eye of the rod; force if there is no mount.
+        force_mount: output = real("N", 0.0),
+        /// Part of the force that moves the rod and not its eye: force less force_mount.
+        rod_force: output = real("N", 0.0),
         /// Force on the travel of the host, by virtual work: see adapter.
         force_travel: output = real("N", 0.0),
         /// Axial friction at the rod guide; has the sign of the velocity when sliding.
@@ -257,6 +287,8 @@ impl<T: Evaluate> ShockAbsorber<T> {
         self.force_friction = -(friction[0] + friction[1]);
         self.force_without_friction = forces.sum() + self.force_damper;
         self.force = self.force_without_friction + self.force_friction;
+        self.force_mount = self.force_on_the_rod_eye();
+        self.rod_force = self.force - self.force_mount;
         self.force_tension = -self.force;
         self.force_travel = self.setting.adapter.force_gain * self.setting.adapter.length_gain * self.force;
         self.dissipated_power = resistance * piston;
@@ -301,7 +333,7 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
-        let motion = self.setting.motion();
+        let motion = self.motion();
         self.write_outputs(&motion, &self.setting.touches(&motion));
     }
 
@@ -316,7 +348,7 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
 impl<T: Evaluate> Derivatives for ShockAbsorber<T> {
     fn derivatives(&self, rate: &mut Self) {
         let setting = &self.setting;
-        let motion = setting.motion();
+        let motion = self.motion();
         let touches = setting.touches(&motion);
         let (state, factor) = (self.damper_state().damper, setting.thermal.factor(self.temperature));
         rate.piston_velocity = setting.damper.rate(state.piston_velocity, motion.velocity, factor);
@@ -326,6 +358,7 @@ impl<T: Evaluate> Derivatives for ShockAbsorber<T> {
             for (at, rate) in memory_rates.into_iter().enumerate() {
                 setting.friction.write_rate(setting.contacts()[at], &touches[at], memories[at], rate);
             }
+            rate.mount = self.mount_rates(&motion, memories);
             self.power(&motion, &touches, memories)
         });
         rate.dissipated_energy = power;
@@ -337,7 +370,9 @@ impl ShockAbsorber {
     fn start(&mut self) {
         if !self.has_started() {
             self.piston_velocity = self.damper_state().damper.piston_velocity;
+            let mount = self.mount_state();
             self.remember_first();
+            self.mount = mount;
             self.started = 1.0;
         }
     }
@@ -348,7 +383,7 @@ impl ShockAbsorber {
         self.step_size = dt;
     }
 
-    /// Advances the states while the inputs are held.
+    /// Advances the states while the inputs are held, without a mount.
     fn hold(&mut self, touches: &[Touch<f64>; 2], dt: f64) {
         let friction = self.slide(touches, dt);
         let count = if self.setting.has_own_dynamics() { super::substeps(dt, self.setting.num.h_max) } else { 1 };
@@ -369,6 +404,9 @@ impl ShockAbsorber {
     /// Advances while the inputs change at the rates `slope`.
     #[inline(never)]
     fn follow(&mut self, slope: &Self, dt: f64) {
+        if self.setting.has_mount() {
+            return self.step_behind_mount(slope, dt);
+        }
         let begin = ramp::Inputs::of(self);
         // A force that stops a mass belongs to the whole step.
         let stopping = self.setting.friction.moves_mass().then(|| {
@@ -422,7 +460,7 @@ impl ShockAbsorber {
 }
 
 impl Model for ShockAbsorber {
-    const EVENT_INDICATORS: usize = 2 * MOST_EVENTS;
+    const EVENT_INDICATORS: usize = 2 * MOST_EVENTS + 1;
     const PRESETS: &'static [Preset] = presets::ALL;
 
     const HAS_IDLE: bool = true;
@@ -444,6 +482,10 @@ impl Model for ShockAbsorber {
         setting.gas.check(setting.geom.stroke)?;
         setting.geom.check()?;
         setting.damper.check()?;
+        setting.mount.check()?;
+        if setting.has_mount() {
+            setting.friction.check_mounted(&setting.c1)?;
+        }
         if setting.adapter.length_gain == 0.0 {
             return Err(Fault::new("adapter.length_gain = 0: must not be 0"));
         }
@@ -468,7 +510,7 @@ impl Model for ShockAbsorber {
     }
 
     fn check_motion(&self) -> Result<(), Fault> {
-        let (setting, motion) = (&self.setting, self.setting.motion());
+        let (setting, motion) = (&self.setting, self.motion());
         setting.gas.check_compression(setting.compression(&motion))?;
         setting.geom.guidance().check_overlap(motion.length)
     }
@@ -478,13 +520,16 @@ impl Model for ShockAbsorber {
     }
 
     fn check_without_events(&self) -> Result<(), Fault> {
+        self.setting.mount.check_without_events()?;
         self.setting.friction.check_without_events(&self.setting.c1)
     }
 
     fn event_indicators(&self, indicators: &mut [f64]) {
-        let touches = self.setting.touches(&self.setting.motion());
+        let touches = self.setting.touches(&self.motion());
+        let (contacts, mount) = indicators.split_at_mut(2 * MOST_EVENTS);
+        mount[0] = if self.setting.has_mount() { self.mount_state().indicator(&self.setting.mount) } else { 1.0 };
         self.with_memories(|memories| {
-            for (at, indicators) in indicators.chunks_exact_mut(MOST_EVENTS).enumerate() {
+            for (at, indicators) in contacts.chunks_exact_mut(MOST_EVENTS).enumerate() {
                 let levels = self.setting.contacts()[at];
                 indicators.copy_from_slice(&self.setting.friction.indicators(levels, &touches[at], memories[at]));
             }
@@ -493,7 +538,10 @@ impl Model for ShockAbsorber {
 
     fn at_event(&mut self) {
         self.start();
-        let touches = self.setting.touches(&self.setting.motion());
+        if self.setting.has_mount() {
+            self.mount.at_event(&self.setting.mount);
+        }
+        let touches = self.setting.touches(&self.motion());
         for (at, memory) in [&mut self.memory_1, &mut self.memory_2].into_iter().enumerate() {
             self.setting.friction.at_event(self.setting.contacts()[at], &touches[at], memory);
         }
@@ -508,17 +556,19 @@ impl Model for ShockAbsorber {
         self.begin(dt);
         if self.moves_inputs() {
             self.step_along_the_motion(None, dt);
+        } else if self.setting.has_mount() {
+            self.step_behind_mount(&ramp::held_inputs(self), dt);
         } else {
             self.hold(&self.setting.touches(&self.setting.motion()), dt);
         }
     }
 
     fn step_and_output(&mut self, dt: f64) {
-        self.begin(dt);
-        if self.moves_inputs() {
-            self.step_along_the_motion(None, dt);
+        if self.moves_inputs() || self.setting.has_mount() {
+            self.step(dt);
             return self.output();
         }
+        self.begin(dt);
         // Held inputs are the same after the step.
         let motion = self.setting.motion();
         let touches = self.setting.touches(&motion);

@@ -13,6 +13,7 @@ mod friction;
 mod golden;
 mod guide_contact;
 mod magnetorheological;
+mod mount;
 mod parts;
 mod refusals;
 mod side_loads;

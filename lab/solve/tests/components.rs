@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use stribeck::numerics::root::bisect;
 use stribeck_solve::run::{Outcome, Settings, run};
-use stribeck_solve::system::{Description, Source, System};
+use stribeck_solve::system::{Description, Setting, Source, System};
 
 /// Solves a system to a tolerance of 1e-10.
 fn solved(text: &str, shown: &[String]) -> Outcome {
@@ -179,4 +179,57 @@ fn a_mass_pulls_a_load_over_two_bends_as_over_one() {
         assert!(missing.abs() < 1e-8, "{missing} J");
     }
     assert!(forwards > 200 && longest > 4e-3, "{forwards} {longest}");
+}
+
+/// A quarter car whose strut has the mount inside; otherwise as the built-in system with a mount of its own.
+const MOUNTED: &str = r#"
+title = "strut with a mount"
+until = 0.5
+every = 1e-3
+[part.car]
+model = "QuarterCar"
+[part.strut]
+model = "ShockAbsorber"
+[part.strut.set]
+"mount.enabled" = true
+"mount.mass" = 0.01
+"mount.preload" = 1325.2555
+[connect]
+"car.strut_force" = "strut.force"
+"car.rod_force" = "strut.rod_force"
+"car.force_without_friction" = "strut.force_without_friction"
+"strut.length" = "car.length"
+"strut.velocity" = "car.velocity"
+[input]
+"car.road_height" = { sine = { amplitude = 0.002, frequency = 10.0 } }
+"car.road_velocity" = { rate-of = "car.road_height" }
+"strut.external_force" = 0.0
+"strut.side_force_m" = 0.0
+"strut.side_force_n" = 0.0
+"strut.side_moment_m" = 0.0
+"strut.side_moment_n" = 0.0
+"strut.spin_rate" = 0.0
+"strut.temperature_ambient" = 293.15
+"#;
+
+/// Strut and mount as one model, and as the parts of the built-in system, where the inertia of the rod is that against
+/// the ground and not that against the body: they differ by the ratio of its mass to that of the body.
+#[test]
+fn a_mount_in_the_strut_is_the_mount_behind_it() {
+    let shown = ["car.body_height", "car.wheel_height"].map(str::to_owned);
+    let inside = solved(MOUNTED, &shown);
+    let settings = [("mount.mass", "0.01"), ("car.road_height.frequency", "10")];
+    let settings = settings.map(|(name, value)| Setting { name: name.to_owned(), value: value.to_owned() });
+    let source = Source::open("quarter-car-mount").unwrap();
+    let system = System::assemble(&source, Some("LuGre"), &settings).unwrap();
+    let settings = Settings { tolerance: 1e-10, until: 0.5, every: 1e-3, ..Settings::of(&system) };
+    let behind = run(&system, &settings, &shown).unwrap();
+    for name in &shown {
+        let [inside, behind] = [&inside, &behind].map(|outcome| outcome.values(name).unwrap());
+        let largest = behind.iter().fold(0f64, |largest, height| largest.max(height.abs()));
+        assert_eq!(inside.len(), behind.len());
+        for (k, (a, b)) in inside.iter().zip(behind).enumerate() {
+            assert!((a - b).abs() < 3.0 * 0.01 / 52.91 * largest, "{name} at {k} ms: {a} {b} of {largest}");
+        }
+    }
 }
