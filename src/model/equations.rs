@@ -304,6 +304,12 @@ pub trait Model: Described + Law<Number = f64> {
         if Self::TABLE.iter().any(Variable::is_settled_by_events) { Err(rests_at_events()) } else { Ok(()) }
     }
 
+    /// Whether a continuous state rests with the present parameters, such as that of a part that is switched off. Its rate
+    /// is 0 then, and nothing depends on it.
+    fn rests(&self, _column: usize) -> bool {
+        false
+    }
+
     /// Writes functions that change sign where derivatives or outputs jump, so that an importer finds the instant. A
     /// model need not have one for every jump or kink of its curves: solvers cross those with smaller steps.
     fn event_indicators(&self, _indicators: &mut [f64]) {}

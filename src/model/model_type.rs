@@ -66,6 +66,7 @@ pub struct ModelType {
     overshoot_dual: fn(&[Dual]) -> Dual,
     check_model_exchange: fn(&[f64]) -> Result<(), Fault>,
     check_without_events: fn(&[f64]) -> Result<(), Fault>,
+    rests: fn(&[f64], usize) -> bool,
     indicate: fn(&[f64], &mut [f64]),
     is_linear: fn(&[f64]) -> bool,
     past: fn(&[f64]) -> Option<Past>,
@@ -109,6 +110,7 @@ impl ModelType {
             overshoot_dual: super::evaluate::overshoot_in::<M, Dual>,
             check_model_exchange: |row| view::<M, f64>(row).check_model_exchange(),
             check_without_events: |row| view::<M, f64>(row).check_without_events(),
+            rests: |row, column| view::<M, f64>(row).rests(column),
             indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
             is_linear: |row| view::<M, f64>(row).is_linear(),
             past: |row| view::<M, f64>(row).past(),
@@ -248,11 +250,14 @@ impl ModelType {
         (0..table.len()).filter(move |column| table.at(*column).is_continuous_state())
     }
 
-    /// Those of them that the parameters of a row use: the states of elements beyond the number of elements rest.
+    /// Those of them that the parameters of a row use: the states of elements beyond the number of elements rest, and
+    /// those of parts that are switched off.
     pub fn states_in_use(&self, row: &[f64]) -> impl Iterator<Item = usize> {
         let (table, count) = (self.table, self.table.of(Meaning::ElementCount).map(|column| row[column]));
         let index = move |column: usize| table.at(column).path.segments()[0].index;
-        self.continuous_states().filter(move |column| count.is_none_or(|count| f64::from(index(*column)) <= count))
+        self.continuous_states()
+            .filter(move |column| count.is_none_or(|count| f64::from(index(*column)) <= count))
+            .filter(move |column| !(self.rests)(row, *column))
     }
 
     /// Refuses parameters with which the model is for co-simulation only.

@@ -1,8 +1,9 @@
 use std::fmt;
+use std::mem::offset_of;
 
 use crate::component::{MagnetorheologicalFluid, MagnetorheologicalState};
 use crate::model::ramp;
-use crate::model::{Column, Derivatives, Fault, Law, Meaning, Model, ModelExchange, boolean, integer, real};
+use crate::model::{Column, Derivatives, Fault, Law, Meaning, Model, ModelExchange, Width, boolean, integer, real};
 use crate::number::{Dual, Mask, Scalar};
 use crate::numerics::interpolation::Curve;
 use crate::numerics::root;
@@ -435,6 +436,11 @@ impl HydraulicDamper {
 }
 
 impl Model for HydraulicDamper {
+    fn rests(&self, column: usize) -> bool {
+        let first = offset_of!(Self, mr) / size_of::<f64>();
+        (first..first + FluidState::<f64>::WIDTH).contains(&column) && !self.damper.is_magnetorheological()
+    }
+
     fn check(&self) -> Result<(), Fault> {
         self.damper.check()
     }

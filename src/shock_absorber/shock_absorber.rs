@@ -2,7 +2,7 @@ use std::mem::offset_of;
 use std::ops::Range;
 
 use crate::model::ramp;
-use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, boolean, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, Width, boolean, real};
 use crate::number::Mask;
 use crate::shock_absorber::fluid_state::FluidState;
 use crate::shock_absorber::guide_contact::Touch;
@@ -522,6 +522,15 @@ impl Model for ShockAbsorber {
     fn check_without_events(&self) -> Result<(), Fault> {
         self.setting.mount.check_without_events()?;
         self.setting.friction.check_without_events(&self.setting.c1)
+    }
+
+    fn rests(&self, column: usize) -> bool {
+        let is_in = |offset: usize, width: usize| {
+            let first = offset / size_of::<f64>();
+            (first..first + width).contains(&column)
+        };
+        is_in(offset_of!(Self, mr), FluidState::<f64>::WIDTH) && !self.setting.damper.is_magnetorheological()
+            || is_in(offset_of!(Self, mount), MountState::<f64>::WIDTH) && !self.setting.has_mount()
     }
 
     fn event_indicators(&self, indicators: &mut [f64]) {

@@ -96,6 +96,21 @@ fn stiff_mount_is_no_mount() {
     }
 }
 
+/// A solver of the workbench has the states of mount and fluid only where they move.
+#[test]
+fn only_states_of_present_parts_are_in_use() {
+    let count = |name: &str, set: &[(&str, f64)]| {
+        let bench = Bench::new(name, set);
+        bench.instance.model().states_in_use(bench.instance.row()).count()
+    };
+    let fluid = ("damper.mode", 4.0);
+    assert_eq!(
+        [&[][..], &[fluid], &[MOUNTED], &[fluid, MOUNTED]].map(|set| count("ShockAbsorber", set)),
+        [7, 10, 11, 14]
+    );
+    assert_eq!([&[][..], &[fluid]].map(|set| count("HydraulicDamper", set)), [2, 5]);
+}
+
 /// Switched off, it does not change a bit, whatever its parameters.
 #[test]
 fn absent_mount_changes_nothing() {
