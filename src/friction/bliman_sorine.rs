@@ -176,6 +176,15 @@ impl<T: Real> Law for BlimanSorine<T> {
         let elastic = self.velocity.vanishes() | missing.above(T::from(ELASTIC_SHARE));
         self.sticking = T::truth(elastic & self.coulomb().is_positive());
     }
+
+    #[inline(always)]
+    fn slide_steadily(&mut self) {
+        let (rests, direction) = (self.velocity.vanishes(), self.velocity.sign());
+        let (y_1, y_2) = (choose!(rests, self.y_1, direction), choose!(rests, self.y_2, direction));
+        let is_loaded = self.normal_force.is_positive();
+        self.y_1 = choose!(is_loaded, y_1, T::zero());
+        self.y_2 = choose!(is_loaded & self.is_second_order(), y_2, T::zero());
+    }
 }
 
 impl<T: Real> Derivatives for BlimanSorine<T> {
@@ -219,6 +228,7 @@ in_lanes!(BlimanSorine);
 
 impl Model for BlimanSorine {
     const LINEAR: bool = true;
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",

@@ -194,6 +194,15 @@ impl<T: Real> Law for CylinderFriction<T> {
     fn output(&mut self) {
         self.respond();
     }
+
+    fn slide_steadily(&mut self) {
+        let is_loaded = self.normal_force.is_positive();
+        let film = self.steady_film();
+        let moving = self.velocity.sign() * self.level(film) / self.sigma_0;
+        let kept = choose!(self.velocity.vanishes(), self.bristle_deflection, moving);
+        self.bristle_deflection = choose!(is_loaded, kept, T::zero());
+        self.film_thickness = choose!(is_loaded, film, T::zero());
+    }
 }
 
 impl<T: Real> Derivatives for CylinderFriction<T> {
@@ -253,6 +262,7 @@ impl CylinderFriction {
 }
 
 impl Model for CylinderFriction {
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "hydraulic_cylinder",
         source: "Example of a hydraulic cylinder: 60 N at breakaway, 30 N of seals sliding, at a contact force of 300 N",

@@ -134,6 +134,14 @@ impl<T: Real> Law for Dahl<T> {
         let elastic = self.velocity.vanishes() | self.elastic_share().above(T::from(ELASTIC_SHARE));
         self.sticking = T::truth(elastic & self.coulomb().is_positive());
     }
+
+    #[inline(always)]
+    fn slide_steadily(&mut self) {
+        let coulomb = self.coulomb();
+        let kept =
+            choose!(self.velocity.vanishes(), self.bristle_deflection, self.velocity.sign() * coulomb / self.sigma_0);
+        self.bristle_deflection = choose!(coulomb.vanishes(), T::zero(), kept);
+    }
 }
 
 impl<T: Real> Derivatives for Dahl<T> {
@@ -177,6 +185,7 @@ impl<T: Real> Steps for Dahl<T> {
 in_lanes!(Dahl);
 
 impl Model for Dahl {
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",

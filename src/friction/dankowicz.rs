@@ -111,6 +111,12 @@ impl<T: Real> Law for Dankowicz<T> {
         let elastic = self.velocity.vanishes() | self.elastic_share().above(T::from(ELASTIC_SHARE));
         self.sticking = T::truth(elastic & self.coulomb().is_positive());
     }
+
+    #[inline(always)]
+    fn slide_steadily(&mut self) {
+        let kept = choose!(self.velocity.vanishes(), self.bristle_deflection, self.velocity.sign() * self.delta_t);
+        self.bristle_deflection = choose!(self.normal_force.is_positive(), kept, T::zero());
+    }
 }
 
 impl<T: Real> Derivatives for Dankowicz<T> {
@@ -146,6 +152,7 @@ impl<T: Real> Steps for Dankowicz<T> {
 in_lanes!(Dankowicz);
 
 impl Model for Dankowicz {
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
         source: "Novais (2024), Tables 6.1 and 7.1; delta_t = f_C / sigma_0 is derived (the start values)",

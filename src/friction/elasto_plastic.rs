@@ -194,6 +194,13 @@ impl<T: Scalar> Law for ElastoPlastic<T> {
     fn output(&mut self) {
         self.respond(self.deflection_rate());
     }
+
+    fn slide_steadily(&mut self) {
+        let level = self.level();
+        let moving = || self.velocity.sign() * (level / self.sigma_0);
+        let loaded = || self.velocity.vanishes().choose(|| self.bristle_deflection, moving);
+        self.bristle_deflection = level.vanishes().choose(|| T::zero(), loaded);
+    }
 }
 
 impl<T: Scalar> Derivatives for ElastoPlastic<T> {
@@ -210,6 +217,7 @@ impl<T: Scalar> Derivatives for ElastoPlastic<T> {
 }
 
 impl Model for ElastoPlastic {
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",

@@ -187,6 +187,13 @@ impl<T: Component> Law for ElastoPlasticPlanar<T> {
     fn output(&mut self) {
         self.respond(self.deflection_rate(self.level()));
     }
+
+    fn slide_steadily(&mut self) {
+        let (level, velocity) = (self.level(), self.velocity());
+        let (rests, moving) = (length(&velocity).vanishes(), direction(&velocity) * (level / self.sigma_0));
+        let kept = self.deflection().zip_map(&moving, |z, moving| rests.choose(|| z, || moving));
+        [self.bristle_deflection_x, self.bristle_deflection_y] = only(!level.vanishes(), kept).into();
+    }
 }
 
 impl<T: Component> Derivatives for ElastoPlasticPlanar<T> {
@@ -205,6 +212,7 @@ impl<T: Component> Derivatives for ElastoPlasticPlanar<T> {
 }
 
 impl Model for ElastoPlasticPlanar {
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
         source: "The law along a line in Novais (2024), Tables 6.1 and 7.1, and kappa = 0.7 (the start values)",

@@ -132,6 +132,12 @@ impl<T: Real> Gonthier<T> {
         (-(u * u)).exp()
     }
 
+    /// 1 - s.
+    fn slip_share(&self) -> T {
+        let u = self.velocity / self.stribeck_velocity;
+        -(-(u * u)).exp_m1()
+    }
+
     /// dir(v).
     fn direction(&self) -> T {
         let u = self.velocity / self.transition_velocity;
@@ -189,6 +195,19 @@ impl<T: Real> Law for Gonthier<T> {
     fn output(&mut self) {
         self.respond(self.deflection_rate(self.stick_share()));
     }
+
+    fn slide_steadily(&mut self) {
+        let is_loaded = self.normal_force.is_positive();
+        let (s, slip_share) = (self.stick_share(), self.slip_share());
+        self.dwell = is_loaded.choose(|| s, || T::zero());
+        // Where dz/dt vanishes; a bristle that never yields is stretched beyond its limit.
+        let yielding =
+            || (self.coulomb() * self.direction() + self.sigma_1 * s * self.velocity / slip_share) / self.sigma_0;
+        let unyielding = || self.velocity.sign() * (self.coulomb() + self.excess()) / self.sigma_0;
+        let moving = || slip_share.is_positive().choose(yielding, unyielding);
+        let loaded = || self.velocity.vanishes().choose(|| self.bristle_deflection, moving);
+        self.bristle_deflection = is_loaded.choose(loaded, || T::zero());
+    }
 }
 
 impl<T: Real> Derivatives for Gonthier<T> {
@@ -211,11 +230,10 @@ impl<T: Real> Derivatives for Gonthier<T> {
 impl Gonthier {
     /// The motion of the states from now on, with held inputs.
     fn course(&self) -> Course {
-        let (u, s) = (self.velocity / self.stribeck_velocity, self.stick_share());
+        let s = self.stick_share();
         Course {
             law: *self,
-            // (1 - s) sigma_0 / sigma_1
-            rate: -exp_m1(-u * u) * self.sigma_0 / self.sigma_1,
+            rate: self.slip_share() * self.sigma_0 / self.sigma_1,
             deflection_rate: self.deflection_rate(s),
             dwell_rate: self.dwell_rate(s),
             dwell_missing: s - self.dwell,
@@ -224,6 +242,7 @@ impl Gonthier {
 }
 
 impl Model for Gonthier {
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
         source: "Novais (2024), Tables 6.1 and 7.1, v_0 = v_S / 100 of its text (the start values)",

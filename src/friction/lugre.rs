@@ -160,6 +160,13 @@ impl<T: Real> Law for LuGre<T> {
     fn output(&mut self) {
         self.respond(self.level(), self.damping());
     }
+
+    #[inline(always)]
+    fn slide_steadily(&mut self) {
+        let level = self.level();
+        let kept = choose!(self.velocity.vanishes(), self.bristle_deflection, self.steady_deflection(level));
+        self.bristle_deflection = choose!(level.vanishes(), T::zero(), kept);
+    }
 }
 
 impl<T: Real> Derivatives for LuGre<T> {
@@ -191,12 +198,18 @@ impl<T: Real> LuGre<T> {
         self.dissipated_energy = choose!(self.normal_force.is_positive(), before + viscous, before);
     }
 
+    /// z of steady sliding at the level g(v).
+    #[inline(always)]
+    fn steady_deflection(&self, level: T) -> T {
+        self.velocity.sign() * level / self.sigma_0
+    }
+
     #[inline(always)]
     fn slide(&mut self, level: T, damping: T, distance: T) {
         let direction = self.velocity.sign();
         let decay = self.sigma_0 * distance.abs() / level;
         let before = self.bristle_deflection;
-        self.bristle_deflection = relaxation::after(before, direction * level / self.sigma_0, decay);
+        self.bristle_deflection = relaxation::after(before, self.steady_deflection(level), decay);
         let change = self.bristle_deflection - before;
         // The integral of the force over the distance: sigma_0 z |v| / g = v - dz/dt gives the first term.
         let work = direction * level * (distance - change)
@@ -224,6 +237,7 @@ in_lanes!(LuGre);
 
 impl Model for LuGre {
     const LINEAR: bool = true;
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1 (the start values)", values: &[] },
         Preset {

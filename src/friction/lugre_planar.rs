@@ -177,6 +177,15 @@ impl<T: Component> Law for LuGrePlanar<T> {
     fn output(&mut self) {
         self.respond(self.deflection_rate());
     }
+
+    #[inline(always)]
+    fn slide_steadily(&mut self) {
+        let speed = length(&self.velocity());
+        let level = self.level(speed);
+        let (rests, moving) = (speed.vanishes(), self.steady_deflection(level));
+        let kept = self.deflection().zip_map(&moving, |z, moving| choose!(rests, z, moving));
+        [self.bristle_deflection_x, self.bristle_deflection_y] = only(!level.vanishes(), kept).into();
+    }
 }
 
 impl<T: Component> Derivatives for LuGrePlanar<T> {
@@ -204,12 +213,18 @@ impl<T: Component> LuGrePlanar<T> {
         self.dissipated_energy = choose!(self.normal_force.is_positive(), before + viscous, before);
     }
 
+    /// z of steady sliding at the level g(|v|).
+    #[inline(always)]
+    fn steady_deflection(&self, level: T) -> Vector2<T> {
+        direction(&self.velocity()) * (level / self.sigma_0)
+    }
+
     #[inline(always)]
     fn slide(&mut self, level: T, distance: T, viscous: T) {
         let velocity = self.velocity();
         let (forward, before) = (direction(&velocity), self.deflection());
         let decay = self.sigma_0 * distance / level;
-        let steady = forward * (level / self.sigma_0);
+        let steady = self.steady_deflection(level);
         let after = before.zip_map(&steady, |z, steady| relaxation::after(z, steady, decay));
         [self.bristle_deflection_x, self.bristle_deflection_y] = after.into();
         // The integral of the force over the path: sigma_0 |v| z / g = v - dz/dt gives the first term.
@@ -233,6 +248,7 @@ in_lanes!(LuGrePlanar);
 
 impl Model for LuGrePlanar {
     const LINEAR: bool = true;
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
         source: "The law along a line in Novais (2024), Tables 6.1 and 7.1 (the start values)",

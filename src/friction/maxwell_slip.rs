@@ -306,6 +306,17 @@ impl<T: Scalar> Law for MaxwellSlip<T> {
         self.sticking = sticking;
         self.dissipated_power = self.friction_force * self.velocity;
     }
+
+    fn slide_steadily(&mut self) {
+        self.slide_steadily_with(&mut []);
+    }
+
+    fn slide_steadily_with(&mut self, memory: &mut [T]) {
+        self.slip = T::from(Phase::Free.number());
+        let (springs, velocity) = (self.springs(self.level()), self.velocity);
+        let elements = self.elements_mut(memory).enumerate();
+        elements.for_each(|(index, (share, block))| springs.of(index, &share).slide_steadily(block, velocity));
+    }
 }
 
 impl<T: Scalar> Derivatives for MaxwellSlip<T> {
@@ -323,6 +334,7 @@ impl<T: Scalar> Derivatives for MaxwellSlip<T> {
 }
 
 impl Model for MaxwellSlip {
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "four_elements",
@@ -519,6 +531,14 @@ impl<T: Scalar> Spring<T> {
         let slipping = || self.rate * (direction * self.strength - block.force);
         let loaded = || self.slips(block, velocity).choose(slipping, || self.stiffness * velocity);
         self.strength.vanishes().choose(|| T::zero(), loaded)
+    }
+
+    /// Puts the element at its level, where it slips; at rest it sticks.
+    fn slide_steadily(&self, block: &mut Block<T>, velocity: T) {
+        let (rests, is_released) = (velocity.vanishes(), self.strength.vanishes());
+        let loaded = || rests.choose(|| block.force, || velocity.sign() * self.strength);
+        block.force = is_released.choose(|| T::zero(), loaded);
+        block.slipping = T::truth(!(rests | is_released));
     }
 }
 

@@ -181,6 +181,11 @@ impl<T: Real> Law for NonReversible<T> {
         self.dissipated_power = self.friction_force * self.velocity;
         self.sticking = T::truth(self.contact().is_held() & self.normal_force.is_positive());
     }
+
+    fn slide_steadily(&mut self) {
+        self.phase = T::from(Phase::Free.number());
+        self.branching.velocity_slope = T::zero();
+    }
 }
 
 impl<T: Real> Derivatives for NonReversible<T> {
@@ -211,6 +216,7 @@ impl NonReversible {
 }
 
 impl Model for NonReversible {
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "mirrored",

@@ -189,6 +189,16 @@ impl<T: Real> Law for ResetIntegrator<T> {
         let sticks = !self.is_sliding() | self.velocity.vanishes();
         self.sticking = T::truth(sticks & self.coulomb().is_positive());
     }
+
+    fn slide_steadily(&mut self) {
+        self.bond = T::from(Phase::Free.number());
+        let (is_loaded, direction) = (self.coulomb().is_positive(), self.velocity.sign());
+        let steady = |moving: T, resting: T| {
+            is_loaded.choose(|| direction.vanishes().choose(|| resting, || moving), || T::zero())
+        };
+        self.bristle_deflection = steady(direction * self.limit(), self.bristle_deflection);
+        self.slip_direction = steady(direction, self.slip_direction);
+    }
 }
 
 impl<T: Real> Derivatives for ResetIntegrator<T> {
@@ -302,6 +312,7 @@ impl ResetIntegrator {
 }
 
 impl Model for ResetIntegrator {
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",

@@ -145,6 +145,12 @@ impl<T: Real> Law for SpeckerDynamic<T> {
     }
 
     #[inline(always)]
+    fn slide_steadily(&mut self) {
+        let is_loaded = self.normal_force.is_positive();
+        self.lagging_force = choose!(is_loaded, self.curve().force(self.velocity), T::zero());
+    }
+
+    #[inline(always)]
     fn overshoot(&self) -> Option<T> {
         Some(self.curve().overshoot())
     }
@@ -195,6 +201,7 @@ in_lanes!(SpeckerDynamic);
 
 impl Model for SpeckerDynamic {
     const LINEAR: bool = true;
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "guidance",
         source: "Guidance (6.28) of Novais (2024) for v_S = 1 mm/s, which is chosen, as is T_slip (the start values)",

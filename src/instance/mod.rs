@@ -144,7 +144,12 @@ impl Instance {
 
     /// Whether row and model alone determine what comes: the parameters fit together, and no slope waits for a step.
     pub(crate) fn is_plain(&self) -> bool {
-        let has_more = self.exchange.is_some() || self.consistency.is_some() || !self.memory.is_empty();
+        self.memory.is_empty() && self.uses_its_row_alone()
+    }
+
+    /// The same for a model with memory whose parameters ask for none.
+    pub(crate) fn uses_its_row_alone(&self) -> bool {
+        let has_more = self.exchange.is_some() || self.consistency.is_some() || self.model.memory_in_use(&self.row) > 0;
         !(has_more || self.unchecked || self.slopes.are_for_next_step())
     }
 
@@ -218,6 +223,22 @@ impl Instance {
         }
         self.computed = Computed::Main;
         Ok(())
+    }
+
+    /// Brings states, the energy apart, and outputs to where the present inputs lead them in the end, without a step. False,
+    /// with nothing changed, if that has no closed form.
+    pub fn slide_steadily(&mut self) -> Result<bool, Fault> {
+        let is_held = self.exchange.is_none() && !self.slopes.are_for_next_step();
+        if !(is_held && self.model.slides_steadily(&self.row)) {
+            return Ok(false);
+        }
+        self.check()?;
+        if !(self.model.try_slide_steadily)(&mut self.row, &mut self.memory, &mut self.room) {
+            return Err(self.not_finite(format_args!("the outputs of steady sliding")));
+        }
+        self.slopes.clear();
+        self.computed = Computed::Main;
+        Ok(true)
     }
 
     /// Advances by `dt` > 0. If it fails, nothing has changed.

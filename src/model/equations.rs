@@ -71,6 +71,17 @@ pub trait Law: Numbers {
     /// Computes the [`Role::Output`](crate::table::Role::Output) columns from the others, except advice.
     fn output(&mut self);
 
+    /// Brings the states, the energy apart, to where held inputs lead them in the end. The outputs after it are those of
+    /// steady sliding or, at rest, of what the contact still holds. For a law with [`Model::STEADY_SLIDING`].
+    #[inline(always)]
+    fn slide_steadily(&mut self) {}
+
+    /// [`Law::slide_steadily`] of a model with memory.
+    #[inline(always)]
+    fn slide_steadily_with(&mut self, _memory: &mut [Self::Number]) {
+        self.slide_steadily();
+    }
+
     /// Largest force without its viscous part, relative to the static level, of a law whose curve exceeds that.
     #[inline(always)]
     fn overshoot(&self) -> Option<Self::Number> {
@@ -258,6 +269,9 @@ pub trait Model: Described + Law<Number = f64> {
     /// restored with the row.
     const MEMORY: usize = 0;
 
+    /// Whether the law has steady sliding in closed form: [`Law::slide_steadily`].
+    const STEADY_SLIDING: bool = false;
+
     /// The functions of a law that runs on several rows at once.
     const KERNELS: Option<Kernels> = None;
 
@@ -269,6 +283,13 @@ pub trait Model: Described + Law<Number = f64> {
     #[inline(always)]
     fn idle(&self) -> [Range<usize>; 2] {
         [const { Self::TABLE.len()..Self::TABLE.len() }; 2]
+    }
+
+    /// Whether outputs after [`Law::slide_steadily`] are those at held inputs in the end, whatever the inputs. By default
+    /// if the law has [`Model::STEADY_SLIDING`].
+    #[inline(always)]
+    fn slides_steadily(&self) -> bool {
+        Self::STEADY_SLIDING
     }
 
     /// Rejects parameters that are admitted one by one but not together.

@@ -50,10 +50,12 @@ pub struct ModelType {
     passivity: fn(&[f64]) -> Option<Fault>,
     memory_in_use: fn(&[f64]) -> usize,
     /// As [`ModelType::advance`], without advice; row and memory are as they were if a result is not finite, or if the
-    /// model panics. So with the three below.
+    /// model panics. So with the four below.
     pub(crate) try_advance: fn(&mut [f64], &mut [f64], Room, f64) -> bool,
     pub(crate) try_advance_ramp: AdvanceRamp,
     pub(crate) try_output: fn(&mut [f64], &mut [f64], Room) -> bool,
+    /// [`Law::slide_steadily`], and the outputs after it.
+    pub(crate) try_slide_steadily: fn(&mut [f64], &mut [f64], Room) -> bool,
     pub(crate) try_at_event: fn(&mut [f64], &mut [f64], Room) -> bool,
     /// None for a model without advice.
     advise: Option<fn(&mut [f64], Room) -> bool>,
@@ -64,6 +66,7 @@ pub struct ModelType {
     rate_dual: fn(&[Dual], &mut [Dual]),
     overshoot: fn(&[f64]) -> f64,
     overshoot_dual: fn(&[Dual]) -> Dual,
+    slides_steadily: fn(&[f64]) -> bool,
     check_model_exchange: fn(&[f64]) -> Result<(), Fault>,
     check_without_events: fn(&[f64]) -> Result<(), Fault>,
     rests: fn(&[f64], usize) -> bool,
@@ -99,6 +102,7 @@ impl ModelType {
             try_advance: advance::<M>,
             try_advance_ramp: advance_ramp::<M>,
             try_output: output::<M>,
+            try_slide_steadily: if M::STEADY_SLIDING { slide_steadily::<M> } else { output::<M> },
             advise: if has_advice(M::TABLE) { Some(advise::<M>) } else { None },
             output_dual_with: |row, memory| view_mut::<M::In<Dual>, Dual>(row).output_with(memory),
             rate_with: |row, memory, rate, memory_rate| {
@@ -108,6 +112,7 @@ impl ModelType {
             rate_dual: super::rate_in::<M, Dual>,
             overshoot: super::evaluate::overshoot_in::<M, f64>,
             overshoot_dual: super::evaluate::overshoot_in::<M, Dual>,
+            slides_steadily: |row| view::<M, f64>(row).slides_steadily(),
             check_model_exchange: |row| view::<M, f64>(row).check_model_exchange(),
             check_without_events: |row| view::<M, f64>(row).check_without_events(),
             rests: |row, column| view::<M, f64>(row).rests(column),
@@ -244,6 +249,11 @@ impl ModelType {
         (self.overshoot_dual)(row)
     }
 
+    /// Whether the outputs at held inputs in the end have a closed form with the parameters of a row, whatever the inputs.
+    pub fn slides_steadily(&self, row: &[f64]) -> bool {
+        (self.slides_steadily)(row)
+    }
+
     /// The columns of the states that move with time.
     pub fn continuous_states(&self) -> impl Iterator<Item = usize> {
         let table = self.table;
@@ -325,6 +335,13 @@ fn advance<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room, dt: f64) -
 
 fn output<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room) -> bool {
     commit::<M>(row, memory, room, const { first_result(M::TABLE) }, |model, memory| model.output_with(memory))
+}
+
+fn slide_steadily<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room) -> bool {
+    commit::<M>(row, memory, room, const { first_result(M::TABLE) }, |model, memory| {
+        model.slide_steadily_with(memory);
+        model.output_with(memory);
+    })
 }
 
 fn advance_ramp<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room, slope: &[f64], dt: f64) -> bool {

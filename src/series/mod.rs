@@ -3,6 +3,8 @@
 
 mod settled;
 #[cfg(test)]
+mod steady_tests;
+#[cfg(test)]
 mod tests;
 
 use std::fmt;

@@ -94,6 +94,9 @@ fn rest_settles_and_settling_can_be_cancelled() {
     let mut settled = [1.0];
     settle(&mut instance, &[(velocity, 0.0), (load, 10.0)], &[force], &mut settled, &NEVER).unwrap();
     assert_eq!(settled, [0.0]);
+    // A law without a closed form.
+    let mut instance = Instance::new(by_name("Leuven").unwrap());
+    let [velocity, force] = ["velocity", "friction_force"].map(|name| column(&instance, name));
     let ended = settle(&mut instance, &[(velocity, 0.1)], &[force], &mut settled, &AtomicBool::new(true)).unwrap_err();
     assert_eq!(ended.to_string(), "cancelled");
 }

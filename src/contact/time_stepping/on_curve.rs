@@ -373,6 +373,10 @@ macro_rules! memoryless {
     (without events) => {
         $crate::model::in_lanes!();
 
+        fn slides_steadily(&self) -> bool {
+            self.time_stepping.fit(true) == $crate::model::Fit::Outputs
+        }
+
         fn kinks(&self) -> [f64; 2] {
             $crate::contact::time_stepping::Curve::kinks(self)
         }

@@ -149,6 +149,12 @@ macro_rules! two_levels {
                 self.dissipated_power = self.friction_force * self.velocity;
                 self.sticking = $crate::contact::time_stepping::sticking(self);
             }
+
+            #[inline(always)]
+            fn slide_steadily(&mut self) {
+                self.time_stepping.forget();
+                self.stuck = T::zero();
+            }
         }
 
         impl<T: Real> $crate::model::Derivatives for $Law<T> {
@@ -170,6 +176,11 @@ macro_rules! two_levels {
 
     () => {
         const EVENT_INDICATORS: usize = $crate::contact::time_stepping::EVENTS_OF_TWO_LEVELS;
+        const STEADY_SLIDING: bool = true;
+
+        fn slides_steadily(&self) -> bool {
+            self.time_stepping.mass == 0.0
+        }
 
         fn check(&self) -> Result<(), $crate::model::Fault> {
             $crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
