@@ -3,11 +3,12 @@
 
 mod common;
 
+use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 
 use common::random::Random;
 use common::rows;
-use stribeck::batch::{Batch, Registers, Rows, Runs, Worker};
+use stribeck::batch::{Batch, Points, Registers, Rows, Runs, Steady, Worker};
 use stribeck::catalogue::{by_name, models};
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
@@ -377,4 +378,62 @@ fn cancelled_runs_say_so() {
             assert!(matches!(ended, Err((2, Ended::Cancelled))), "{name} {registers:?}: {ended:?}");
         }
     }
+}
+
+/// Velocities and loads of points, and their forces.
+struct Map {
+    inputs: [Vec<f64>; 2],
+    forces: Vec<f64>,
+}
+
+impl Points for Map {
+    fn read(&self, input: usize, points: Range<usize>, values: &mut [f64]) {
+        values.copy_from_slice(&self.inputs[input][points]);
+    }
+
+    fn write(&mut self, result: usize, points: Range<usize>, values: &[f64]) {
+        assert_eq!(result, 0);
+        self.forces[points].copy_from_slice(values);
+    }
+}
+
+/// Steady sliding at many points against an instance at each, whose states differ at rest; and the point that is refused.
+#[test]
+fn points_of_steady_sliding_have_the_bits_of_each_by_itself() {
+    let mut random = Random(11);
+    let mut laws = 0;
+    for law in models() {
+        let columns = ["velocity", "normal_force", "friction_force"].map(|name| law.find(name));
+        let [Some(velocity), Some(load), Some(force)] = columns else { continue };
+        let mut instance = Instance::new(law);
+        if !law.slides_steadily(instance.row()) {
+            continue;
+        }
+        laws += 1;
+        instance.check().expect("start values");
+        let mut size = |from: f64, to: f64| 10f64.powf(from + (to - from) * random.next());
+        let mut inputs = [(); 2].map(|()| (0..200).map(|_| size(-9.0, 2.0)).collect::<Vec<f64>>());
+        inputs[0].iter_mut().step_by(2).for_each(|velocity| *velocity = -*velocity);
+        inputs.iter_mut().for_each(|values| values[7] = 0.0);
+        inputs[0][131] = 0.0;
+        for registers in Registers::here() {
+            let (columns, results) = ([velocity, load], [force]);
+            let steady = Steady::of(&instance, registers, &columns, &results).expect("memory");
+            let mut map = Map { inputs: inputs.clone(), forces: vec![f64::NAN; 200] };
+            steady.expect(law.name).make(0..200, &mut map).expect(law.name);
+            for (point, found) in map.forces.iter().enumerate() {
+                let mut alone = Instance::new(law);
+                alone.set_column(velocity, inputs[0][point]).expect("a velocity");
+                alone.set_column(load, inputs[1][point]).expect("a load");
+                assert!(alone.slide_steadily().expect(law.name), "{}", law.name);
+                let force = alone.get_column(force).expect(law.name);
+                assert!(bits_agree(*found, force), "{} {registers:?} {point}: {found} {force}", law.name);
+            }
+            map.inputs[1][100] = -1.0;
+            let mut steady = Steady::of(&instance, registers, &columns, &results).expect("memory").expect(law.name);
+            let refused = steady.make(0..200, &mut map).expect_err("a negative load");
+            assert!(refused.contains(&100) && refused.len() <= 64, "{refused:?}");
+        }
+    }
+    assert!(laws >= 30, "{laws}");
 }

@@ -76,6 +76,39 @@ impl<R: Register> Groups<R> {
         }
     }
 
+    /// Writes a column; rows beyond the values follow the last one.
+    #[inline]
+    pub fn set_from(&mut self, column: usize, values: &[f64]) {
+        let (columns, last) = (self.columns, values[values.len() - 1]);
+        let mut parts = values.chunks(R::LANES);
+        for numbers in self.numbers_mut().chunks_exact_mut(columns * R::LANES) {
+            let lanes = &mut numbers[column * R::LANES..(column + 1) * R::LANES];
+            let part = parts.next().unwrap_or_default();
+            if part.len() == R::LANES {
+                lanes.copy_from_slice(part);
+            } else {
+                lanes.fill(last);
+                lanes[..part.len()].copy_from_slice(part);
+            }
+        }
+    }
+
+    /// Reads a column of the first rows.
+    #[inline]
+    pub fn read(&self, column: usize, values: &mut [f64]) {
+        let groups = self.numbers().chunks_exact(self.columns * R::LANES);
+        for (part, numbers) in values.chunks_mut(R::LANES).zip(groups) {
+            let lanes = &numbers[column * R::LANES..(column + 1) * R::LANES];
+            part.copy_from_slice(&lanes[..part.len()]);
+        }
+    }
+
+    #[inline]
+    pub fn slide_steadily(&mut self) -> bool {
+        // SAFETY: the processor has the register: the promise to `new`.
+        unsafe { (self.kernel.slide_steadily)(&mut self.lanes) }
+    }
+
     #[inline]
     pub fn output(&mut self) -> bool {
         // SAFETY: the processor has the register: the promise to `new`.

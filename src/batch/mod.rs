@@ -5,6 +5,7 @@
 
 mod groups;
 mod registers;
+mod steady;
 mod worker;
 
 use std::fmt;
@@ -15,6 +16,7 @@ use crate::model::{Fit, ModelType, Role};
 use groups::Groups;
 
 pub use registers::Registers;
+pub use steady::{Points, Steady};
 pub use worker::{Begin, Rows, Runs, Worker};
 
 #[cfg(target_arch = "aarch64")]
@@ -138,6 +140,25 @@ impl Batch {
     #[inline]
     pub fn get(&self, column: usize, show: impl FnMut(usize, f64)) {
         on_groups!(&self.groups, groups => groups.get(column, show));
+    }
+
+    /// Writes the column of an input in the first rows, one value for each, which must be admitted; the other rows follow
+    /// the last one.
+    #[inline]
+    fn set_from(&mut self, column: usize, values: &[f64]) {
+        on_groups!(&mut self.groups, groups => groups.set_from(column, values));
+    }
+
+    /// Reads a column of the first rows.
+    #[inline]
+    fn read(&self, column: usize, values: &mut [f64]) {
+        on_groups!(&self.groups, groups => groups.read(column, values));
+    }
+
+    /// Computes the outputs of steady sliding, except advice; the states stay as they are. False if one is not finite.
+    #[inline]
+    fn slide_steadily(&mut self) -> bool {
+        on_groups!(&mut self.groups, groups => groups.slide_steadily())
     }
 
     /// Computes the outputs of all rows, except advice. False if one is not finite.

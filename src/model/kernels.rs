@@ -5,7 +5,7 @@
     allow(dead_code, reason = "other processors have no registers for it")
 )]
 
-use super::row::view;
+use super::row::{numbers_of, view};
 use super::{Fit, InLanes, Law, Steps, model_in};
 use crate::number::register::For;
 use crate::number::{Lanes, Register};
@@ -45,6 +45,9 @@ pub(crate) struct Kernel<R> {
     /// Advances the states by a time > 0 while the inputs are held. It must only be called where the processor has the
     /// register.
     pub advance: unsafe fn(Groups<R>, f64) -> bool,
+    /// Computes the outputs of steady sliding, and leaves the states. It must only be called where the processor has the
+    /// register.
+    pub slide_steadily: unsafe fn(Groups<R>) -> bool,
 }
 
 impl Kernels {
@@ -52,11 +55,27 @@ impl Kernels {
     pub(crate) const fn of<M: InLanes>() -> Kernels {
         Kernels {
             #[cfg(target_arch = "x86_64")]
-            four: Kernel { output: output_with_avx2::<M>, advance: advance_with_avx2::<M> },
+            four: Kernel {
+                output: output_with_avx2::<M>,
+                advance: advance_with_avx2::<M>,
+                slide_steadily: if M::STEADY_SLIDING { slide_steadily_with_avx2::<M> } else { output_with_avx2::<M> },
+            },
             #[cfg(target_arch = "x86_64")]
-            eight: Kernel { output: output_with_avx512::<M>, advance: advance_with_avx512::<M> },
+            eight: Kernel {
+                output: output_with_avx512::<M>,
+                advance: advance_with_avx512::<M>,
+                slide_steadily: if M::STEADY_SLIDING {
+                    slide_steadily_with_avx512::<M>
+                } else {
+                    output_with_avx512::<M>
+                },
+            },
             #[cfg(target_arch = "aarch64")]
-            two: Kernel { output: output::<M, Two>, advance: advance::<M, Two> },
+            two: Kernel {
+                output: output::<M, Two>,
+                advance: advance::<M, Two>,
+                slide_steadily: if M::STEADY_SLIDING { slide_steadily::<M, Two> } else { output::<M, Two> },
+            },
             fit: |row| view::<M, f64>(row).fit(),
         }
     }
@@ -86,9 +105,22 @@ fn advance_with_avx512<M: InLanes>(groups: Groups<Eight>, dt: f64) -> bool {
     advance::<M, Eight>(groups, dt)
 }
 
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn slide_steadily_with_avx2<M: InLanes>(groups: Groups<Pair<Four>>) -> bool {
+    slide_steadily::<M, Pair<Four>>(groups)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq")]
+fn slide_steadily_with_avx512<M: InLanes>(groups: Groups<Eight>) -> bool {
+    slide_steadily::<M, Eight>(groups)
+}
+
 /// Uses of a register: see [`For`].
 const OUTPUT: usize = 0;
 const ADVANCE: usize = 1;
+const STEADY: usize = 2;
 
 #[inline(always)]
 fn output<M: InLanes, R: Register>(groups: Groups<R>) -> bool {
@@ -108,6 +140,22 @@ fn advance<M: InLanes, R: Register>(groups: Groups<R>, dt: f64) -> bool {
     for row in For::<ADVANCE, R>::groups(groups).chunks_exact_mut(M::TABLE.len()) {
         model_in::<M, Lanes<For<ADVANCE, R>>>(row).advance(Lanes::from(dt));
         found += not_finite(&row[states.0..states.1]);
+    }
+    found == Lanes::from(0.0)
+}
+
+#[inline(always)]
+fn slide_steadily<M: InLanes, R: Register>(groups: Groups<R>) -> bool {
+    let outputs = const { columns(M::TABLE, Role::Output, Role::Output) };
+    let mut found = Lanes::from(0.0);
+    for row in For::<STEADY, R>::groups(groups).chunks_exact_mut(M::TABLE.len()) {
+        // The states stay as they are: a contact at rest begins with them at the next point.
+        let mut sliding = *model_in::<M, Lanes<For<STEADY, R>>>(row);
+        sliding.slide_steadily();
+        sliding.output();
+        let outputs = outputs.0..outputs.1;
+        row[outputs.clone()].copy_from_slice(&numbers_of(&mut sliding)[outputs.clone()]);
+        found += not_finite(&row[outputs]);
     }
     found == Lanes::from(0.0)
 }

@@ -125,7 +125,7 @@ pub(super) fn view_mut<M, T>(row: &mut [T]) -> &mut M {
 
 /// The numbers of a model or part, mutable.
 #[inline(always)]
-fn numbers_of<P: Numbers>(part: &mut P) -> &mut [P::Number] {
+pub(super) fn numbers_of<P: Numbers>(part: &mut P) -> &mut [P::Number] {
     const { assert!(align_of::<P>() == align_of::<P::Number>() && size_of::<P::Number>() > 0) };
     let count = size_of::<P>() / size_of::<P::Number>();
     // SAFETY: `Numbers` promises a `#[repr(C)]` struct that consists only of these numbers, which are this many; the

@@ -42,6 +42,16 @@ impl Ports {
         range.is_some_and(|range| value >= range.low && value <= range.high)
     }
 
+    /// [`Ports::takes`] of all values.
+    pub fn takes_all(&self, column: usize, values: &[f64]) -> bool {
+        let range = self.columns.get(column).and_then(|port| self.inputs.get(usize::from(port.input)));
+        // Without a way out, so that several values are compared at once.
+        let within = |range: &Range| {
+            values.iter().fold(true, |within, value| within & (*value >= range.low) & (*value <= range.high))
+        };
+        range.is_some_and(within)
+    }
+
     /// Whether a column is a Real input.
     #[inline(always)]
     pub fn is_real_input(&self, column: usize) -> bool {
