@@ -6,7 +6,9 @@ mod entries;
 mod identification;
 mod model;
 mod numbers;
+mod places;
 mod series;
+mod steady;
 mod study;
 mod systems;
 mod tyre;
@@ -32,7 +34,7 @@ fn _stribeck(module: &Bound<PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(catalogue::names, module)?)?;
     module.add_function(wrap_pyfunction!(catalogue::describe, module)?)?;
     module.add_function(wrap_pyfunction!(series::follow, module)?)?;
-    module.add_function(wrap_pyfunction!(series::settle, module)?)?;
+    module.add_function(wrap_pyfunction!(steady::settle, module)?)?;
     module.add_function(wrap_pyfunction!(identification::identify, module)?)?;
     module.add_function(wrap_pyfunction!(identification::identify_options, module)?)?;
     module.add_function(wrap_pyfunction!(study::make_study, module)?)?;

@@ -1,6 +1,7 @@
 //! Memory for arrays, which is used again: a system takes longer to give a process new memory than a cheap law takes to
 //! fill it.
 
+use std::alloc::{Layout, alloc_zeroed};
 use std::ops::{Deref, DerefMut};
 use std::sync::Mutex;
 
@@ -23,20 +24,33 @@ pub struct Numbers(Vec<f64>);
 impl Numbers {
     /// Room for so many.
     pub fn with_room(length: usize) -> PyResult<Numbers> {
-        if let Some(values) = spare(length) {
+        if let Some(mut values) = spare(length) {
+            values.clear();
             return Ok(Numbers(values));
         }
         let mut values = Vec::new();
-        let full = |_| PyMemoryError::new_err(format!("no memory for {length} numbers"));
-        values.try_reserve_exact(length).map_err(full)?;
+        values.try_reserve_exact(length).map_err(|_| full(length))?;
         Ok(Numbers(values))
     }
 
-    /// So many NaN: a number that is never written is seen.
-    pub fn missing(length: usize) -> PyResult<Numbers> {
-        let mut numbers = Numbers::with_room(length)?;
-        numbers.0.resize(length, f64::NAN);
-        Ok(numbers)
+    /// So many numbers, whatever they are: those of an array that is gone, or 0. All of them are to be written.
+    pub fn of(length: usize) -> PyResult<Numbers> {
+        if let Some(mut values) = spare(length) {
+            values.resize(length, 0.0);
+            return Ok(Numbers(values));
+        }
+        let layout = Layout::array::<f64>(length).map_err(|_| full(length))?;
+        if layout.size() == 0 {
+            return Ok(Numbers(Vec::new()));
+        }
+        // SAFETY: the layout has a size.
+        let first = unsafe { alloc_zeroed(layout) }.cast::<f64>();
+        if first.is_null() {
+            return Err(full(length));
+        }
+        // SAFETY: memory of this allocator with the layout of so many numbers, each of which is 0. The system gives zeros
+        // where they are first read or written; `resize` would write them before.
+        Ok(Numbers(unsafe { Vec::from_raw_parts(first, length, length) }))
     }
 
     /// Appends numbers, for which there must be room.
@@ -72,12 +86,11 @@ impl DerefMut for Numbers {
 
 impl Drop for Numbers {
     fn drop(&mut self) {
-        let mut values = std::mem::take(&mut self.0);
+        let values = std::mem::take(&mut self.0);
         if (FEW..=MOST).contains(&values.capacity())
             // Nobody waits: where another thread is at it, or a copy of a process was made meanwhile, the memory is freed.
             && let Ok(mut spare) = SPARE.try_lock()
         {
-            values.clear();
             spare.push(values);
             while spare.iter().map(Vec::capacity).sum::<usize>() > MOST {
                 spare.remove(0);
@@ -86,7 +99,11 @@ impl Drop for Numbers {
     }
 }
 
-/// Empty memory for so many numbers, and not for many more.
+fn full(length: usize) -> PyErr {
+    PyMemoryError::new_err(format!("no memory for {length} numbers"))
+}
+
+/// Memory for so many numbers, and not for many more, as it was left.
 fn spare(length: usize) -> Option<Vec<f64>> {
     if length < FEW {
         return None;

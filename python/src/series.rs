@@ -1,4 +1,4 @@
-//! Models over arrays of samples, and settled results over arrays of inputs.
+//! Models over arrays of samples.
 
 use std::ops::Range;
 use std::sync::Mutex;
@@ -14,16 +14,17 @@ use stribeck_solve::work::share;
 
 use crate::catalogue::{column, find, preset as known_preset};
 use crate::numbers::Numbers;
+use crate::places::{Arrays, Given, Values, in_doubles};
 use crate::refused;
 use crate::work::{interruptible, threads};
 
 /// Names with rows of values: one row for all runs, or one for each.
-type Named<'py> = Vec<(String, PyReadonlyArray2<'py, f64>)>;
+pub type Named<'py> = Vec<(String, PyReadonlyArray2<'py, f64>)>;
 
 /// A variable with its rows, copied: other threads of Python may write to the arrays meanwhile.
-struct Rows {
+pub struct Rows {
     column: usize,
-    rows: usize,
+    pub rows: usize,
     width: usize,
     values: Numbers,
 }
@@ -35,7 +36,7 @@ impl Rows {
     }
 }
 
-fn rows(model: &'static ModelType, named: Named) -> PyResult<Vec<Rows>> {
+pub fn rows(model: &'static ModelType, named: Named) -> PyResult<Vec<Rows>> {
     let copied = named.into_iter().map(|(name, array)| {
         let [rows, width] = [array.shape()[0], array.shape()[1]];
         let mut values = Numbers::with_room(rows * width)?;
@@ -53,28 +54,30 @@ fn columns(model: &'static ModelType, names: &[String]) -> PyResult<Vec<usize>> 
 }
 
 /// Settings shared by all runs.
-struct Common<'a> {
-    model: &'static ModelType,
+pub struct Common<'a> {
+    pub model: &'static ModelType,
     preset: Option<&'a str>,
-    parameters: Vec<Rows>,
-    results: Vec<usize>,
+    pub parameters: Vec<Rows>,
+    pub results: Vec<usize>,
+    /// Which of them had a value beyond the largest one of its array.
+    pub beyond: Vec<AtomicBool>,
     /// Word for one of them in a message.
     each: &'static str,
     count: usize,
     /// Samples of each.
     samples: usize,
     /// Runs that are made in one call.
-    together: usize,
-    threads: usize,
+    pub together: usize,
+    pub threads: usize,
 }
 
 /// Makes some of the runs with the instance of a thread.
-type Make<'a> =
-    dyn FnMut(Range<usize>, &mut Instance, &mut [&mut [f64]], &AtomicBool) -> Result<(), (usize, Ended)> + 'a;
+pub type Make<'a> =
+    dyn FnMut(Range<usize>, &mut Instance, &mut [Values], &AtomicBool) -> Result<(), (usize, Ended)> + 'a;
 
 impl Common<'_> {
     /// The settings of a call; one sample each, and each in a call of its own.
-    fn of<'a>(
+    pub fn of<'a>(
         model: &'static ModelType,
         preset: Option<&'a str>,
         parameters: Named,
@@ -84,15 +87,16 @@ impl Common<'_> {
     ) -> PyResult<Common<'a>> {
         let preset = known_preset(model, preset)?;
         let (parameters, results) = (rows(model, parameters)?, columns(model, results)?);
+        let beyond = results.iter().map(|_| AtomicBool::new(false)).collect();
         let threads = threads(asked)?.get();
-        Ok(Common { model, preset, parameters, results, each, count, samples: 1, together: 1, threads })
+        Ok(Common { model, preset, parameters, results, beyond, each, count, samples: 1, together: 1, threads })
     }
 
     /// Makes every run once, with an instance per thread; the first error ends them all. The slots hold what belongs to
     /// the runs that are made in one call.
     fn make<'a>(
         &self,
-        slots: Vec<Vec<&mut [f64]>>,
+        slots: Vec<Vec<Values>>,
         cancel: &AtomicBool,
         worker: impl Fn() -> Box<Make<'a>> + Sync,
     ) -> Result<(), (usize, Ended)> {
@@ -122,22 +126,8 @@ impl Common<'_> {
         failed.into_inner().ok().flatten().map_or(Ok(()), Err)
     }
 
-    /// The settled results at a point.
-    fn settled(
-        &self,
-        point: usize,
-        instance: &mut Instance,
-        inputs: &[Rows],
-        cancel: &AtomicBool,
-    ) -> Result<Vec<f64>, Ended> {
-        self.begin(point, instance)?;
-        let held: Vec<(usize, f64)> = inputs.iter().map(|rows| (rows.column, rows.row(point)[0])).collect();
-        let mut values = vec![0.0; self.results.len()];
-        stribeck::series::settle(instance, &held, &self.results, &mut values, cancel)?;
-        Ok(values)
-    }
-
-    fn begin(&self, run: usize, instance: &mut Instance) -> Result<(), Ended> {
+    /// Brings an instance to the beginning of a run.
+    pub fn begin(&self, run: usize, instance: &mut Instance) -> Result<(), Ended> {
         instance.reset();
         if let Some(preset) = self.preset {
             instance.apply(preset);
@@ -146,20 +136,25 @@ impl Common<'_> {
         set_up(instance, &values)
     }
 
-    /// Makes every run, without the interpreter's lock; one array per result, run after run.
-    fn arrays<'py, 'a>(
+    /// Makes every run, without the interpreter's lock, into the given arrays or new ones: one per result, run after run.
+    /// Returns the new ones.
+    pub fn arrays<'py, 'a>(
         &self,
         py: Python<'py>,
+        out: Option<Vec<Given<'py>>>,
         worker: impl Fn() -> Box<Make<'a>> + Send + Sync,
     ) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
-        let length = self.count * self.samples;
-        let mut arrays = self.results.iter().map(|_| Numbers::missing(length)).collect::<PyResult<Vec<_>>>()?;
-        let done = interruptible(py, |cancel| {
-            let slots = cut(&mut arrays, self.count.div_ceil(self.together), self.together * self.samples);
-            self.make(slots, cancel, worker)
-        })?;
-        done.map_err(|failure| self.text(failure))?;
-        arrays.into_iter().map(|array| array.into_array(py)).collect()
+        let mut arrays = Arrays::of(out, self.results.len(), self.count * self.samples)?;
+        let slots = cut(arrays.values()?, self.count.div_ceil(self.together), self.together * self.samples);
+        interruptible(py, |cancel| self.make(slots, cancel, worker))?.map_err(|failure| self.text(failure))?;
+        if let Some(number) = self.beyond.iter().position(|beyond| beyond.load(Ordering::Relaxed)) {
+            let path = self.model.table.at(self.results[number]).path;
+            return Err(refused(format_args!("{path} has values beyond the largest number of float32, 3.4e38")));
+        }
+        match arrays {
+            Arrays::New(arrays) => arrays.into_iter().map(|array| array.into_array(py)).collect(),
+            Arrays::Given(_) => Ok(Vec::new()),
+        }
     }
 
     /// The text of a failure; it names the run if there are several.
@@ -168,11 +163,11 @@ impl Common<'_> {
     }
 }
 
-/// Arrays of one value per result, run and sample, cut into what each call writes.
-fn cut(arrays: &mut [Numbers], calls: usize, length: usize) -> Vec<Vec<&mut [f64]>> {
-    let mut slots: Vec<Vec<&mut [f64]>> = (0..calls).map(|_| Vec::with_capacity(arrays.len())).collect();
+/// Values of each result, run after run, cut into what each call writes.
+fn cut(arrays: Vec<Values<'_>>, calls: usize, length: usize) -> Vec<Vec<Values<'_>>> {
+    let mut slots: Vec<Vec<Values>> = (0..calls).map(|_| Vec::with_capacity(arrays.len())).collect();
     for array in arrays {
-        for (slot, part) in slots.iter_mut().zip(array.chunks_mut(length.max(1))) {
+        for (slot, part) in slots.iter_mut().zip(array.parts(length)) {
             slot.push(part);
         }
     }
@@ -186,9 +181,9 @@ fn of_core(rows: &[Rows]) -> Vec<batch::Rows<'_>> {
         .collect()
 }
 
-/// A model over samples: one flat array per result, run after run.
+/// A model over samples: one flat array per result, run after run. None if they are given.
 #[pyfunction]
-#[pyo3(signature = (model, *, preset, parameters, inputs, dt, times, held, results, runs, samples, threads_asked))]
+#[pyo3(signature = (model, *, preset, parameters, inputs, dt, times, held, results, runs, samples, threads_asked, out))]
 #[allow(clippy::too_many_arguments, reason = "keywords of a call from Python")]
 pub fn follow<'py>(
     py: Python<'py>,
@@ -203,6 +198,7 @@ pub fn follow<'py>(
     runs: usize,
     samples: usize,
     threads_asked: Option<usize>,
+    out: Option<Vec<Given<'py>>>,
 ) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
     let model = find(model)?;
     let inputs = rows(model, inputs)?;
@@ -215,66 +211,15 @@ pub fn follow<'py>(
     let inputs = of_core(&inputs);
     let times = times.as_deref().map_or(Times::Every(dt), Times::At);
     let all = Runs { inputs: &inputs, times, samples, between, results: &common.results };
-    common.arrays(py, || {
-        let mut worker = Worker::new(model, &all, Registers::best());
+    common.arrays(py, out, || {
+        let (mut worker, mut room) = (Worker::new(model, &all, Registers::best()), Vec::new());
         let (common, all) = (&common, &all);
-        Box::new(move |some, instance, arrays, cancel| {
-            let Ok(worker) = &mut worker else { return Err((some.start, Ended::OutOfMemory)) };
-            worker.make(instance, all, some, &|run, instance| common.begin(run, instance), arrays, cancel)
+        Box::new(move |some, instance, places, cancel| {
+            let full = || (some.start, Ended::OutOfMemory);
+            let Ok(worker) = &mut worker else { return Err(full()) };
+            let begin = |run, instance: &mut Instance| common.begin(run, instance);
+            let make = |arrays: &mut [&mut [f64]]| worker.make(instance, all, some.clone(), &begin, arrays, cancel);
+            in_doubles(places, &mut room, &common.beyond, make, full)
         })
     })
-}
-
-/// Settled results: one array per result, one value per point.
-#[pyfunction]
-#[pyo3(signature = (model, *, preset, parameters, inputs, results, points, threads_asked))]
-#[allow(clippy::too_many_arguments, reason = "keywords of a call from Python")]
-pub fn settle<'py>(
-    py: Python<'py>,
-    model: &str,
-    preset: Option<String>,
-    parameters: Named<'py>,
-    inputs: Named<'py>,
-    results: Vec<String>,
-    points: usize,
-    threads_asked: Option<usize>,
-) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
-    let model = find(model)?;
-    let inputs = rows(model, inputs)?;
-    let mut common = Common::of(model, preset.as_deref(), parameters, &results, ("point", points), threads_asked)?;
-    common.threads = common.threads.min(points);
-    if let Some(arrays) = outputs(py, &common, &inputs)? {
-        return Ok(arrays);
-    }
-    common.arrays(py, || {
-        let (common, inputs) = (&common, &inputs);
-        Box::new(move |some, instance, arrays, cancel| {
-            for (place, point) in some.enumerate() {
-                let values = common.settled(point, instance, inputs, cancel).map_err(|ended| (point, ended))?;
-                arrays.iter_mut().zip(values).for_each(|(array, value)| array[place] = value);
-            }
-            Ok(())
-        })
-    })
-}
-
-/// Settled results of a law without memory, whose parameters are the same at all points: its outputs, side by side. None
-/// for any other law.
-fn outputs<'py>(py: Python<'py>, common: &Common, inputs: &[Rows]) -> PyResult<Option<Vec<Bound<'py, PyArray1<f64>>>>> {
-    if common.count == 0 || common.parameters.iter().any(|rows| rows.rows > 1) {
-        return Ok(None);
-    }
-    // The points are the samples of one run.
-    let mut inputs = of_core(inputs);
-    inputs.iter_mut().for_each(|rows| (rows.rows, rows.width) = (1, rows.rows));
-    let (times, between, samples) = (Times::Every(1.0), Between::Held, common.count);
-    let all = Runs { inputs: &inputs, times, samples, between, results: &common.results };
-    let mut arrays = common.results.iter().map(|_| Numbers::missing(samples)).collect::<PyResult<Vec<_>>>()?;
-    let is_done = interruptible(py, |cancel| {
-        let Ok(mut worker) = Worker::new(common.model, &all, Registers::best()) else { return false };
-        let mut rest: Vec<&mut [f64]> = arrays.iter_mut().map(|array| &mut **array).collect();
-        let begin = |run, instance: &mut Instance| common.begin(run, instance);
-        worker.make_outputs(&mut Instance::new(common.model), &all, &begin, &mut rest, cancel)
-    })?;
-    is_done.then(|| arrays.into_iter().map(|array| array.into_array(py)).collect()).transpose()
 }

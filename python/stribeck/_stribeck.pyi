@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 __version__: str
 
 Numbers = NDArray[np.float64]
+Places = NDArray[np.float64] | NDArray[np.float32]
 
 class Refused(ValueError): ...
 
@@ -55,6 +56,7 @@ def follow(
     runs: int,
     samples: int,
     threads_asked: int | None,
+    out: list[Places] | None,
 ) -> list[Numbers]: ...
 def settle(
     model: str,
@@ -65,6 +67,7 @@ def settle(
     results: list[str],
     points: int,
     threads_asked: int | None,
+    out: list[Places] | None,
 ) -> list[Numbers]: ...
 def make_study(
     study: str | dict[str, Any],

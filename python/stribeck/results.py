@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stribeck.catalogue import hint
+from stribeck.places import Floats
 
 if TYPE_CHECKING:
     import pandas
@@ -26,14 +27,14 @@ def frame(axis: Axes) -> None:
     axis.ticklabel_format(scilimits=(-3, 4))
 
 
-class Result(Mapping[str, NDArray[np.float64]]):
+class Result(Mapping[str, Floats]):
     """Results over time: a mapping from names to arrays, of the shape (samples) or (runs, samples), with `time`."""
 
     def __init__(
         self,
         title: str,
         time: NDArray[np.float64],
-        columns: dict[str, NDArray[np.float64]],
+        columns: Mapping[str, Floats],
         units: dict[str, str],
         assumed: dict[str, float] | None = None,
         inputs: dict[str, NDArray[np.float64]] | None = None,
@@ -50,7 +51,7 @@ class Result(Mapping[str, NDArray[np.float64]]):
         self.inputs = inputs or {}
         """Inputs as they were given, for pictures of results over them."""
 
-    def __getitem__(self, name: str) -> NDArray[np.float64]:
+    def __getitem__(self, name: str) -> Floats:
         if name == "time":
             return self.time
         if name not in self.columns:

@@ -6,11 +6,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from stribeck import _stribeck
 from stribeck._stribeck import Refused
 from stribeck.catalogue import Description, Variable, law, model, number
+from stribeck.places import Floats, Places
 from stribeck.results import Result
 from stribeck.threads import checked
 
@@ -25,13 +26,16 @@ def force(
     *,
     preset: str | None = None,
     threads: int | None = None,
+    out: Floats | None = None,
+    dtype: DTypeLike | None = None,
     **parameters: Any,
-) -> NDArray[np.float64]:
+) -> Floats:
     """Friction force in N in steady sliding: at a velocity held until the force no longer changes.
 
     All arguments are broadcast against each other, as numpy does it. `velocity` is in m/s, `normal_force` in N;
     parameters are those of `stribeck.law(name).parameters`, in SI units. At velocity 0 a law without memory carries the
-    `external_force`, up to its static level; it is 0 if it is not given.
+    `external_force`, up to its static level; it is 0 if it is not given. The forces go into the array `out` if there is
+    one, and are float32 if that, or `dtype`, says so; after a refusal `out` may hold some of them.
 
     >>> force("Coulomb", [-1.0, 2.0], 10.0, mu_k=[[0.1], [0.3]])
     array([[-1.,  1.],
@@ -49,21 +53,28 @@ def force(
         given.setdefault(other, 0.0)
     arrays = {key: _numbers(described.find(key), value) for key, value in given.items()}
     shape = _broadcast(arrays)
-    columns = {key: np.broadcast_to(array, shape).reshape(-1, 1) for key, array in arrays.items()}
-    inputs = [(key, column) for key, column in columns.items() if key in described.inputs]
-    others = [(key, column) for key, column in columns.items() if key not in described.inputs]
-    points = int(np.prod(shape, dtype=np.int64))
-    (forces,) = _stribeck.settle(
+    places = Places(shape, ["friction_force"], {} if out is None else {"friction_force": out}, dtype)
+    columns = {key: _column(array, shape) for key, array in arrays.items()}
+    found = _stribeck.settle(
         described.name,
         preset=preset,
-        parameters=others,
-        inputs=inputs,
-        results=["friction_force"],
-        points=points,
+        parameters=[(key, column[:, None]) for key, column in columns.items() if key not in described.inputs],
+        inputs=[(key, column) for key, column in columns.items() if key in described.inputs],
+        results=places.names,
+        points=int(np.prod(shape, dtype=np.int64)),
         threads_asked=checked(threads),
+        out=places.given(columns.values()),
     )
+    forces = places.filled(found)["friction_force"]
     # Indexing by () turns a single number into a scalar.
-    return forces.reshape(shape)[()]
+    return forces if out is not None else forces[()]
+
+
+def _column(array: NDArray[np.float64], shape: tuple[int, ...]) -> NDArray[np.float64]:
+    """One number, or one for each point of a shape."""
+    if array.size != 1:
+        array = np.broadcast_to(array, shape)
+    return np.require(array, np.float64, ["C", "A"]).reshape(-1)
 
 
 def simulate(
@@ -75,6 +86,8 @@ def simulate(
     preset: str | None = None,
     record: Sequence[str] | None = None,
     threads: int | None = None,
+    out: Floats | Mapping[str, Floats] | None = None,
+    dtype: DTypeLike | None = None,
     **values: Any,
 ) -> Result:
     """Results of a model along given inputs.
@@ -83,7 +96,8 @@ def simulate(
     of a choice, or an array with one value per run. The samples are `dt` seconds apart, or at the times `time`. Between
     two samples inputs move along straight lines; with `held` they keep the earlier value, as in an FMU without input
     derivatives. Results at a sample belong to the inputs of the sample. `record` chooses the results (default: all
-    outputs).
+    outputs). They go into the arrays `out`, a mapping from names to arrays or the array of a single result, as far as
+    there are some, and are float32 where that, or `dtype`, says so; after a refusal `out` may hold some of them.
 
     >>> import numpy
     >>> t = numpy.arange(0.0, 1.0, 1e-3)
@@ -107,6 +121,8 @@ def simulate(
     samples = _samples(inputs, times)
     runs, single = _runs(described, arrays)
     results = _results(described, record)
+    shape = (samples,) if single else (runs, samples)
+    places = Places(shape, results, _given(out, results), dtype)
     flat = _stribeck.follow(
         described.name,
         preset=preset,
@@ -119,13 +135,10 @@ def simulate(
         runs=runs,
         samples=samples,
         threads_asked=checked(threads),
+        out=places.given(arrays.values()),
     )
-    shape = (samples,) if single else (runs, samples)
-    columns = {key: column.reshape(shape) for key, column in zip(results, flat, strict=True)}
-    if times is None:
-        # In place: new memory takes longer than a cheap law.
-        times = np.arange(samples, dtype=np.float64)
-        times *= step
+    columns = places.filled(flat)
+    times = _every(step, samples) if times is None else times
     units = {key: described.variables[key].unit for key in [*results, *inputs]}
     return Result(described.name, times, columns, units, assumed, inputs)
 
@@ -135,6 +148,14 @@ def _sampling(dt: float | None, time: ArrayLike | None) -> tuple[NDArray[np.floa
     if (dt is None) == (time is None):
         raise TypeError("give either dt or time")
     return (None, _step(dt)) if time is None else (_times(time), 0.0)
+
+
+def _every(step: float, samples: int) -> NDArray[np.float64]:
+    """Times at this interval."""
+    times = np.arange(samples, dtype=np.float64)
+    # In place: new memory takes longer than a cheap law.
+    times *= step
+    return times
 
 
 def _numbers(variable: Variable, value: Any) -> NDArray[np.float64]:
@@ -224,6 +245,15 @@ def _agreed(what: str, numbers: Mapping[str, int]) -> int:
     if agreed == 0:
         raise Refused(f"number of {what}: {listed}: must be >= 1")
     return agreed
+
+
+def _given(out: Floats | Mapping[str, Floats] | None, results: list[str]) -> Mapping[str, Any]:
+    """The arrays for results, by name."""
+    if out is None or isinstance(out, Mapping):
+        return out or {}
+    if len(results) > 1:
+        raise Refused(f"out: must be a mapping from names to arrays, for the results {', '.join(results)}")
+    return {results[0]: out}
 
 
 def _results(described: Description, record: Sequence[str] | None) -> list[str]:
