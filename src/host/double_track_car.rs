@@ -1,7 +1,7 @@
 use crate::host::magic_formula::{Contact, MagicFormula, Side, Wrench};
 use crate::host::tyre_radii::Radii;
 use crate::host::vertical::{Axle, Body, Car, Corner, GRAVITY, Load, Motion, Wheel};
-use crate::model::{Derivatives, Fault, Law, Model, Meaning, ModelExchange, integrate, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, integrate, real};
 use crate::number::Scalar;
 
 crate::part! {

@@ -1,5 +1,5 @@
 use crate::host::vertical::{Axle, Body, Car, Corner, Motion, Wheel};
-use crate::model::{Derivatives, Fault, Law, Model, Meaning, ModelExchange, integrate, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, integrate, real};
 use crate::number::Scalar;
 
 crate::part! {

@@ -1,6 +1,6 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::model::{Derivatives, Law, Model, Meaning, ModelExchange, real};
+use crate::model::{Derivatives, Law, Meaning, Model, ModelExchange, real};
 use crate::number::{Mask, Real};
 
 crate::part! {

@@ -1,5 +1,5 @@
 use crate::host::vertical::{GRAVITY, Motion, Suspension, Wheel};
-use crate::model::{Derivatives, Law, Model, Meaning, ModelExchange, integrate, real};
+use crate::model::{Derivatives, Law, Meaning, Model, ModelExchange, integrate, real};
 use crate::number::Scalar;
 
 crate::model! {
