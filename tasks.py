@@ -343,16 +343,21 @@ def wheels() -> None:
     run(PYTHON, "-m", "pytest", "-rP", "tests/wheels")
 
 
-def setup_page() -> None:
-    """What the page needs besides Rust: Node with its packages, and Rust's standard library for WebAssembly."""
-    for program in ("node", "npm"):
-        need(program, "install Node 20 or newer from https://nodejs.org")
+def setup_wasm() -> None:
+    """Rust's standard library for WebAssembly, from which C sources are made."""
     found = subprocess.run(
         ["rustc", "--print", "target-libdir", "--target", WASM], capture_output=True, text=True, encoding="utf-8"
     )
     if not any(Path(found.stdout.strip()).glob("libstd-*.rlib")):
         need("rustup", f"this task needs Rust's standard library for {WASM}, which the Rust of https://rustup.rs has")
         run("rustup", "target", "add", WASM)
+
+
+def setup_page() -> None:
+    """What the page needs besides Rust: Node with its packages, and Rust's standard library for WebAssembly."""
+    for program in ("node", "npm"):
+        need(program, "install Node 20 or newer from https://nodejs.org")
+    setup_wasm()
     run(shutil.which("npm"), "ci", "--prefix", "web", "--ignore-scripts", "--no-audit", "--no-fund")
 
 
@@ -450,6 +455,7 @@ def test() -> None:
     for program in ("rustfmt", "clippy-driver"):
         need(program, "rustup component add rustfmt clippy")
     setup()
+    setup_wasm()
     if platform.system() == "Linux":
         install_missing(TEST_PROGRAMS)
     check_style()

@@ -91,7 +91,8 @@ const HOUSES: &[House] = &[
             "types",
         ],
     },
-    House { folder: "fmu-build/src", rooms: &["project", "build", "describe", "page", "pack"] },
+    House { folder: "fmu-build/src", rooms: &["project", "build", "describe", "page", "sources", "pack"] },
+    House { folder: "sources/src", rooms: &["model", "room", "state", "calls"] },
 ];
 
 /// Macros that are exported from the root of their crate, and the rooms that declare them.
@@ -112,6 +113,7 @@ const FOLDERS: &[&str] = &[
     "lab/measured",
     "lab/solve",
     "python",
+    "sources",
     "src",
     "ssp",
     "tests",

@@ -5,6 +5,7 @@ mod describe;
 mod pack;
 mod page;
 mod project;
+mod sources;
 #[cfg(test)]
 mod specimen;
 
@@ -29,6 +30,7 @@ use crate::pack::archive::{self, Archiver};
 use crate::pack::four_post;
 use crate::pack::package::{self, Contents, Form, Packing};
 use crate::page::{html, texts};
+use crate::sources::Purpose;
 
 /// Generates files from the tables of Stribeck's models, and packs the FMUs.
 #[derive(Parser)]
@@ -82,6 +84,14 @@ enum Command {
         #[arg(long, value_name = "PLATFORM")]
         platform: Choice,
     },
+    /// Write C sources of one model for controllers, NAME.h and NAME.c: C99, without memory of its own.
+    Sources {
+        /// The model.
+        model: String,
+        /// Folder for the files.
+        #[arg(long, default_value = "out/sources")]
+        out: PathBuf,
+    },
     /// Build the library and pack two FMUs per model: for FMI 2.0, and in the folder fmi3 for FMI 3.0.
     Pack {
         /// Models to pack (default: all).
@@ -100,6 +110,9 @@ enum Command {
         /// by number.
         #[arg(long)]
         plain: bool,
+        /// Pack C sources in place of libraries, for targets that compile them: FMI 2.0, for co-simulation.
+        #[arg(long, conflicts_with_all = ["platform", "strict", "plain"])]
+        sources: bool,
     },
 }
 
@@ -131,7 +144,9 @@ fn obey(command: Command, root: &Path) -> Result<()> {
         Command::Texts { out } => texts(&out),
         Command::Ssp { out } => ssp(root, &out),
         Command::Inspect { library, platform } => inspect(root, &library, platform),
-        Command::Pack { models, out, platform, strict, plain } => {
+        Command::Sources { model, out } => sources(root, model, &out),
+        Command::Pack { models, out, sources: true, .. } => pack_sources(root, &models, &out),
+        Command::Pack { models, out, platform, strict, plain, .. } => {
             let mut forms = vec![Form::Two(Choices::Named), Form::Three];
             forms.extend(plain.then_some(Form::Two(Choices::Plain)));
             pack(root, &models, &out, &platform, strict, &forms)
@@ -208,6 +223,38 @@ fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: 
     for line in &left_out {
         println!("skipped: {line}");
     }
+    Ok(())
+}
+
+/// Writes the sources of a model for controllers.
+fn sources(root: &Path, model: String, out: &Path) -> Result<()> {
+    refuse_stale(root)?;
+    for entry in entry::select(&[model])? {
+        for (name, text) in sources::of(root, &entry, Purpose::Controller)?.files {
+            let size = package::save(out, &name, text.as_bytes())?;
+            println!("{:<28} {size:>9} bytes", out.join(&name).display());
+        }
+    }
+    Ok(())
+}
+
+fn pack_sources(root: &Path, models: &[String], out: &Path) -> Result<()> {
+    let (without, entries): (Vec<_>, Vec<_>) =
+        entry::select(models)?.into_iter().partition(|entry| sources::refusal(entry.model).is_some());
+    for why in without.iter().filter_map(|entry| sources::refusal(entry.model)) {
+        ensure!(models.is_empty(), "{why}");
+        println!("skipped: {why}");
+    }
+    refuse_stale(root)?;
+    let date = project::packing_date()?;
+    let archiver = Archiver::new(date)?;
+    let packing = Packing::of_sources(root, date, &archiver)?;
+    for entry in &entries {
+        let sources = sources::of(root, entry, Purpose::Fmu)?;
+        let size = packing.write_sources(&Contents::of(entry)?, &sources, out)?;
+        println!("{:<20} {size:>9} bytes", format!("{}.fmu", entry.model.name));
+    }
+    println!("{} FMUs with C sources in {}", entries.len(), out.display());
     Ok(())
 }
 

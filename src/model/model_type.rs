@@ -125,6 +125,24 @@ impl ModelType {
         }
     }
 
+    /// As [`ModelType::of`], for a library whose instances make steps only: without what solvers, batches and events ask
+    /// for, which its linker then leaves out.
+    pub const fn of_steps<M: Model>() -> ModelType {
+        ModelType {
+            kernels: None,
+            overshoot: |_| 0.0,
+            overshoot_dual: |_| Dual::from(0.0),
+            check_model_exchange: |_| Ok(()),
+            indicate: |_, _| {},
+            is_linear: |_| false,
+            past: |_| None,
+            bonds: |_| None,
+            put_bonds: |_, _, _| {},
+            try_at_event: |_, _, _| true,
+            ..ModelType::of::<M>()
+        }
+    }
+
     /// The guid that ties modelDescription.xml to this library.
     pub fn guid(&self) -> &str {
         // The fingerprint is spelled with ASCII digits only.

@@ -54,7 +54,7 @@ pub fn check(root: &Path, platform: Platform, bytes: &[u8], exports: &[String]) 
 }
 
 /// Folders of this machine with which source paths in the library begin, and their replacements.
-fn remapped_paths(root: &Path) -> Result<Vec<(PathBuf, &'static str)>> {
+pub(super) fn remapped_paths(root: &Path) -> Result<Vec<(PathBuf, &'static str)>> {
     let mut paths = vec![
         (root.join("src"), "/stribeck/src"),
         (root.join("ffi"), "/stribeck/ffi"),
@@ -70,7 +70,7 @@ fn cargo_home() -> Option<PathBuf> {
 
 /// Flags that differ from those of `cargo build` would rebuild everything each time, so these builds have their own
 /// folder.
-fn target_folder(root: &Path) -> PathBuf {
+pub(super) fn target_folder(root: &Path) -> PathBuf {
     env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from).join("fmu")
 }
 
@@ -116,7 +116,7 @@ fn encoded(flags: &str) -> String {
 }
 
 /// The given flags and ours.
-fn flags(given: OsString, own: &[&str], remapped: &[(PathBuf, &'static str)]) -> OsString {
+pub(super) fn flags(given: OsString, own: &[&str], remapped: &[(PathBuf, &'static str)]) -> OsString {
     let mut flags = given;
     let mut push = |flag: OsString| {
         if !flags.is_empty() {
@@ -145,7 +145,7 @@ fn artifact(message: &Value, suffix: &str) -> Option<PathBuf> {
     names.find(|name| name.ends_with(suffix)).map(PathBuf::from)
 }
 
-fn contains(bytes: &[u8], path: &Path) -> bool {
+pub(super) fn contains(bytes: &[u8], path: &Path) -> bool {
     let path = path.as_os_str().as_encoded_bytes();
     bytes.windows(path.len()).any(|window| window == path)
 }

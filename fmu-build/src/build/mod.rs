@@ -6,3 +6,4 @@ pub mod library;
 pub mod platform;
 pub mod toolchain;
 pub mod universal;
+pub mod wasm;

@@ -66,19 +66,11 @@ impl Target {
     /// The tools missing on this machine, each with the command that installs it.
     pub fn missing(self, root: &Path) -> Result<Vec<String>> {
         let mut missing = Vec::new();
-        if !self.has_standard_library()? {
+        if !has_standard_library(self.triple)? {
             missing.push(format!("Rust's standard library for it: rustup target add {}", self.triple));
         }
         missing.extend(self.linker.missing(root)?);
         Ok(missing)
-    }
-
-    /// `rustc` names the folder of any target that it knows; only an installed one has the library in it.
-    fn has_standard_library(self) -> Result<bool> {
-        let folder = stdout(rustc().args(["--print", "target-libdir", "--target", self.triple]))?;
-        let Ok(files) = fs::read_dir(folder.trim()) else { return Ok(false) };
-        let names = files.filter_map(|file| Some(file.ok()?.file_name().to_string_lossy().into_owned()));
-        Ok(names.into_iter().any(|name| name.starts_with("libstd-") && name.ends_with(".rlib")))
     }
 
     /// Additions of its linker to the library.
@@ -183,6 +175,15 @@ fn of_mingw(documents: &Path) -> Vec<Addition> {
         Addition { name: "libgcc", license: "GPL-3.0-or-later WITH GCC-exception-3.1", notices: gcc },
         Addition { name: "mingw-w64", license: "ZPL-2.1", notices: mingw },
     ]
+}
+
+/// Whether Rust's standard library for a target is here. `rustc` names the folder of any target that it knows; only an
+/// installed one has the library in it.
+pub fn has_standard_library(triple: &str) -> Result<bool> {
+    let folder = stdout(rustc().args(["--print", "target-libdir", "--target", triple]))?;
+    let Ok(files) = fs::read_dir(folder.trim()) else { return Ok(false) };
+    let names = files.filter_map(|file| Some(file.ok()?.file_name().to_string_lossy().into_owned()));
+    Ok(names.into_iter().any(|name| name.starts_with("libstd-") && name.ends_with(".rlib")))
 }
 
 /// Runs a command, whose error output goes to the terminal, and returns its standard output.

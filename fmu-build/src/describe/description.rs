@@ -38,9 +38,14 @@ pub fn interface(
     model: &ModelType,
     capabilities: &[(&'static str, &str)],
 ) -> io::Result<()> {
+    leaf(xml, element, interface_attributes(model, capabilities))
+}
+
+/// The attributes of an interface: the name of its functions' library, and its capabilities.
+pub fn interface_attributes(model: &ModelType, capabilities: &[(&'static str, &str)]) -> Attributes {
     let identifier = ("modelIdentifier", model.name.to_owned());
     let capabilities = capabilities.iter().map(|(name, value)| (*name, (*value).to_owned()));
-    leaf(xml, element, [identifier].into_iter().chain(capabilities).collect())
+    [identifier].into_iter().chain(capabilities).collect()
 }
 
 /// The unit of the time derivative of a state.

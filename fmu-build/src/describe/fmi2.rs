@@ -10,9 +10,9 @@ use stribeck::model::{Kind, ModelType, Variable};
 use stribeck::reference;
 
 use crate::describe::description::{
-    CALCULATED, INDEPENDENT, causality, default_experiment, derivative_of, enumerations, interface, items,
-    log_categories, real_type, root_attributes, second, start, unit_definitions, unit_of_rate, units, value_attributes,
-    variable_attributes,
+    CALCULATED, INDEPENDENT, causality, default_experiment, derivative_of, enumerations, interface,
+    interface_attributes, items, log_categories, real_type, root_attributes, second, start, unit_definitions,
+    unit_of_rate, units, value_attributes, variable_attributes,
 };
 use crate::describe::structure::{Structure, index, integrated};
 use crate::describe::text::number;
@@ -63,11 +63,34 @@ pub fn model_description(model: &ModelType, date: Timestamp, choices: Choices) -
     if model.model_exchange {
         attributes.push(("numberOfEventIndicators", model.event_indicators.to_string()));
     }
-    document("fmiModelDescription", attributes, |xml| {
+    describe(model, attributes, choices, |xml| {
         if model.model_exchange {
             interface(xml, "ModelExchange", model, &EXCHANGE_CAPABILITIES)?;
         }
-        interface(xml, "CoSimulation", model, &CAPABILITIES)?;
+        interface(xml, "CoSimulation", model, &CAPABILITIES)
+    })
+}
+
+/// The text of modelDescription.xml for an FMU with C sources in these files in place of libraries, for co-simulation.
+pub fn source_description(model: &ModelType, date: Timestamp, files: &[&str]) -> Result<String> {
+    describe(model, root_attributes(model, date, "2.0", "guid"), Choices::Named, |xml| {
+        parent(xml, "CoSimulation", interface_attributes(model, &CAPABILITIES), |xml| {
+            parent(xml, "SourceFiles", Vec::new(), |xml| {
+                files.iter().try_for_each(|file| leaf(xml, "File", vec![("name", (*file).to_owned())]))
+            })
+        })
+    })
+}
+
+/// A description with these interfaces.
+fn describe(
+    model: &ModelType,
+    attributes: Attributes,
+    choices: Choices,
+    interfaces: impl FnOnce(&mut Xml) -> io::Result<()>,
+) -> Result<String> {
+    document("fmiModelDescription", attributes, |xml| {
+        interfaces(xml)?;
         unit_definitions(xml, model)?;
         type_definitions(xml, model, choices)?;
         log_categories(xml)?;

@@ -119,7 +119,7 @@ fn with_short_comments(header: &str) -> String {
 fn tables(root: &Path) -> Result<String> {
     let mut text = String::new();
     for choices in enumerations().values() {
-        write_choices(&mut text, choices)?;
+        write_choices(&mut text, choices, "stribeck")?;
     }
     for model in catalogue::models() {
         write_model(&mut text, model, &text::snake_case(root, model)?)?;
@@ -129,23 +129,37 @@ fn tables(root: &Path) -> Result<String> {
 
 /// Enumerations of all models, each once, by name.
 fn enumerations() -> BTreeMap<&'static str, &'static Enumeration> {
-    let variables = catalogue::models().flat_map(|model| model.table);
-    let of_variables = variables.filter_map(|variable| match variable.kind {
+    catalogue::models().flat_map(enumerations_of).collect()
+}
+
+/// Enumerations of a model, by name.
+fn enumerations_of(model: &ModelType) -> BTreeMap<&'static str, &'static Enumeration> {
+    let of_variables = model.table.iter().filter_map(|variable| match variable.kind {
         Kind::Enumeration(choices) => Some((choices.name, choices)),
         _ => None,
     });
     of_variables.collect()
 }
 
-fn write_choices(text: &mut String, choices: &Enumeration) -> Result<()> {
+/// The variables and choices of one model, for a header of its own: all names begin with that of the model.
+pub fn of_model(model: &ModelType, name: &str) -> Result<String> {
+    let mut text = String::new();
+    for choices in enumerations_of(model).values() {
+        write_choices(&mut text, choices, name)?;
+    }
+    write_variables(&mut text, model, name)?;
+    Ok(text)
+}
+
+fn write_choices(text: &mut String, choices: &Enumeration, prefix: &str) -> Result<()> {
     let name = snake(choices.name);
-    let upper = name.to_uppercase();
-    writeln!(text, "/** Choices of a variable of the type {}. */\ntypedef enum stribeck_{name} {{", choices.name)?;
+    let upper = format!("{prefix}_{name}").to_uppercase();
+    writeln!(text, "/** Choices of a variable of the type {}. */\ntypedef enum {prefix}_{name} {{", choices.name)?;
     for (number, item) in choices.items.iter().enumerate() {
         writeln!(text, "  /** {} */", item.help)?;
-        writeln!(text, "  STRIBECK_{upper}_{} = {},", snake(item.name).to_uppercase(), number + 1)?;
+        writeln!(text, "  {upper}_{} = {},", snake(item.name).to_uppercase(), number + 1)?;
     }
-    writeln!(text, "}} stribeck_{name};\n")?;
+    writeln!(text, "}} {prefix}_{name};\n")?;
     Ok(())
 }
 
@@ -157,22 +171,30 @@ fn write_model(text: &mut String, model: &ModelType, name: &str) -> Result<()> {
         writeln!(text, "/** Preset of {}: {}. */", model.name, preset.source.trim_end_matches('.'))?;
         writeln!(text, "#define STRIBECK_{upper}_PRESET_{} \"{}\"\n", preset.name.to_uppercase(), preset.name)?;
     }
+    write_variables(text, model, &format!("stribeck_{name}"))
+}
+
+/// The variables of a model, with names that begin with this prefix.
+fn write_variables(text: &mut String, model: &ModelType, prefix: &str) -> Result<()> {
+    let upper = prefix.to_uppercase();
+    let owner = prefix.strip_prefix("stribeck_").map_or(prefix, |_| "stribeck");
     writeln!(text, "/** {}: {}. Variables of \"{}\". */", model.name, model.summary, model.name)?;
-    writeln!(text, "typedef enum stribeck_{name}_variable {{")?;
+    writeln!(text, "typedef enum {prefix}_variable {{")?;
     for (column, variable) in model.variables() {
-        writeln!(text, "{}", comment(&variable))?;
-        writeln!(text, "  STRIBECK_{upper}_{} = {},", constant(&variable), model.reference(column))?;
+        writeln!(text, "{}", comment(&variable, owner))?;
+        writeln!(text, "  {upper}_{} = {},", constant(&variable), model.reference(column))?;
     }
-    writeln!(text, "}} stribeck_{name}_variable;\n")?;
+    writeln!(text, "}} {prefix}_variable;\n")?;
     Ok(())
 }
 
-/// Role, unit or type, help text, bound and start value; on two lines if one is too short.
-fn comment(variable: &Variable) -> String {
+/// Role, unit or type, help text, bound and start value; on two lines if one is too short. Names of types begin with
+/// `owner`.
+fn comment(variable: &Variable, owner: &str) -> String {
     let role = role(variable.role);
     let measure = match variable.kind {
         Kind::Real(unit) => unit.name.to_owned(),
-        Kind::Enumeration(choices) => format!("stribeck_{}", snake(choices.name)),
+        Kind::Enumeration(choices) => format!("{owner}_{}", snake(choices.name)),
         Kind::Boolean | Kind::Integer => text::kind(variable).to_owned(),
     };
     let meaning = format!("  /** {role} [{measure}]: {}", variable.help);
@@ -198,7 +220,7 @@ fn role(role: Role) -> &'static str {
 }
 
 /// A variable's name as part of a C constant: `element[3].stiffness` is `ELEMENT_3_STIFFNESS`.
-fn constant(variable: &Variable) -> String {
+pub fn constant(variable: &Variable) -> String {
     variable.path.to_string().replace(['.', '['], "_").replace(']', "").to_uppercase()
 }
 
@@ -250,11 +272,11 @@ mod tests {
     #[test]
     fn comments_give_role_unit_meaning_bound_and_default() {
         let stiffness = real("N/m", 1e5).positive().named(Name::root("sigma_0"), Role::Tunable, "Stiffness.");
-        assert_eq!(comment(&stiffness), "  /** tunable [N/m]: Stiffness. (> 0, default 100000) */");
+        assert_eq!(comment(&stiffness, "stribeck"), "  /** tunable [N/m]: Stiffness. (> 0, default 100000) */");
         let count = integer(3).named(Name::root("count"), Role::State, "Count.");
-        assert_eq!(comment(&count), "  /** state [Integer]: Count. (default 3) */");
+        assert_eq!(comment(&count, "stribeck"), "  /** state [Integer]: Count. (default 3) */");
         let force = real("N", 0.0).named(Name::root("force"), Role::Output, "Force.");
-        assert_eq!(comment(&force), "  /** out [N]: Force. */");
+        assert_eq!(comment(&force, "stribeck"), "  /** out [N]: Force. */");
     }
 
     #[test]

@@ -8,6 +8,7 @@ use jiff::Timestamp;
 
 use crate::build::crates::Parts;
 use crate::build::library::Library;
+use crate::build::platform::{self, Choice};
 use crate::describe::entry::Entry;
 use crate::describe::fmi2::{self, Choices};
 use crate::describe::fmi3;
@@ -16,6 +17,7 @@ use crate::describe::terminals;
 use crate::pack::archive::{Archiver, Files};
 use crate::pack::{licenses, related, sbom};
 use crate::page::{html, icon};
+use crate::sources::Sources;
 
 /// A form in which a model is packed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,6 +109,14 @@ impl Packing<'_> {
         Ok(Packing { libraries, parts, licenses, date, archiver })
     }
 
+    /// A packing of C sources: their parts are those of the library for this machine, but nothing is added by a linker.
+    pub fn of_sources<'a>(root: &Path, date: Timestamp, archiver: &'a Archiver) -> Result<Packing<'a>> {
+        let parts = Parts::of(root, &platform::platforms(&[Choice::Host])?)?;
+        let parts = Parts { additions: Vec::new(), ..parts };
+        let licenses = licenses::files(root, &parts)?;
+        Ok(Packing { libraries: Vec::new(), parts, licenses, date, archiver })
+    }
+
     /// Names of the platforms that the FMUs run on.
     pub fn platforms(&self) -> Vec<&'static str> {
         self.libraries.iter().map(|library| library.platform.name()).collect()
@@ -115,6 +125,18 @@ impl Packing<'_> {
     /// Writes one FMU and returns its size in bytes.
     pub fn write(&self, contents: &Contents, form: Form, folder: &Path) -> Result<usize> {
         save(folder, &format!("{}.fmu", contents.entry.model.name), &self.fmu(contents, form)?)
+    }
+
+    /// Writes an FMU of FMI 2.0 that has C sources in place of libraries, and returns its size in bytes.
+    pub fn write_sources(&self, contents: &Contents, sources: &Sources, folder: &Path) -> Result<usize> {
+        let model = contents.entry.model;
+        let names: Vec<&str> = sources.files.keys().map(String::as_str).collect();
+        let description = fmi2::source_description(model, self.date, &names)?;
+        let mut files = self.files(contents, Form::Two(Choices::Named))?;
+        files.insert("modelDescription.xml".into(), description.into());
+        let texts = sources.files.iter().map(|(name, text)| (format!("sources/{name}"), text.clone().into()));
+        files.extend(texts);
+        save(folder, &format!("{}.fmu", model.name), &self.archiver.zip(&files)?)
     }
 
     /// The bytes of one FMU.

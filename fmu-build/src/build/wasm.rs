@@ -1,0 +1,42 @@
+//! Builds the library of one model as WebAssembly, from which its C sources are made.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+
+use super::library::{self, contains};
+use super::toolchain::{self, has_standard_library};
+
+const TRIPLE: &str = "wasm32-unknown-unknown";
+
+/// The package that is built.
+const PACKAGE: &str = "stribeck-sources";
+
+/// Builds the library of the model with this path in the crate, such as `friction::LuGre`, with a stack of so many bytes.
+/// Its bytes depend only on the sources and the tools, not on their location.
+pub fn build(root: &Path, model: &str, stack: usize) -> Result<Vec<u8>> {
+    ensure!(has_standard_library(TRIPLE)?, "Rust's standard library for it is missing: rustup target add {TRIPLE}");
+    let folder = library::target_folder(root);
+    let stack = format!("-Clink-arg=-zstack-size={stack}");
+    // The stack is first, so that one that is too small is noticed; the heap base is the end of the memory in use.
+    let own = ["-Clink-arg=--stack-first", "-Clink-arg=--export=__heap_base", stack.as_str()];
+    let mut paths = library::remapped_paths(root)?;
+    paths.push((root.join("sources"), "/stribeck/sources"));
+    let mut cargo = Command::new(toolchain::cargo());
+    cargo
+        .args(["build", "--profile", "sources", "--package", PACKAGE, "--target", TRIPLE, "--target-dir"])
+        .arg(&folder)
+        .current_dir(root)
+        .env("STRIBECK_MODEL", model)
+        .env_remove("RUSTFLAGS")
+        .env("CARGO_ENCODED_RUSTFLAGS", library::flags(Default::default(), &own, &paths));
+    toolchain::stdout(&mut cargo).with_context(|| format!("cannot build the library of {model}"))?;
+    let file = folder.join(TRIPLE).join("sources").join("stribeck_sources.wasm");
+    let bytes = fs::read(&file).with_context(|| format!("cannot read {}", file.display()))?;
+    for path in [folder, toolchain::sysroot()?].into_iter().chain(paths.into_iter().map(|(path, _)| path)) {
+        ensure!(!contains(&bytes, &path), "the library of {model} contains the path {}", path.display());
+    }
+    Ok(bytes)
+}

@@ -1,0 +1,56 @@
+//! Sources for controllers: a header and a file, whose names begin with that of the model.
+
+use std::collections::BTreeMap;
+
+use anyhow::{Context, Result};
+use stribeck::model::{ModelType, Role, Variable};
+use stribeck::serial;
+
+use super::program::{self, Program};
+use super::{INCLUDES, beginning, called};
+use crate::describe::header;
+use crate::project::VERSION;
+
+const HEADER: &str = include_str!("law.h");
+const FUNCTIONS: &str = include_str!("law.c");
+
+/// Bytes of an instance beside the memory of the model: where a call is left that cannot go on. The largest `jmp_buf`
+/// known has 656 (64-bit PowerPC with glibc).
+const BESIDE: u32 = 1024;
+
+/// The files of a model by name.
+pub fn files(model: &ModelType, name: &str, origin: &str, library: &[u8]) -> Result<BTreeMap<String, String>> {
+    let Program { text, memory } = program::of(library, &called(FUNCTIONS), false)?;
+    let constant = |wanted: fn(&Variable) -> bool| {
+        let found = model.table.iter().find(|variable| !variable.is_hidden && wanted(variable));
+        found.map(|variable| header::constant(&variable)).context("a model has inputs and outputs")
+    };
+    let input = constant(|variable| variable.role == Role::Input)?;
+    let output = constant(|variable| variable.role == Role::Output)?;
+    let header = HEADER
+        .replace("TITLE", &format!("{}: {}", model.name, model.summary))
+        .replace("ORIGIN", origin)
+        .replace("VERSION_TEXT", VERSION)
+        .replace("MEMORY_BYTES", &(memory + BESIDE).to_string())
+        .replace("STATE_BYTES", &serial::size(model).to_string())
+        .replace("FIRST_INPUT", &format!("LAW_{input}"))
+        .replace("FIRST_OUTPUT", &format!("LAW_{output}"));
+    let header = named(&header, name).replace("VARIABLES\n", &header::of_model(model, name)?);
+    let includes = format!("#include \"{name}.h\"\n\n");
+    let source = beginning(model.name, origin, &INCLUDES) + &includes + &text + "\n" + &named(FUNCTIONS, name);
+    Ok(BTreeMap::from([(format!("{name}.h"), header), (format!("{name}.c"), source)]))
+}
+
+/// A text in which the name of the model stands for "law".
+fn named(text: &str, name: &str) -> String {
+    let upper = name.to_uppercase();
+    let pairs = [
+        ("LAW_", format!("{upper}_")),
+        ("law_", format!("{name}_")),
+        ("law.h", format!("{name}.h")),
+        ("struct law law;", format!("struct {name} {name};")),
+        ("struct law", format!("struct {name}")),
+        ("law *", format!("{name} *")),
+    ];
+    pairs.iter().fold(text.to_owned(), |text, (from, to)| text.replace(from, to))
+}

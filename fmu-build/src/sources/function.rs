@@ -1,0 +1,408 @@
+//! A function of WebAssembly as a function of C.
+//!
+//! Blocks become labels, and branches jumps to them. What a block leaves is in the variable of its place.
+
+use std::collections::BTreeSet;
+
+use anyhow::{Context, Result, bail, ensure};
+use wasmparser::{BrTable, Operator};
+
+use super::kind::Kind;
+use super::module::Module;
+use super::operators::{division, expression, load, store};
+use super::stack::{Operand, Stack};
+
+/// A block that has not ended.
+struct Block {
+    label: usize,
+    is_loop: bool,
+    is_if: bool,
+    /// Number of operands before it.
+    height: usize,
+    result: Option<Kind>,
+    is_target: bool,
+}
+
+/// A function as it is written.
+pub struct Function<'a> {
+    module: &'a Module<'a>,
+    stack: Stack,
+    locals: Vec<Kind>,
+    blocks: Vec<Block>,
+    labels: usize,
+    /// Number of blocks within code that is never reached, if we are there.
+    skipped: Option<usize>,
+    /// Functions that it calls.
+    pub calls: Vec<u32>,
+    /// Types of the functions that it calls by number.
+    pub calls_by_number: BTreeSet<u32>,
+}
+
+/// Name of a function in C.
+pub fn name(function: u32) -> String {
+    format!("f{function}")
+}
+
+/// Result and arguments of a function, with names for the arguments if it is defined.
+pub fn signature(module: &Module, function: u32, with_names: bool) -> Result<String> {
+    let kind = module.type_of(function);
+    let result = kind.results().first().map_or(Ok("void"), |kind| Kind::of(*kind).map(Kind::c))?;
+    let mut arguments = vec![if with_names { "struct module *m" } else { "struct module *" }.to_owned()];
+    for (at, kind) in kind.params().iter().enumerate() {
+        let c = Kind::of(*kind)?.c();
+        arguments.push(if with_names { format!("{c} l{at}") } else { c.to_owned() });
+    }
+    Ok(format!("{result} {}({})", name(function), arguments.join(", ")))
+}
+
+impl<'a> Function<'a> {
+    /// Translates a function.
+    pub fn of(module: &'a Module<'a>, function: u32) -> Result<(Function<'a>, String)> {
+        let mut this = Function {
+            module,
+            stack: Stack::default(),
+            locals: Vec::new(),
+            blocks: Vec::new(),
+            labels: 0,
+            skipped: None,
+            calls: Vec::new(),
+            calls_by_number: BTreeSet::new(),
+        };
+        let text = this.translate(function).with_context(|| format!("function {function}"))?;
+        Ok((this, text))
+    }
+
+    fn translate(&mut self, function: u32) -> Result<String> {
+        let module = self.module;
+        let kind = module.type_of(function);
+        ensure!(kind.results().len() < 2, "several results are not supported");
+        let result = kind.results().first().map(|kind| Kind::of(*kind)).transpose()?;
+        self.locals = kind.params().iter().map(|kind| Kind::of(*kind)).collect::<Result<_>>()?;
+        let arguments = self.locals.len();
+        let body = &module.bodies[function as usize];
+        for local in body.get_locals_reader()? {
+            let (count, kind) = local?;
+            self.locals.extend(std::iter::repeat_n(Kind::of(kind)?, count as usize));
+        }
+        self.open(false, false, result);
+        for operator in body.get_operators_reader()? {
+            self.add(&operator?)?;
+        }
+        let mut text = format!("static {} {{\n", signature(module, function, true)?);
+        for (at, kind) in self.locals.iter().enumerate().skip(arguments) {
+            text.push_str(&format!("  {} l{at} = 0;\n", kind.c()));
+        }
+        for (kind, place) in &self.stack.variables {
+            text.push_str(&format!("  {} {}{place} = 0;\n", kind.c(), kind.letter()));
+        }
+        let rest: String = (0..arguments).map(|at| format!("  (void)l{at};\n")).collect();
+        Ok(format!("{text}{rest}  (void)m;\n{}}}\n", self.stack.text))
+    }
+
+    fn open(&mut self, is_loop: bool, is_if: bool, result: Option<Kind>) {
+        self.labels += 1;
+        let (label, height) = (self.labels, self.stack.len());
+        self.blocks.push(Block { label, is_loop, is_if, height, result, is_target: false });
+    }
+
+    fn add(&mut self, operator: &Operator) -> Result<()> {
+        if let Some(depth) = self.skipped {
+            return self.skip(operator, depth);
+        }
+        if let Some((operands, kind, text)) = expression(operator) {
+            return self.compute(operands, kind, text);
+        }
+        if let Some((operands, kind, text)) = division(operator) {
+            self.compute(operands, kind, text)?;
+            self.stack.settle();
+            return Ok(());
+        }
+        if let Some((kind, function, offset)) = load(operator) {
+            let address = self.stack.pop().text;
+            self.stack.push(Operand::open(kind, format!("{function}(m, {})", sum(&address, offset))));
+            return Ok(());
+        }
+        if let Some((_, function, offset)) = store(operator) {
+            let (address, value) = self.stack.pop_two();
+            self.stack.settle();
+            self.stack.line(format!("{function}(m, {}, {});", sum(&address.text, offset), value.text));
+            return Ok(());
+        }
+        self.add_other(operator)
+    }
+
+    /// Passes over code that is never reached, up to the end of its block.
+    fn skip(&mut self, operator: &Operator, depth: usize) -> Result<()> {
+        match operator {
+            Operator::Block { .. } | Operator::Loop { .. } | Operator::If { .. } => self.skipped = Some(depth + 1),
+            Operator::End if depth > 0 => self.skipped = Some(depth - 1),
+            Operator::End | Operator::Else if depth == 0 => {
+                self.skipped = None;
+                return self.end(matches!(operator, Operator::Else), false);
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn compute(&mut self, operands: &[Kind], kind: Kind, text: &str) -> Result<()> {
+        let operand = if let [_, _] = operands {
+            let (a, b) = self.stack.pop_two();
+            Operand::of(kind, text.replace("{a}", &a.text).replace("{b}", &b.text), &[&a, &b])
+        } else {
+            let a = self.stack.pop();
+            Operand::of(kind, text.replace("{a}", &a.text), &[&a])
+        };
+        self.stack.push(operand);
+        Ok(())
+    }
+
+    fn add_other(&mut self, operator: &Operator) -> Result<()> {
+        match operator {
+            Operator::I32Const { value } => self.constant(Kind::I32, format!("{}u", *value as u32)),
+            Operator::I64Const { value } => self.constant(Kind::I64, format!("UINT64_C({})", *value as u64)),
+            Operator::F64Const { value } => self.constant(Kind::F64, double(f64::from_bits(value.bits()))),
+            Operator::LocalGet { local_index } => {
+                let kind = self.locals[*local_index as usize];
+                self.stack.push(Operand::open(kind, format!("l{local_index}")));
+            }
+            Operator::LocalSet { local_index } => self.set_local(*local_index),
+            Operator::LocalTee { local_index } => {
+                self.set_local(*local_index);
+                let kind = self.locals[*local_index as usize];
+                self.stack.push(Operand::open(kind, format!("l{local_index}")));
+            }
+            Operator::GlobalGet { global_index } => {
+                self.stack.push(Operand::open(Kind::I32, format!("m->g{global_index}")));
+            }
+            Operator::GlobalSet { global_index } => {
+                let value = self.stack.pop();
+                self.stack.settle();
+                self.stack.line(format!("m->g{global_index} = within_stack(m, {});", value.text));
+            }
+            Operator::Drop => drop(self.stack.pop()),
+            Operator::Select | Operator::TypedSelect { .. } => self.select(),
+            Operator::MemoryCopy { .. } => self.three("copy"),
+            Operator::MemoryFill { .. } => self.three("fill"),
+            Operator::Call { function_index } => self.call(*function_index)?,
+            Operator::CallIndirect { type_index, .. } => self.call_by_number(*type_index)?,
+            other => return self.control(other),
+        }
+        Ok(())
+    }
+
+    fn constant(&mut self, kind: Kind, text: String) {
+        self.stack.push(Operand::constant(kind, text));
+    }
+
+    fn set_local(&mut self, local: u32) {
+        let value = self.stack.pop();
+        self.stack.settle();
+        self.stack.line(format!("l{local} = {};", value.text));
+    }
+
+    /// The second operand is computed even if it is not chosen, so that a compiler can do without a branch.
+    fn select(&mut self) {
+        let condition = self.stack.pop();
+        let (a, b) = self.stack.pop_two();
+        let text = format!("({} ? {} : {})", condition.text, a.text, b.text);
+        self.stack.push(Operand::of(a.kind, text, &[&condition, &a, &b]));
+    }
+
+    /// Calls a function of the runtime with three numbers.
+    fn three(&mut self, function: &str) {
+        let (b, c) = self.stack.pop_two();
+        let a = self.stack.pop();
+        self.stack.settle();
+        self.stack.line(format!("{function}(m, {}, {}, {});", a.text, b.text, c.text));
+    }
+
+    fn arguments(&mut self, count: usize) -> String {
+        let mut arguments: Vec<String> = (0..count).map(|_| self.stack.pop().text).collect();
+        arguments.push("m".to_owned());
+        arguments.reverse();
+        arguments.join(", ")
+    }
+
+    fn call(&mut self, function: u32) -> Result<()> {
+        self.calls.push(function);
+        let kind = self.module.type_of(function);
+        let arguments = self.arguments(kind.params().len());
+        self.finish_call(format!("{}({arguments})", name(function)), kind.results())
+    }
+
+    fn call_by_number(&mut self, kind: u32) -> Result<()> {
+        let kind = self.module.kind_of(kind);
+        self.calls_by_number.insert(kind);
+        let number = self.stack.pop().text;
+        let function = &self.module.types[kind as usize];
+        let arguments = self.arguments(function.params().len());
+        let result = function.results().first().map_or(Ok("void"), |kind| Kind::of(*kind).map(Kind::c))?;
+        let kinds = function.params().iter().map(|kind| Kind::of(*kind).map(Kind::c)).collect::<Result<Vec<_>>>()?;
+        let kinds: String = kinds.iter().map(|kind| format!(", {kind}")).collect();
+        let pointer = format!("({result} (*)(struct module *{kinds}))");
+        self.finish_call(format!("({pointer}by_number(m, {number}, {kind}u))({arguments})"), function.results())
+    }
+
+    fn finish_call(&mut self, call: String, results: &[wasmparser::ValType]) -> Result<()> {
+        self.stack.settle();
+        match results {
+            [] => self.stack.line(format!("{call};")),
+            [kind] => self.stack.assign(Kind::of(*kind)?, &call),
+            _ => bail!("several results are not supported"),
+        }
+        Ok(())
+    }
+
+    fn control(&mut self, operator: &Operator) -> Result<()> {
+        match operator {
+            Operator::Nop => {}
+            Operator::Unreachable => {
+                self.stack.line("trap(m);");
+                self.skipped = Some(0);
+            }
+            Operator::Block { blockty } => {
+                self.stack.settle();
+                self.open(false, false, Kind::of_block(*blockty)?);
+            }
+            Operator::Loop { blockty } => {
+                self.stack.settle();
+                self.open(true, false, Kind::of_block(*blockty)?);
+                // A label that nothing jumps to is a warning only.
+                let label = self.labels;
+                self.stack.line(format!("L{label}:;"));
+            }
+            Operator::If { blockty } => {
+                let condition = self.stack.pop();
+                self.stack.settle();
+                self.stack.line(format!("if ({}) {{", condition.text));
+                self.open(false, true, Kind::of_block(*blockty)?);
+                self.stack.depth += 1;
+            }
+            Operator::Else => self.end(true, true)?,
+            Operator::End => self.end(false, true)?,
+            other => return self.branch(other),
+        }
+        Ok(())
+    }
+
+    /// Ends a block, or the first part of one.
+    fn end(&mut self, is_else: bool, is_reached: bool) -> Result<()> {
+        let Block { label, is_loop, is_if, height, result, is_target } =
+            self.blocks.pop().context("an end too many")?;
+        if is_reached && let Some(kind) = result {
+            let value = self.stack.pop();
+            self.stack.truncate(height);
+            self.stack.settle();
+            self.keep(kind, height, &value);
+        } else if is_reached {
+            self.stack.settle();
+        }
+        self.stack.truncate(height);
+        if is_else {
+            self.stack.depth -= 1;
+            self.stack.line("} else {");
+            self.stack.depth += 1;
+            self.blocks.push(Block { label, is_loop, is_if, height, result, is_target });
+            return Ok(());
+        }
+        if is_if {
+            self.stack.depth -= 1;
+            self.stack.line("}");
+        }
+        if is_target && !is_loop {
+            self.stack.line(format!("L{label}:;"));
+        }
+        if let Some(kind) = result {
+            let variable = self.stack.variable(kind, height);
+            if self.blocks.is_empty() {
+                self.stack.line(format!("return {variable};"));
+            } else {
+                self.stack.push(Operand::open(kind, variable));
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes a value into the variable of a place.
+    fn keep(&mut self, kind: Kind, place: usize, value: &Operand) {
+        let variable = self.stack.variable(kind, place);
+        if value.text != variable {
+            self.stack.line(format!("{variable} = {};", value.text));
+        }
+    }
+
+    fn branch(&mut self, operator: &Operator) -> Result<()> {
+        match operator {
+            Operator::Br { relative_depth } => {
+                self.jump(*relative_depth as usize)?;
+                self.skipped = Some(0);
+            }
+            Operator::Return => {
+                self.jump(self.blocks.len() - 1)?;
+                self.skipped = Some(0);
+            }
+            Operator::BrIf { relative_depth } => {
+                let condition = self.stack.pop();
+                self.stack.settle();
+                self.stack.line(format!("if ({}) {{", condition.text));
+                self.stack.depth += 1;
+                self.jump(*relative_depth as usize)?;
+                self.stack.depth -= 1;
+                self.stack.line("}");
+            }
+            Operator::BrTable { targets } => {
+                self.switch(targets)?;
+                self.skipped = Some(0);
+            }
+            other => bail!("the operator {other:?} is not supported"),
+        }
+        Ok(())
+    }
+
+    fn jump(&mut self, depth: usize) -> Result<()> {
+        let at = self.blocks.len().checked_sub(depth + 1).context("a branch too far")?;
+        self.stack.settle();
+        let Block { label, is_loop, height, result, .. } = self.blocks[at];
+        if let Some(kind) = result.filter(|_| !is_loop) {
+            let value = self.stack.pop();
+            self.keep(kind, height, &value);
+            self.stack.push(value);
+        }
+        self.blocks[at].is_target = true;
+        self.stack.line(format!("goto L{label};"));
+        Ok(())
+    }
+
+    fn switch(&mut self, targets: &BrTable) -> Result<()> {
+        let number = self.stack.pop();
+        self.stack.settle();
+        self.stack.line(format!("switch ({}) {{", number.text));
+        self.stack.depth += 1;
+        for (number, target) in targets.targets().enumerate() {
+            self.stack.line(format!("case {number}:"));
+            self.jump(target? as usize)?;
+        }
+        self.stack.line("default:");
+        self.jump(targets.default() as usize)?;
+        self.stack.depth -= 1;
+        self.stack.line("}");
+        Ok(())
+    }
+}
+
+fn sum(address: &str, offset: u64) -> String {
+    if offset == 0 { address.to_owned() } else { format!("{address} + {offset}u") }
+}
+
+/// A number in C, exactly: in hexadecimal digits, or by its bits if it is not finite.
+pub fn double(value: f64) -> String {
+    let bits = value.to_bits();
+    if !value.is_finite() {
+        return format!("from_bits(UINT64_C({bits}))");
+    }
+    let (sign, exponent, mantissa) = (bits >> 63, (bits >> 52) & 0x7ff, bits & 0x000f_ffff_ffff_ffff);
+    let (lead, power) = if exponent == 0 { (0, -1022) } else { (1, exponent as i64 - 1023) };
+    let text = if mantissa == 0 && lead == 0 { "0.0".to_owned() } else { format!("0x{lead}.{mantissa:013x}p{power}") };
+    if sign == 1 { format!("(-{text})") } else { text }
+}

@@ -1,0 +1,262 @@
+/* What the functions below need, and C does not have under these names. */
+
+#if defined(__FAST_MATH__) || FLT_EVAL_METHOD != 0 || FLT_RADIX != 2 || DBL_MANT_DIG != 53
+#error "double must be computed in double, as IEC 60559 says: no -ffast-math, and on x86 -msse2 -mfpmath=sse"
+#endif
+
+/* a * b + c must be rounded twice: create finds out whether it is. */
+#if defined(__clang__) || !defined(__GNUC__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__OPTIMIZE__)
+#pragma GCC optimize("fp-contract=off")
+#endif
+
+#if defined(__GNUC__)
+#define NEVER_RETURNS __attribute__((noreturn))
+#define SELDOM __attribute__((cold, noinline))
+#define APART __attribute__((noinline))
+#else
+#define NEVER_RETURNS
+#define SELDOM
+#define APART
+#endif
+
+typedef uint8_t u8;
+typedef uint16_t u16;
+typedef uint32_t u32;
+typedef uint64_t u64;
+typedef int8_t s8;
+typedef int16_t s16;
+typedef int32_t s32;
+typedef int64_t s64;
+
+/* Ends the present call, whose result is that of an internal error. */
+NEVER_RETURNS SELDOM static void trap(struct module *m) {
+    m->is_broken = 1;
+    longjmp(m->way_out, 1);
+}
+
+/* A new end of the stack, which is at the beginning of the memory: a stack that is too small becomes huge. */
+static inline u32 within_stack(struct module *m, u32 end) {
+    if (end > STACK_SIZE)
+        trap(m);
+    return end;
+}
+
+/* Numbers in the memory are little-endian, wherever it is. */
+#if defined(_MSC_VER) || (defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
+#define IS_LITTLE_ENDIAN 1
+#else
+#define IS_LITTLE_ENDIAN 0
+#endif
+
+static inline u8 load8(const struct module *m, u32 at) {
+    return m->memory[at];
+}
+
+static inline u16 load16(const struct module *m, u32 at) {
+    const u8 *p = m->memory + at;
+    return (u16)(p[0] | p[1] << 8);
+}
+
+static inline u32 load32(const struct module *m, u32 at) {
+    const u8 *p = m->memory + at;
+#if IS_LITTLE_ENDIAN
+    u32 value;
+    memcpy(&value, p, 4);
+    return value;
+#else
+    return (u32)p[0] | (u32)p[1] << 8 | (u32)p[2] << 16 | (u32)p[3] << 24;
+#endif
+}
+
+static inline u64 load64(const struct module *m, u32 at) {
+#if IS_LITTLE_ENDIAN
+    u64 value;
+    memcpy(&value, m->memory + at, 8);
+    return value;
+#else
+    return (u64)load32(m, at) | (u64)load32(m, at + 4) << 32;
+#endif
+}
+
+static inline double from_bits(u64 bits) {
+    double value;
+    memcpy(&value, &bits, 8);
+    return value;
+}
+
+static inline u64 to_bits(double value) {
+    u64 bits;
+    memcpy(&bits, &value, 8);
+    return bits;
+}
+
+static inline double load_double(const struct module *m, u32 at) {
+    return from_bits(load64(m, at));
+}
+
+static inline void store8(struct module *m, u32 at, u64 value) {
+    m->memory[at] = (u8)value;
+}
+
+static inline void store16(struct module *m, u32 at, u64 value) {
+    m->memory[at] = (u8)value;
+    m->memory[at + 1] = (u8)(value >> 8);
+}
+
+static inline void store32(struct module *m, u32 at, u64 value) {
+#if IS_LITTLE_ENDIAN
+    u32 part = (u32)value;
+    memcpy(m->memory + at, &part, 4);
+#else
+    store16(m, at, value);
+    store16(m, at + 2, value >> 16);
+#endif
+}
+
+static inline void store64(struct module *m, u32 at, u64 value) {
+#if IS_LITTLE_ENDIAN
+    memcpy(m->memory + at, &value, 8);
+#else
+    store32(m, at, value);
+    store32(m, at + 4, value >> 32);
+#endif
+}
+
+static inline void store_double(struct module *m, u32 at, double value) {
+    store64(m, at, to_bits(value));
+}
+
+static inline void check_range(struct module *m, u32 at, u32 n) {
+    if (n > MEMORY_SIZE || at > MEMORY_SIZE - n)
+        trap(m);
+}
+
+static inline void copy(struct module *m, u32 to, u32 from, u32 n) {
+    check_range(m, to, n);
+    check_range(m, from, n);
+    memmove(m->memory + to, m->memory + from, n);
+}
+
+static inline void fill(struct module *m, u32 to, u32 value, u32 n) {
+    check_range(m, to, n);
+    memset(m->memory + to, (int)(value & 255), n);
+}
+
+static inline u32 rotate32(u32 a, u32 n) {
+    return a << (n & 31) | a >> ((32 - (n & 31)) & 31);
+}
+
+static inline u64 rotate64(u64 a, u64 n) {
+    return a << (n & 63) | a >> ((64 - (n & 63)) & 63);
+}
+
+static inline u32 ones32(u32 a) {
+    a -= a >> 1 & 0x55555555u;
+    a = (a & 0x33333333u) + (a >> 2 & 0x33333333u);
+    a = (a + (a >> 4)) & 0x0f0f0f0fu;
+    return a * 0x01010101u >> 24;
+}
+
+static inline u32 leading32(u32 a) {
+    a |= a >> 1;
+    a |= a >> 2;
+    a |= a >> 4;
+    a |= a >> 8;
+    a |= a >> 16;
+    return 32 - ones32(a);
+}
+
+static inline u32 trailing32(u32 a) {
+    return ones32(~a & (a - 1));
+}
+
+static inline u32 leading64(u64 a) {
+    return a >> 32 ? leading32((u32)(a >> 32)) : 32 + leading32((u32)a);
+}
+
+static inline u32 trailing64(u64 a) {
+    return (u32)a ? trailing32((u32)a) : 32 + trailing32((u32)(a >> 32));
+}
+
+static inline u32 divisor32(struct module *m, u32 b) {
+    if (b == 0)
+        trap(m);
+    return b;
+}
+
+static inline u64 divisor64(struct module *m, u64 b) {
+    if (b == 0)
+        trap(m);
+    return b;
+}
+
+static inline u32 divide32(struct module *m, u32 a, u32 b) {
+    if (b == 0 || (a == 0x80000000u && b == 0xffffffffu))
+        trap(m);
+    return (u32)((s32)a / (s32)b);
+}
+
+static inline u32 remain32(struct module *m, u32 a, u32 b) {
+    if (b == 0)
+        trap(m);
+    return b == 0xffffffffu ? 0 : (u32)((s32)a % (s32)b);
+}
+
+static inline u64 divide64(struct module *m, u64 a, u64 b) {
+    if (b == 0 || (a == UINT64_C(1) << 63 && b == UINT64_MAX))
+        trap(m);
+    return (u64)((s64)a / (s64)b);
+}
+
+static inline u64 remain64(struct module *m, u64 a, u64 b) {
+    if (b == 0)
+        trap(m);
+    return b == UINT64_MAX ? 0 : (u64)((s64)a % (s64)b);
+}
+
+/* To whole numbers: the nearest one if there is none, 0 for NaN. */
+static inline s32 to_s32(double a) {
+    if (!(a > -2147483649.0))
+        return a != a ? 0 : INT32_MIN;
+    return a < 2147483648.0 ? (s32)a : INT32_MAX;
+}
+
+static inline u32 to_u32(double a) {
+    if (!(a > -1.0))
+        return 0;
+    return a < 4294967296.0 ? (u32)a : UINT32_MAX;
+}
+
+static inline s64 to_s64(double a) {
+    if (!(a >= -9223372036854775808.0))
+        return a != a ? 0 : INT64_MIN;
+    return a < 9223372036854775808.0 ? (s64)a : INT64_MAX;
+}
+
+static inline u64 to_u64(double a) {
+    if (!(a > -1.0))
+        return 0;
+    return a < 18446744073709551616.0 ? (u64)a : UINT64_MAX;
+}
+
+static inline double least(double a, double b) {
+    if (a != a || b != b)
+        return a + b;
+    return a == b ? from_bits(to_bits(a) | to_bits(b)) : a < b ? a : b;
+}
+
+static inline double most(double a, double b) {
+    if (a != a || b != b)
+        return a + b;
+    return a == b ? from_bits(to_bits(a) & to_bits(b)) : a > b ? a : b;
+}
+
+/* Whether this target computes as the library does: rounding twice in a * b + c, to nearest, with small numbers. */
+SELDOM static int computes_alike(void) {
+    volatile double a = 1.0 + 0x1p-27, c = 1.0 + 0x1p-26, least_normal = DBL_MIN, one = 1.0, half_digit = 0x1p-53;
+    double product = a * a - c, small = least_normal * 0.5;
+    return product == 0.0 && small > 0.0 && one + half_digit == 1.0 && one + 3.0 * half_digit == 1.0 + 0x1p-51 &&
+           to_bits(one) == UINT64_C(0x3ff0000000000000);
+}

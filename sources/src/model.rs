@@ -1,0 +1,14 @@
+//! The model, and the memory that its instance needs.
+
+use stribeck::model::{Columns, Model, ModelType};
+
+include!(concat!(env!("OUT_DIR"), "/model.rs"));
+
+/// The record of the model.
+pub static MODEL: ModelType = ModelType::of_steps::<Chosen>();
+
+/// Number of its columns.
+pub const COLUMNS: usize = <Chosen as Columns>::TABLE.len();
+
+/// Number of values beside its row.
+pub const MEMORY: usize = <Chosen as Model>::MEMORY;

@@ -1,0 +1,105 @@
+"""C sources of the laws: made by fmu-build, compiled, and driven along random motions beside the library."""
+
+import ctypes
+import os
+import random
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+from fmpy import read_model_description
+
+ROOT = Path(__file__).resolve().parents[2]
+DRIVER = ROOT / "tests" / "sources" / "drive.c"
+TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
+FMU_BUILD = TARGET / "debug" / ("fmu-build.exe" if os.name == "nt" else "fmu-build")
+NAMES = {"win32": "stribeck.dll", "darwin": "libstribeck.dylib"}
+# Every warning that says something about the code. A label that nothing jumps to, a function that is not called and a
+# variable that is not read are in what is generated.
+WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-Wno-unused-label", "-Wno-unused-function"]
+WARNINGS += ["-Wno-unused-but-set-variable", "-ffp-contract=off"]
+
+
+def make(*arguments: str | Path) -> None:
+    """Runs fmu-build."""
+    command = [FMU_BUILD, "--project", ROOT, *arguments]
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+def variables(model: str):
+    """Real inputs and outputs of a model."""
+    described = read_model_description(str(ROOT / "modelDescription" / f"{model}.xml"), validate=False)
+    reals = [one for one in described.modelVariables if one.type == "Real"]
+    return [[one for one in reals if one.causality == causality] for causality in ("input", "output")]
+
+
+def motion(model: str, steps: int, seed: int = 1) -> list[tuple[float, list[float]]]:
+    """Steps of random lengths with random inputs, within the bounds of the inputs: often slow, sometimes at rest."""
+    inputs, _ = variables(model)
+    source = random.Random(f"{model} {seed}")
+    rows = []
+    for _ in range(steps):
+        values = []
+        for one in inputs:
+            start, size = float(one.start or 0.0), 10.0 ** source.uniform(-6.0, 0.5)
+            value = start * source.uniform(0.5, 1.5) if start else source.choice([-size, 0.0, size, size])
+            if one.min is not None:
+                value = max(value, float(one.min))
+            values.append(min(value, float(one.max)) if one.max is not None else value)
+        rows.append((10.0 ** source.uniform(-5.0, -2.0), values))
+    return rows
+
+
+def bits(value: float) -> str:
+    return struct.pack(">d", value).hex()
+
+
+def question(model: str, rows) -> str:
+    """A motion as the driver reads it."""
+    inputs, outputs = variables(model)
+    lines = [f"{len(inputs)} {len(outputs)} {len(rows)}"]
+    lines += [" ".join(str(one.valueReference) for one in group) for group in (inputs, outputs)]
+    lines += [" ".join([bits(dt), *map(bits, values)]) for dt, values in rows]
+    return "\n".join(lines) + "\n"
+
+
+def of_library(model: str, rows) -> list[list[str]]:
+    """What the library answers, as bits."""
+    folder = Path(os.environ.get("STRIBECK_LIBRARY", TARGET / "fmu" / "release"))
+    library = ctypes.CDLL(str(folder / NAMES.get(sys.platform, "libstribeck.so")))
+    instance, value = ctypes.c_void_p(), ctypes.c_double()
+    assert library.stribeck_create(model.encode(), ctypes.byref(instance)) == 0
+    inputs, outputs = variables(model)
+    answers = []
+    for dt, values in rows:
+        for one, number in zip(inputs, values, strict=True):
+            assert library.stribeck_set(instance, ctypes.c_uint32(one.valueReference), ctypes.c_double(number)) == 0
+        assert library.stribeck_step(instance, ctypes.c_double(dt)) == 0
+        answer = []
+        for one in outputs:
+            assert library.stribeck_get(instance, ctypes.c_uint32(one.valueReference), ctypes.byref(value)) == 0
+            answer.append(bits(value.value))
+        answers.append(answer)
+    library.stribeck_free(instance)
+    return answers
+
+
+def compiled(folder: Path, compiler: list[str], out: str) -> Path:
+    """A program of the driver and the sources in a folder."""
+    (header,) = folder.glob("*.h")
+    name = header.stem
+    program = folder / out
+    law = [f"-DLAW={name}", f'-DHEADER="{header.name}"', f"-DSTATE_OF_{name}={name.upper()}_STATE", f"-I{folder}"]
+    command = [*compiler, *law, str(DRIVER), str(folder / f"{name}.c"), "-o", str(program), "-lm"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, f"{command}\n{done.stderr[:3000]}"
+    return program
+
+
+def answer(command: list[str], text: str) -> list[list[str]]:
+    """What a program answers to a motion."""
+    done = subprocess.run(command, input=text, capture_output=True, text=True, timeout=600)
+    assert done.returncode == 0, f"{command}: exit code {done.returncode}"
+    return [line.split() for line in done.stdout.splitlines()]

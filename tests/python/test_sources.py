@@ -1,0 +1,130 @@
+"""C sources of the laws, for controllers and as FMUs: the same bits as the library, whatever the compiler does."""
+
+import shutil
+import subprocess
+
+import pytest
+from c_sources import DRIVER, ROOT, WARNINGS, answer, compiled, make, motion, of_library, question, variables
+from fmpy import extract, instantiate_fmu, read_model_description
+from fmpy.build import build_platform_binary
+from fmpy.validation import validate_fmu
+
+COMPILERS = [name for name in ("gcc", "clang", "cc") if shutil.which(name)][:1]
+# A bristle, a law with its own memory, and one that sticks.
+MODELS = ["LuGre", "MaxwellSlip", "Karnopp"]
+
+
+@pytest.fixture(scope="module")
+def sources(tmp_path_factory):
+    """Folders with the sources of some models."""
+    folder = tmp_path_factory.mktemp("sources")
+    for model in MODELS:
+        make("sources", model, "--out", folder / model)
+    return folder
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_sources_have_the_bits_of_the_library(sources, model):
+    rows = motion(model, 2000)
+    expected = of_library(model, rows)
+    for optimised in ("-O0", "-O3"):
+        program = compiled(sources / model, [COMPILERS[0], *WARNINGS, optimised], f"drive{optimised}")
+        assert answer([str(program)], question(model, rows)) == expected, optimised
+
+
+def test_sources_refuse_other_arithmetic_and_bad_values(sources):
+    """An example, with the statuses of its refusals."""
+    program = sources / "refusals"
+    text = DRIVER.with_name("refusals.c")
+    command = [COMPILERS[0], *WARNINGS, f"-I{sources / 'LuGre'}", text, sources / "LuGre" / "lugre.c"]
+    subprocess.run([*map(str, command), "-lm", "-o", str(program)], check=True)
+    done = subprocess.run([str(program)], capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (0, "all refusals as documented\n")
+    fast = [COMPILERS[0], "-std=c99", "-ffast-math", "-c", "-o", sources / "fast.o", sources / "LuGre" / "lugre.c"]
+    done = subprocess.run(list(map(str, fast)), capture_output=True, text=True)
+    assert done.returncode != 0
+    assert "no -ffast-math" in done.stderr
+
+
+class Fmu:
+    """An FMU with a logger."""
+
+    def __init__(self, path, folder):
+        extract(str(path), str(folder))
+        self.description = read_model_description(str(folder))
+        self.folder, self.said = folder, []
+
+    def start(self):
+        def heard(_environment, _name, status, category, message):
+            self.said.append((status, category, message))
+
+        self.said.clear()
+        self.fmu = instantiate_fmu(str(self.folder), self.description, "CoSimulation", logger=heard)
+        self.fmu.setupExperiment(startTime=0.0)
+        self.fmu.enterInitializationMode()
+        self.fmu.exitInitializationMode()
+        return self.fmu
+
+    def reference(self, name):
+        return next(one.valueReference for one in self.description.modelVariables if one.name == name)
+
+
+@pytest.fixture(scope="module")
+def both(tmp_path_factory):
+    """The FMU with a library, and that with C sources, which fmpy has compiled."""
+    folder = tmp_path_factory.mktemp("fmus")
+    make("pack", "LuGre", "--sources", "--out", folder)
+    assert (folder / "LuGre.fmu").stat().st_size < 400_000
+    sources = Fmu(folder / "LuGre.fmu", folder / "sources")
+    (folder / "build").mkdir()
+    build_platform_binary(folder / "sources", build_dir=folder / "build")
+    assert validate_fmu(str(folder / "LuGre.fmu")) == []
+    return Fmu(ROOT / "dist" / "LuGre.fmu", folder / "library"), sources
+
+
+def test_an_fmu_of_sources_does_what_that_with_a_library_does(both):
+    runs = []
+    for one in both:
+        fmu = one.start()
+        names = ["velocity", "normal_force"]
+        inputs = [one.reference(name) for name in names]
+        outputs = [variable.valueReference for variable in variables("LuGre")[1]]
+        results, time = [], 0.0
+        for step, (dt, values) in enumerate(motion("LuGre", 400)):
+            fmu.setReal(inputs, values[: len(inputs)])
+            if step % 3 == 0:
+                fmu.setRealInputDerivatives(inputs[:1], [1], [0.01 * values[0]])
+            fmu.doStep(time, dt)
+            time += dt
+            results.append(fmu.getReal([one.reference("time"), *outputs]))
+            results.append(fmu.getRealOutputDerivatives([one.reference("friction_force")], [1]))
+            results.append(fmu.getDirectionalDerivative([one.reference("friction_force")], inputs, [1.0, 0.5]))
+        state = fmu.getFMUState()
+        bytes_of_state = bytes(fmu.serializeFMUState(state))
+        fmu.doStep(time, 1e-3)
+        after = fmu.getReal(outputs)
+        fmu.setFMUState(state)
+        fmu.doStep(time, 1e-3)
+        assert fmu.getReal(outputs) == after
+        fmu.freeFMUState(state)
+        runs.append((results, bytes_of_state, after))
+        fmu.freeInstance()
+    assert runs[0] == runs[1]
+
+
+def test_refusals_of_an_fmu_of_sources_are_those_of_the_library(both):
+    told = []
+    for one in both:
+        fmu = one.start()
+        for refused in (
+            lambda fmu, one: fmu.setReal([one.reference("mu_k")], [-1.0]),
+            lambda fmu, one: fmu.setReal([one.reference("velocity")], [float("nan")]),
+            lambda fmu, _: fmu.getReal([7]),
+        ):
+            with pytest.raises(Exception, match="failed with status"):
+                refused(fmu, one)
+        told.append(list(one.said))
+        fmu.reset()
+        fmu.freeInstance()
+    assert told[0] == told[1]
+    assert len(told[0]) == 3
