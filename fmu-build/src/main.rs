@@ -84,10 +84,10 @@ enum Command {
         #[arg(long, value_name = "PLATFORM")]
         platform: Choice,
     },
-    /// Write C sources of one model for controllers, NAME.h and NAME.c: C99, without memory of its own.
+    /// Write C sources of models for controllers, NAME.h and NAME.c of each: C99, without memory of their own.
     Sources {
-        /// The model.
-        model: String,
+        /// Models to write (default: all).
+        models: Vec<String>,
         /// Folder for the files.
         #[arg(long, default_value = "out/sources")]
         out: PathBuf,
@@ -144,7 +144,7 @@ fn obey(command: Command, root: &Path) -> Result<()> {
         Command::Texts { out } => texts(&out),
         Command::Ssp { out } => ssp(root, &out),
         Command::Inspect { library, platform } => inspect(root, &library, platform),
-        Command::Sources { model, out } => sources(root, model, &out),
+        Command::Sources { models, out } => sources(root, &models, &out),
         Command::Pack { models, out, sources: true, .. } => pack_sources(root, &models, &out),
         Command::Pack { models, out, platform, strict, plain, .. } => {
             let mut forms = vec![Form::Two(Choices::Named), Form::Three];
@@ -226,10 +226,9 @@ fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: 
     Ok(())
 }
 
-/// Writes the sources of a model for controllers.
-fn sources(root: &Path, model: String, out: &Path) -> Result<()> {
-    refuse_stale(root)?;
-    for entry in entry::select(&[model])? {
+/// Writes the sources of models for controllers. Their headers come from the tables, not from generated files.
+fn sources(root: &Path, models: &[String], out: &Path) -> Result<()> {
+    for entry in with_sources(models)? {
         for (name, text) in sources::of(root, &entry, Purpose::Controller)?.files {
             let size = package::save(out, &name, text.as_bytes())?;
             println!("{:<28} {size:>9} bytes", out.join(&name).display());
@@ -238,13 +237,19 @@ fn sources(root: &Path, model: String, out: &Path) -> Result<()> {
     Ok(())
 }
 
-fn pack_sources(root: &Path, models: &[String], out: &Path) -> Result<()> {
+/// The chosen models, without those that have no C sources if they were not chosen by name.
+fn with_sources(models: &[String]) -> Result<Vec<Entry>> {
     let (without, entries): (Vec<_>, Vec<_>) =
         entry::select(models)?.into_iter().partition(|entry| sources::refusal(entry.model).is_some());
     for why in without.iter().filter_map(|entry| sources::refusal(entry.model)) {
         ensure!(models.is_empty(), "{why}");
         println!("skipped: {why}");
     }
+    Ok(entries)
+}
+
+fn pack_sources(root: &Path, models: &[String], out: &Path) -> Result<()> {
+    let entries = with_sources(models)?;
     refuse_stale(root)?;
     let date = project::packing_date()?;
     let archiver = Archiver::new(date)?;

@@ -19,9 +19,6 @@ const PACKAGE: &str = "stribeck-sources";
 pub fn build(root: &Path, model: &str, stack: usize) -> Result<Vec<u8>> {
     ensure!(has_standard_library(TRIPLE)?, "Rust's standard library for it is missing: rustup target add {TRIPLE}");
     let folder = library::target_folder(root);
-    let stack = format!("-Clink-arg=-zstack-size={stack}");
-    // The stack is first, so that one that is too small is noticed; the heap base is the end of the memory in use.
-    let own = ["-Clink-arg=--stack-first", "-Clink-arg=--export=__heap_base", stack.as_str()];
     let mut paths = library::remapped_paths(root)?;
     paths.push((root.join("sources"), "/stribeck/sources"));
     let mut cargo = Command::new(toolchain::cargo());
@@ -30,8 +27,9 @@ pub fn build(root: &Path, model: &str, stack: usize) -> Result<Vec<u8>> {
         .arg(&folder)
         .current_dir(root)
         .env("STRIBECK_MODEL", model)
+        .env("STRIBECK_STACK", stack.to_string())
         .env_remove("RUSTFLAGS")
-        .env("CARGO_ENCODED_RUSTFLAGS", library::flags(Default::default(), &own, &paths));
+        .env("CARGO_ENCODED_RUSTFLAGS", library::flags(Default::default(), &[], &paths));
     toolchain::stdout(&mut cargo).with_context(|| format!("cannot build the library of {model}"))?;
     let file = folder.join(TRIPLE).join("sources").join("stribeck_sources.wasm");
     let bytes = fs::read(&file).with_context(|| format!("cannot read {}", file.display()))?;
