@@ -84,6 +84,7 @@ PLATFORM_PROGRAMS = {
     "x86_64-w64-mingw32-gcc": "gcc-mingw-w64-x86-64-win32",
     "/usr/lib/wine/wine64": "wine64",
     "aarch64-linux-gnu-gcc": "gcc-aarch64-linux-gnu libc6-dev-arm64-cross",
+    "powerpc-linux-gnu-gcc": "gcc-powerpc-linux-gnu libc6-dev-powerpc-cross",
     "qemu-aarch64-static": "qemu-user-static",
 }
 
@@ -143,9 +144,7 @@ def figures(*command: str | Path, **environment: str) -> tuple[list[str], int]:
     print(f"\n> {shlex.join(words)}", flush=True)
     found = []
     settings = {**os.environ, **environment}
-    with subprocess.Popen(
-        words, cwd=ROOT, env=settings, stdout=subprocess.PIPE, text=True, encoding="utf-8"
-    ) as process:
+    with subprocess.Popen(words, cwd=ROOT, env=settings, stdout=subprocess.PIPE, encoding="utf-8") as process:
         for line in process.stdout:
             print(line, end="", flush=True)
             found += re.findall(r"(?:figure|test result): (.*\S)", line)
@@ -216,7 +215,7 @@ def setup_platforms() -> None:
     need("rustup", "this task needs the Rust of https://rustup.rs, which has standard libraries for other platforms")
     setup()
     run(PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", REQUIREMENTS_OF_PLATFORMS)
-    run("rustup", "target", "add", *TARGETS)
+    run("rustup", "target", "add", *TARGETS, WASM)
     install_missing(PLATFORM_PROGRAMS)
 
 
@@ -345,9 +344,8 @@ def wheels() -> None:
 
 def setup_wasm() -> None:
     """Rust's standard library for WebAssembly, from which C sources are made."""
-    found = subprocess.run(
-        ["rustc", "--print", "target-libdir", "--target", WASM], capture_output=True, text=True, encoding="utf-8"
-    )
+    command = ["rustc", "--print", "target-libdir", "--target", WASM]
+    found = subprocess.run(command, capture_output=True, encoding="utf-8")
     if not any(Path(found.stdout.strip()).glob("libstd-*.rlib")):
         need("rustup", f"this task needs Rust's standard library for {WASM}, which the Rust of https://rustup.rs has")
         run("rustup", "target", "add", WASM)
@@ -514,8 +512,9 @@ def faults() -> None:
     need_rust()
     need_c_compiler()
     setup_faults()
+    setup_wasm()
     pack()
-    names = ("model_description", "fmus", "exchange", "importers", "ssp", "supply", "studies")
+    names = ("model_description", "fmus", "exchange", "importers", "sources", "ssp", "supply", "studies")
     commands = [
         ["cargo", "test", "--test", "fmi", "--test", "allocation", "--", "--nocapture"],
         ["cargo", "test", "--package", "fmu-build"],
@@ -533,6 +532,7 @@ def faults() -> None:
         MIRIFLAGS="-Zmiri-env-set=STRIBECK_TEST_PANICS=1 -Zmiri-deterministic-floats",
         STRIBECK_KILLS="50",
         STRIBECK_PROCESSES="64",
+        STRIBECK_SOURCES="all",
     )
 
 
@@ -585,15 +585,12 @@ def supply() -> None:
     those of crates that only tests use."""
     need_rust()
     tools = setup_tool(SUPPLY_TOOL)
-    library = ["cargo", "deny", "--locked", "--manifest-path", "Cargo.toml", "--exclude-dev"]
-    workspace = ["cargo", "deny", "--locked", "--manifest-path", "Cargo.toml", "--workspace"]
+    deny = ["cargo", "deny", "--locked", "--manifest-path"]
+    library, workspace = [*deny, "Cargo.toml", "--exclude-dev"], [*deny, "Cargo.toml", "--workspace"]
     # The exceptions of deny.toml are for crates that are not in the library.
     run(*library, "check", "--allow", "license-exception-not-encountered", "bans", "licenses", "sources", **tools)
     run(*workspace, "check", "licenses", "sources", **tools)
-    for_tests = [
-        ["cargo", "deny", "--locked", "--manifest-path", f"{folder}/Cargo.toml", "--config", "deny.toml"]
-        for folder in ("fuzz", "tests/importers")
-    ]
+    for_tests = [[*deny, f"{folder}/Cargo.toml", "--config", "deny.toml"] for folder in ("fuzz", "tests/importers")]
     for crates in for_tests:
         run(*crates, "check", "sources", **tools)
     print("figure: licences, bans and sources of the crates: passed", flush=True)

@@ -130,6 +130,8 @@ impl ModelType {
     pub const fn of_steps<M: Model>() -> ModelType {
         ModelType {
             kernels: None,
+            try_slide_steadily: output::<M>,
+            slides_steadily: |_| false,
             overshoot: |_| 0.0,
             overshoot_dual: |_| Dual::from(0.0),
             check_model_exchange: |_| Ok(()),

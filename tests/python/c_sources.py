@@ -35,6 +35,12 @@ def variables(model: str):
     return [[one for one in reals if one.causality == causality] for causality in ("input", "output")]
 
 
+def with_sources() -> list[str]:
+    """Models that have C sources: those without a choice of law."""
+    descriptions = (ROOT / "modelDescription").glob("*.xml")
+    return sorted(path.stem for path in descriptions if 'friction.model"' not in path.read_text(encoding="utf-8"))
+
+
 def motion(model: str, steps: int, seed: int = 1) -> list[tuple[float, list[float]]]:
     """Steps of random lengths with random inputs, within the bounds of the inputs: often slow, sometimes at rest."""
     inputs, _ = variables(model)
@@ -66,7 +72,7 @@ def question(model: str, rows) -> str:
 
 
 def of_library(model: str, rows) -> list[list[str]]:
-    """What the library answers, as bits."""
+    """What the library answers, as bits; the status of a step that it refuses."""
     folder = Path(os.environ.get("STRIBECK_LIBRARY", TARGET / "fmu" / "release"))
     library = ctypes.CDLL(str(folder / NAMES.get(sys.platform, "libstribeck.so")))
     instance, value = ctypes.c_void_p(), ctypes.c_double()
@@ -74,9 +80,14 @@ def of_library(model: str, rows) -> list[list[str]]:
     inputs, outputs = variables(model)
     answers = []
     for dt, values in rows:
-        for one, number in zip(inputs, values, strict=True):
-            assert library.stribeck_set(instance, ctypes.c_uint32(one.valueReference), ctypes.c_double(number)) == 0
-        assert library.stribeck_step(instance, ctypes.c_double(dt)) == 0
+        statuses = [
+            library.stribeck_set(instance, ctypes.c_uint32(one.valueReference), ctypes.c_double(number))
+            for one, number in zip(inputs, values, strict=True)
+        ]
+        refusals = [status for status in statuses if status] or [library.stribeck_step(instance, ctypes.c_double(dt))]
+        if refusals[-1]:
+            answers.append([str(refusals[-1])])
+            continue
         answer = []
         for one in outputs:
             assert library.stribeck_get(instance, ctypes.c_uint32(one.valueReference), ctypes.byref(value)) == 0
@@ -86,11 +97,15 @@ def of_library(model: str, rows) -> list[list[str]]:
     return answers
 
 
-def compiled(folder: Path, compiler: list[str], out: str) -> Path:
-    """A program of the driver and the sources in a folder."""
-    (header,) = folder.glob("*.h")
-    name = header.stem
-    program = folder / out
+def headers(folder: Path) -> dict[str, Path]:
+    """The headers of sources in a folder, by model: a header begins with the names of both."""
+    return {path.read_text(encoding="ascii").split(": ")[1]: path for path in folder.glob("*.h")}
+
+
+def compiled(header: Path, compiler: list[str], out: str) -> Path:
+    """A program of the driver and the sources of one model."""
+    folder, name = header.parent, header.stem
+    program = folder / f"{name}{out}"
     law = [f"-DLAW={name}", f'-DHEADER="{header.name}"', f"-DSTATE_OF_{name}={name.upper()}_STATE", f"-I{folder}"]
     command = [*compiler, *law, str(DRIVER), str(folder / f"{name}.c"), "-o", str(program), "-lm"]
     done = subprocess.run(command, capture_output=True, text=True)

@@ -2,6 +2,7 @@
  *
  * Compiled with -DLAW=lugre and -DHEADER="lugre.h" in quotes. Reads the numbers of inputs, outputs and steps, the
  * references of the inputs and outputs, then for each step the bits of its length and of its inputs, in hexadecimal.
+ * The line of a step that is refused is the status.
  */
 
 #include <inttypes.h>
@@ -63,12 +64,15 @@ int main(void) {
     for (step = 0; step < steps; step++) {
         double dt = number(), value;
         uint64_t bits;
+        int status = 0, refused;
         for (at = 0; at < n_inputs; at++)
-            if (CALL(_set)(law, inputs[at], number()))
-                return 6;
-        if (CALL(_step)(law, dt))
-            return 7;
-        for (at = 0; at < n_outputs; at++) {
+            if ((refused = (int)CALL(_set)(law, inputs[at], number())) != 0)
+                status = refused;
+        if (!status)
+            status = (int)CALL(_step)(law, dt);
+        if (status)
+            printf("%d", status);
+        for (at = 0; at < n_outputs && !status; at++) {
             if (CALL(_get)(law, outputs[at], &value))
                 return 8;
             memcpy(&bits, &value, sizeof bits);

@@ -161,6 +161,9 @@ impl<'a> Function<'a> {
         match operator {
             Operator::I32Const { value } => self.constant(Kind::I32, format!("{}u", *value as u32)),
             Operator::I64Const { value } => self.constant(Kind::I64, format!("UINT64_C({})", *value as u64)),
+            Operator::F32Const { value } => {
+                self.constant(Kind::F32, format!("float_from_bits({}u)", value.bits()));
+            }
             Operator::F64Const { value } => self.constant(Kind::F64, double(f64::from_bits(value.bits()))),
             Operator::LocalGet { local_index } => {
                 let kind = self.locals[*local_index as usize];

@@ -128,6 +128,8 @@ fn conversion(operator: &Operator) -> Option<Expression> {
         Operator::F64ConvertI64U => (&[I64], F64, "(double){a}"),
         Operator::F64ReinterpretI64 => (&[I64], F64, "from_bits({a})"),
         Operator::I64ReinterpretF64 => (&[F64], I64, "to_bits({a})"),
+        Operator::F32ReinterpretI32 => (&[I32], F32, "float_from_bits({a})"),
+        Operator::I32ReinterpretF32 => (&[F32], I32, "float_to_bits({a})"),
         Operator::F64PromoteF32 => (&[F32], F64, "(double){a}"),
         Operator::F32DemoteF64 => (&[F64], F32, "(float){a}"),
         _ => return None,
@@ -149,6 +151,7 @@ pub fn load(operator: &Operator) -> Option<(Kind, &'static str, u64)> {
         Operator::I64Load16S { memarg } => (I64, "(u64)(s64)(s16)load16", memarg.offset),
         Operator::I64Load32U { memarg } => (I64, "(u64)load32", memarg.offset),
         Operator::I64Load32S { memarg } => (I64, "(u64)(s64)(s32)load32", memarg.offset),
+        Operator::F32Load { memarg } => (F32, "load_float", memarg.offset),
         Operator::F64Load { memarg } => (F64, "load_double", memarg.offset),
         _ => return None,
     })
@@ -164,6 +167,7 @@ pub fn store(operator: &Operator) -> Option<(Kind, &'static str, u64)> {
         Operator::I64Store8 { memarg } => (I64, "store8", memarg.offset),
         Operator::I64Store16 { memarg } => (I64, "store16", memarg.offset),
         Operator::I64Store32 { memarg } => (I64, "store32", memarg.offset),
+        Operator::F32Store { memarg } => (F32, "store_float", memarg.offset),
         Operator::F64Store { memarg } => (F64, "store_double", memarg.offset),
         _ => return None,
     })

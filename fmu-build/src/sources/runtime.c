@@ -96,6 +96,22 @@ static inline double load_double(const struct module *m, u32 at) {
     return from_bits(load64(m, at));
 }
 
+static inline float float_from_bits(u32 bits) {
+    float value;
+    memcpy(&value, &bits, 4);
+    return value;
+}
+
+static inline u32 float_to_bits(float value) {
+    u32 bits;
+    memcpy(&bits, &value, 4);
+    return bits;
+}
+
+static inline float load_float(const struct module *m, u32 at) {
+    return float_from_bits(load32(m, at));
+}
+
 static inline void store8(struct module *m, u32 at, u64 value) {
     m->memory[at] = (u8)value;
 }
@@ -126,6 +142,10 @@ static inline void store64(struct module *m, u32 at, u64 value) {
 
 static inline void store_double(struct module *m, u32 at, double value) {
     store64(m, at, to_bits(value));
+}
+
+static inline void store_float(struct module *m, u32 at, float value) {
+    store32(m, at, float_to_bits(value));
 }
 
 static inline void check_range(struct module *m, u32 at, u32 n) {

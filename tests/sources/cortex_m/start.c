@@ -6,7 +6,10 @@
 extern uint32_t stack_begin[];
 void reset(void);
 
-__attribute__((section(".vectors"), used)) static const void *const vectors[] = {stack_begin, (const void *)reset};
+__attribute__((section(".vectors"), used)) static const struct {
+    uint32_t *stack;
+    void (*start)(void);
+} vectors = {stack_begin, reset};
 
 __attribute__((naked, used)) void reset(void) {
     __asm volatile("ldr r0, =0xe000ed88\n" /* CPACR: the processor's floating-point unit */

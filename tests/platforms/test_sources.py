@@ -1,0 +1,49 @@
+"""C sources of a law on other processors, under qemu: the same bits as the library here."""
+
+import sys
+
+import pytest
+
+from examples.fmpy.coupling import PROJECT
+
+sys.path.append(str(PROJECT / "tests" / "python"))
+import c_sources
+
+MODEL = "LuGre"
+CORTEX = PROJECT / "tests" / "sources" / "cortex_m"
+# No operating system: a start of its own, and files of the host by semihosting.
+BARE = ["--specs=rdimon.specs", f"-T{CORTEX / 'memory.ld'}", str(CORTEX / "start.c")]
+SEMIHOSTING = ["-display", "none", "-serial", "none", "-monitor", "none", "-semihosting", "-kernel"]
+# Compiler, and what runs its programs. PowerPC is big-endian; Cortex-M4 computes double without its registers.
+PROCESSORS = {
+    "x86 with 32 bits": (["gcc", "-m32", "-msse2", "-mfpmath=sse"], []),
+    "ARM with 64 bits": (["aarch64-linux-gnu-gcc", "-static"], ["qemu-aarch64-static"]),
+    "PowerPC": (["powerpc-linux-gnu-gcc", "-static"], ["qemu-ppc-static"]),
+    "Cortex-M4F": (
+        ["arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", *BARE],
+        ["qemu-system-arm", "-M", "mps2-an386", *SEMIHOSTING],
+    ),
+    "Cortex-M7": (
+        ["arm-none-eabi-gcc", "-mcpu=cortex-m7", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-d16", *BARE],
+        ["qemu-system-arm", "-M", "mps2-an500", *SEMIHOSTING],
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def header(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("sources")
+    c_sources.make("sources", MODEL, "--out", folder)
+    return c_sources.headers(folder)[MODEL]
+
+
+@pytest.mark.parametrize("optimised", ["-O0", "-O2", "-O3"])
+@pytest.mark.parametrize("processor", PROCESSORS)
+def test_sources_have_the_bits_of_the_library_on(processor, optimised, header):
+    compiler, machine = PROCESSORS[processor]
+    rows = c_sources.motion(MODEL, 1000)
+    words = [*compiler, *c_sources.WARNINGS, optimised]
+    program = c_sources.compiled(header, words, f"_{processor}{optimised}".replace(" ", "_"))
+    assert c_sources.answer([*machine, str(program)], c_sources.question(MODEL, rows)) == c_sources.of_library(
+        MODEL, rows
+    )
