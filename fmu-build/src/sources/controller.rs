@@ -23,10 +23,13 @@ pub fn files(model: &ModelType, name: &str, origin: &str, library: &[u8]) -> Res
     let Program { text, memory } = program::of(library, &called(FUNCTIONS), false)?;
     let constant = |wanted: fn(&Variable) -> bool| {
         let found = model.table.iter().find(|variable| !variable.is_hidden && wanted(variable));
-        found.map(|variable| header::constant(&variable)).context("a model has inputs and outputs")
+        found.map(|variable| header::constant(&variable))
     };
-    let input = constant(|variable| variable.role == Role::Input)?;
-    let output = constant(|variable| variable.role == Role::Output)?;
+    // A model may have no input: then the example in the header sets a parameter.
+    let input = constant(|variable| variable.role == Role::Input)
+        .or_else(|| constant(|variable| variable.role == Role::Tunable))
+        .context("nothing can be set")?;
+    let output = constant(|variable| variable.role == Role::Output).context("a model has outputs")?;
     let header = HEADER
         .replace("TITLE", &format!("{}: {}", model.name, model.summary))
         .replace("ORIGIN", origin)
