@@ -86,6 +86,8 @@ PLATFORM_PROGRAMS = {
     "aarch64-linux-gnu-gcc": "gcc-aarch64-linux-gnu libc6-dev-arm64-cross",
     "powerpc-linux-gnu-gcc": "gcc-powerpc-linux-gnu libc6-dev-powerpc-cross",
     "qemu-aarch64-static": "qemu-user-static",
+    "arm-none-eabi-gcc": "gcc-arm-none-eabi libnewlib-arm-none-eabi",
+    "qemu-system-arm": "qemu-system-arm",
 }
 
 
@@ -286,11 +288,9 @@ def test_registers_of_arm() -> None:
     """Runs laws side by side in the registers of ARM, under qemu."""
     target = "aarch64-unknown-linux-gnu"
     variable = "CARGO_TARGET_" + target.upper().replace("-", "_")
-    run(
-        *("cargo", "test", "--package", "stribeck", "--test", "batch", "--target", target),
-        **{f"{variable}_LINKER": "aarch64-linux-gnu-gcc"},
-        **{f"{variable}_RUNNER": "qemu-aarch64-static -L /usr/aarch64-linux-gnu"},
-    )
+    linker, runner = "aarch64-linux-gnu-gcc", "qemu-aarch64-static -L /usr/aarch64-linux-gnu"
+    settings = {f"{variable}_LINKER": linker, f"{variable}_RUNNER": runner}
+    run("cargo", "test", "--package", "stribeck", "--test", "batch", "--target", target, **settings)
 
 
 @task("1 to 2 minutes")

@@ -71,10 +71,10 @@ def question(model: str, rows) -> str:
     return "\n".join(lines) + "\n"
 
 
-def of_library(model: str, rows) -> list[list[str]]:
+def of_library(model: str, rows, path: Path | None = None) -> list[list[str]]:
     """What the library answers, as bits; the status of a step that it refuses."""
     folder = Path(os.environ.get("STRIBECK_LIBRARY", TARGET / "fmu" / "release"))
-    library = ctypes.CDLL(str(folder / NAMES.get(sys.platform, "libstribeck.so")))
+    library = ctypes.CDLL(str(path or folder / NAMES.get(sys.platform, "libstribeck.so")))
     instance, value = ctypes.c_void_p(), ctypes.c_double()
     assert library.stribeck_create(model.encode(), ctypes.byref(instance)) == 0
     inputs, outputs = variables(model)

@@ -3,6 +3,9 @@
 import os
 import shutil
 import subprocess
+import sys
+from pathlib import Path
+from unittest import mock
 
 import pytest
 from c_sources import (
@@ -93,7 +96,10 @@ def both(tmp_path_factory):
     assert (folder / "LuGre.fmu").stat().st_size < 400_000
     sources = Fmu(folder / "LuGre.fmu", folder / "sources")
     (folder / "build").mkdir()
-    build_platform_binary(folder / "sources", build_dir=folder / "build")
+    # fmpy calls cmake, which is beside this Python.
+    programs = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    with mock.patch.dict(os.environ, PATH=programs):
+        build_platform_binary(folder / "sources", build_dir=folder / "build")
     assert validate_fmu(str(folder / "LuGre.fmu")) == []
     return Fmu(ROOT / "dist" / "LuGre.fmu", folder / "library"), sources
 
