@@ -51,9 +51,12 @@ class Instance3:
 
 
 @contextmanager
-def open_instance(model: str, values: Mapping[str, list[float]] | None = None, exchange: bool = False):
-    """Makes an instance that is ready to be initialised, with these start values; frees it at the end."""
-    path = str(FOLDER / f"{model}.fmu")
+def open_instance(
+    model: str | Path, values: Mapping[str, list[float]] | None = None, exchange: bool = False, events: bool = False
+) -> Iterator[Instance3]:
+    """Makes an instance that is ready to be initialised, with these start values; frees it at the end. With `events` it
+    is one for co-simulation in event mode, whose steps may end early."""
+    path = str(model if isinstance(model, Path) else FOLDER / f"{model}.fmu")
     description, folder = fmpy.read_model_description(path, validate=False), fmpy.extract(path)
     try:
         kind, interface = (FMU3Model, description.modelExchange) if exchange else (FMU3Slave, description.coSimulation)
@@ -61,9 +64,9 @@ def open_instance(model: str, values: Mapping[str, list[float]] | None = None, e
             guid=description.guid,
             modelIdentifier=interface.modelIdentifier,
             unzipDirectory=str(folder),
-            instanceName=model,
+            instanceName=description.modelName,
         )
-        fmu.instantiate(loggingOn=True)
+        fmu.instantiate(loggingOn=True, **({} if exchange else {"eventModeUsed": events, "earlyReturnAllowed": events}))
         try:
             instance = Instance3(fmu, description)
             for name, given in (values or {}).items():

@@ -1,14 +1,17 @@
 """Every FMU in importers of different origin, alone and in a loop with a host: one scheme, the same numbers."""
 
 import math
+import os
 import platform
 import subprocess
 import sys
 
 import numpy
 import pytest
+from fmi3 import FOLDER
 from fmpy.fmi1 import FMICallException
 from importers import IMPORTERS, difference, fmutool_errors, in_fmpy, rust_master, system
+from importers3 import IMPORTERS3, IN_EVENT_MODE, in_version_3
 
 from examples.fmpy.coupling import FMUS, CouplingError, friction_models_in, models_in, path_of, variables_of
 
@@ -161,9 +164,10 @@ def test_fmutool_finds_nothing(model):
     assert fmutool_errors(path_of(model)) == []
 
 
-def test_fmi_rs_finds_nothing():
-    paths = [str(path_of(model)) for model in MODELS]
-    done = subprocess.run([rust_master(), "check", *paths], capture_output=True, text=True)
+@pytest.mark.parametrize(("version", "folder"), [("2", FMUS), ("3", FOLDER)])
+def test_fmi_rs_finds_nothing(version, folder):
+    paths = [str(path_of(model, folder)) for model in MODELS]
+    done = subprocess.run([rust_master(), "check", version, *paths], capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (0, f"{len(MODELS)} FMUs, no problems\n"), done.stderr
 
 
@@ -193,3 +197,34 @@ def test_a_failing_fmu_stays_harmless_if_the_run_continues():
         assert numpy.isfinite(record[f"bad.{name}"]).all()
     force = record["bad.friction_force"]
     assert (force[100:] == force[99]).all()
+
+
+# FMPy runs each model alone in test_fmi3.py; of the loops a few are enough, unless every one is asked for.
+LOOPS = ["BeltRig with CoulombStiction", "BeltRig with LuGre", "QuarterCar with ShockAbsorber"]
+IN_FMI_3 = [
+    (case, importer)
+    for case in CASES
+    for importer in IMPORTERS3
+    if (importer != "fmpy" if case in MODELS else case in LOOPS) or os.environ.get("STRIBECK_THOROUGH") == "1"
+]
+
+
+@pytest.mark.parametrize(("case", "importer"), IN_FMI_3)
+def test_fmus_of_fmi_3_have_the_same_bits(case, importer, in_reference):
+    build, *arguments = CASES[case]
+    parts, *rest = build(*arguments)
+    record = IMPORTERS3[importer](in_version_3(parts), *rest)
+    assert {name: values.tobytes() for name, values in record.items()} == {
+        name: values.tobytes() for name, values in in_reference(case).items()
+    }
+
+
+@pytest.mark.parametrize("importer", IN_EVENT_MODE)
+@pytest.mark.parametrize("model", MODELS)
+def test_event_mode_leads_to_the_same_motion(model, importer, in_reference):
+    """Steps that end at events, and go on from there with the same inputs, reach the same values; the strut divides
+    others into internal steps, which are of first order."""
+    parts, *rest = alone(model)
+    record = IN_EVENT_MODE[importer](in_version_3(parts), *rest)
+    tolerance = 1e-3 if "num.h_max" in variables_of(path_of(model)) else 1e-9
+    assert difference(record, in_reference(model)) < tolerance

@@ -27,7 +27,7 @@ pub trait Slave: Sized {
 pub fn run<S: Slave>(plan: &Plan, out: &mut impl Write) -> Result<()> {
     let mut slaves = plan.fmus.iter().map(|path| S::open(path)).collect::<Result<Vec<S>>>()?;
     for &(port, value) in &plan.starts {
-        slaves[port.component].set(port.variable, value).context("fmi2SetReal")?;
+        slaves[port.component].set(port.variable, value).context("setting a variable")?;
     }
     slaves.iter_mut().try_for_each(Slave::initialise)?;
     // At the start, values propagate through all components.
@@ -42,10 +42,10 @@ pub fn run<S: Slave>(plan: &Plan, out: &mut impl Write) -> Result<()> {
 
 fn advance<S: Slave>(plan: &Plan, slaves: &mut [S], number: usize, out: &mut impl Write) -> Result<()> {
     for (port, values) in &plan.signals {
-        slaves[port.component].set(port.variable, values[number]).context("fmi2SetReal")?;
+        slaves[port.component].set(port.variable, values[number]).context("setting a variable")?;
     }
     for slave in slaves.iter_mut() {
-        slave.step(number as f64 * plan.step, plan.step).context("fmi2DoStep")?;
+        slave.step(number as f64 * plan.step, plan.step).context("a step")?;
     }
     let row = plan.watches.iter().map(|&port| Ok(get(slaves, port)?.to_string())).collect::<Result<Vec<_>>>()?;
     writeln!(out, "{}", row.join(" "))?;
@@ -56,11 +56,11 @@ fn advance<S: Slave>(plan: &Plan, slaves: &mut [S], number: usize, out: &mut imp
 fn exchange<S: Slave>(plan: &Plan, slaves: &mut [S]) -> Result<()> {
     let values = plan.links.iter().map(|&(from, _)| get(slaves, from)).collect::<Result<Vec<f64>>>()?;
     for (&(_, to), value) in plan.links.iter().zip(values) {
-        slaves[to.component].set(to.variable, value).context("fmi2SetReal")?;
+        slaves[to.component].set(to.variable, value).context("setting a variable")?;
     }
     Ok(())
 }
 
 fn get<S: Slave>(slaves: &mut [S], port: Port) -> Result<f64> {
-    slaves[port.component].get(port.variable).context("fmi2GetReal")
+    slaves[port.component].get(port.variable).context("reading a variable")
 }
