@@ -265,8 +265,12 @@ def plugin():
     return run_plugin
 
 
+POINTS = {f"damper.tab_{name}[{at}]": value * at for name, value in (("v", 0.2), ("f", 150.0)) for at in (1, 2, 3)}
+TABLE = {"damper.mode": "Table", "damper.tab_n": 3} | POINTS
+
+
 @plugin_only
-@pytest.mark.parametrize("changes", [{}, WITHOUT_FRICTION], ids=["friction", "no friction"])
+@pytest.mark.parametrize("changes", [{}, WITHOUT_FRICTION, TABLE], ids=["friction", "no friction", "table"])
 def test_plugin_is_the_fmu(plugin, changes):
     run = plugin.simulate_plugin(strut_parameters(DOUBLE_WISHBONE) | changes, "plugin", time=AFTER_BUMP)
     fmu = drive("mujoco", changes=changes)
@@ -302,6 +306,7 @@ def test_plugin_rejects_what_it_cannot_do(plugin):
         (text.replace("<option ", '<option integrator="RK4" '), "choose Euler or implicitfast"),
         (text.replace('key="spring.k" value="60000.0"', 'key="spring.k" value="-1"'), "spring.k = -1"),
         (text.replace('key="spring.k" value="60000.0"', 'key="spring.k" value="stiff"'), "must be a number"),
+        (text.replace('key="spring.k" value="60000.0"', 'key="spring.k" value="1 2"'), "spring.k: must have at most 1"),
     ):
         assert wrong != text
         with pytest.raises(ValueError, match=reason):

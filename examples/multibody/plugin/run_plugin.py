@@ -17,7 +17,7 @@ import mujoco
 import numpy
 from tqdm import tqdm
 
-from examples.fmpy.coupling import FMUS, main, numbers_of, path_of, write_csv
+from examples.fmpy.coupling import FMUS, CouplingError, main, numbers_of, path_of, write_csv
 from examples.multibody import mjcf
 from examples.multibody.hosted_strut import open_strut
 from examples.multibody.mujoco_host import QuarterCar, simulate
@@ -37,11 +37,24 @@ def load_plugin() -> None:
     mujoco.mj_loadPluginLibrary(str(build()))
 
 
+def keys_of(values: Mapping[str, object]) -> dict[str, str]:
+    """The keys of the plugin: a table is one, with a list of its first values."""
+    keys: dict[str, list[float]] = {}
+    for name, value in values.items():
+        begin, _, rest = name.partition("[")
+        index, _, end = rest.partition("]")
+        found = keys.setdefault(begin + end, [])
+        if index and int(index) != len(found) + 1:
+            raise CouplingError(f"{name}: the plugin takes the values of a table in order, from the first")
+        found.append(float(value))
+    return {key: " ".join(map(repr, found)) for key, found in keys.items()}
+
+
 def parts(parameters: Mapping[str, object], fmus: Path = FMUS) -> mjcf.Parts:
     """The double wishbone with the plugin as its actuator."""
     made = mjcf.double_wishbone("fl", DOUBLE_WISHBONE)
-    values = numbers_of(path_of("ShockAbsorber", fmus), parameters).items()
-    config = "".join(f'<config key={quoteattr(name)} value="{float(value)!r}"/>' for name, value in values)
+    values = keys_of(numbers_of(path_of("ShockAbsorber", fmus), parameters)).items()
+    config = "".join(f'<config key={quoteattr(name)} value="{value}"/>' for name, value in values)
     made.extensions = [f'<plugin plugin="{PLUGIN}"><instance name="fl.strut">{config}</instance></plugin>']
     made.actuators = [f'<plugin name="fl.strut" plugin="{PLUGIN}" instance="fl.strut" tendon="fl.strut"/>']
     return made

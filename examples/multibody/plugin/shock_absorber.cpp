@@ -10,7 +10,9 @@
 //     </actuator>
 //
 // The tendon runs from eye to eye. Keys are the parameters of the ShockAbsorber; an enumeration takes the number of the
-// choice, from 1, a Boolean 0 or 1. build_plugin.py compiles this file, run_plugin.py uses it.
+// choice, from 1, a Boolean 0 or 1. Tables and elements, such as damper.tab_v[1] to damper.tab_v[16], are one key
+// without the index whose value is a list of numbers, from the first: MuJoCo admits 255 keys. build_plugin.py compiles
+// this file, run_plugin.py uses it.
 //
 // The strut's memory is kept in MuJoCo's plugin state, so that copies of the simulation, mj_setState and repeated calls
 // of mj_forward work correctly: `compute` always begins where the last complete step ended.
@@ -18,6 +20,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -30,6 +33,14 @@
 namespace {
 
 constexpr const char *plugin_name = "stribeck.shock_absorber";
+
+using Keys = std::map<std::string, std::vector<std::string>>;
+
+// The name of a variable without its index: damper.tab_v for damper.tab_v[1].
+std::string without_index(std::string name) {
+    const std::size_t from = name.find('['), to = name.find(']');
+    return from == std::string::npos ? name : name.erase(from, to + 1 - from);
+}
 
 class ShockAbsorber {
   public:
@@ -45,27 +56,36 @@ class ShockAbsorber {
         force = column("force");
     }
 
-    std::vector<std::string> parameters() const {
-        std::vector<std::string> names;
+    // Parameters by their key: several for a table.
+    Keys parameters() const {
+        Keys keys;
         for (std::uint32_t index = 0; index < stribeck_variable_count(handle.get()); ++index) {
             std::uint32_t reference = 0;
             stribeck_variable variable{};
             check(stribeck_reference(handle.get(), index, &reference));
             check(stribeck_describe(handle.get(), reference, &variable));
             if (variable.role == STRIBECK_FIXED || variable.role == STRIBECK_TUNABLE) {
-                names.emplace_back(variable.name);
+                keys[without_index(variable.name)].emplace_back(variable.name);
             }
         }
-        return names;
+        return keys;
     }
 
-    void set(const std::string &parameter, const char *text) {
-        char *end = nullptr;
-        const double value = std::strtod(text, &end);
-        if (end == text || *end != '\0') {
-            throw std::runtime_error(parameter + " = '" + text + "': must be a number");
+    // Sets the parameters of a key: one, or the first ones of a table.
+    void set(const std::string &key, const std::vector<std::string> &parameters, const char *text) {
+        std::size_t count = 0;
+        for (const char *rest = text; *rest != '\0'; ++count) {
+            char *end = nullptr;
+            const double value = std::strtod(rest, &end);
+            if (end == rest || (*end != '\0' && *end != ' ')) {
+                throw std::runtime_error(key + " = '" + text + "': must be a number");
+            }
+            if (count == parameters.size()) {
+                throw std::runtime_error(key + ": must have at most " + std::to_string(count) + " numbers");
+            }
+            check(stribeck_set_by_name(handle.get(), parameters[count].c_str(), value));
+            rest = end + std::strspn(end, " ");
         }
-        check(stribeck_set_by_name(handle.get(), parameter.c_str(), value));
     }
 
     // One step from a saved state; returns the force. Usually the model is still in that state.
@@ -136,9 +156,9 @@ struct Instance {
     std::vector<mjtNum> start;
 };
 
-const std::vector<std::string> &parameter_names() {
-    static const std::vector<std::string> names = ShockAbsorber().parameters();
-    return names;
+const Keys &parameters() {
+    static const Keys keys = ShockAbsorber().parameters();
+    return keys;
 }
 
 Instance &instance_of(const mjData *d, int instance) {
@@ -171,10 +191,10 @@ int init(const mjModel *m, mjData *d, int instance) {
         }
         auto created = std::make_unique<Instance>();
         created->model.actuator = actuator_of(m, instance);
-        for (const std::string &name : parameter_names()) {
-            const char *text = mj_getPluginConfig(m, instance, name.c_str());
+        for (const auto &[key, names] : parameters()) {
+            const char *text = mj_getPluginConfig(m, instance, key.c_str());
             if (text != nullptr && *text != '\0') {
-                created->model.set(name, text);
+                created->model.set(key, names, text);
             }
         }
         created->model.settle();
@@ -226,8 +246,8 @@ void advance(const mjModel *m, mjData *d, int instance) {
 
 mjPLUGIN_LIB_INIT(stribeck_shock_absorber) {
     static std::vector<const char *> attributes;
-    for (const std::string &name : parameter_names()) {
-        attributes.push_back(name.c_str());
+    for (const auto &[key, names] : parameters()) {
+        attributes.push_back(key.c_str());
     }
     mjpPlugin plugin;
     mjp_defaultPlugin(&plugin);
