@@ -532,7 +532,7 @@ def faults() -> None:
         MIRIFLAGS="-Zmiri-env-set=STRIBECK_TEST_PANICS=1 -Zmiri-deterministic-floats",
         STRIBECK_KILLS="50",
         STRIBECK_PROCESSES="64",
-        STRIBECK_SOURCES="all",
+        STRIBECK_THOROUGH="1",
     )
 
 

@@ -28,7 +28,7 @@ from fmpy.validation import validate_fmu
 
 COMPILERS = [name for name in ("gcc", "clang", "cc") if shutil.which(name)][:1]
 # Otherwise a bristle, a law with its own memory, and one that sticks.
-ALL = os.environ.get("STRIBECK_SOURCES") == "all"
+ALL = os.environ.get("STRIBECK_THOROUGH") == "1"
 MODELS = with_sources() if ALL else ["LuGre", "MaxwellSlip", "Karnopp"]
 
 
