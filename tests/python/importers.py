@@ -249,14 +249,14 @@ def build(command: Sequence[str | Path]) -> str:
     return done.stdout
 
 
-def fmutool_errors(path: Path) -> list[str]:
+def fmutool_errors(path: Path, version: str) -> list[str]:
     """Findings of the checks of `fmutool` for an FMU: those against the schema, and those of the text of the
     standard."""
     schema, rules = OperationGenericCheck(), OperationSemanticCheck()
     fmu = FMU(str(path))
     for check in (schema, rules):
         fmu.apply_operation(check)
-    return rules.errors + ([] if schema.compliant_with_version == "2.0" else ["breaks the schema of FMI 2.0"])
+    return rules.errors + ([] if schema.compliant_with_version == version else [f"breaks the schema of FMI {version}"])
 
 
 def difference(record: Record, reference: Record) -> float:

@@ -1,7 +1,9 @@
 """Runs a system of FMUs of FMI 3.0 in importers of different origin, in the exchange scheme of importers.py, with and
 without event mode."""
 
+import platform
 import re
+import sys
 import zipfile
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack, contextmanager
@@ -11,7 +13,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from fmi3 import FOLDER, Instance3, open_instance
-from importers import in_rust, run_plan, rust_master
+from importers import in_ecos, in_rust, run_plan, rust_master
 from masters import Component, Record, Signals, System, columns, split
 
 
@@ -104,6 +106,7 @@ IMPORTERS3: dict[str, Callable[..., Record]] = {
     "fmpy": in_fmpy3,
     "fmi": in_fmi,
     "fmi-rs": in_rust("fmi-rs3"),
+    **({"ecos": in_ecos} if sys.platform == "linux" and platform.machine() == "x86_64" else {}),
 }
 IN_EVENT_MODE: dict[str, Callable[..., Record]] = {
     "fmpy": partial(in_fmpy3, events=True),

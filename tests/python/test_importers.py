@@ -159,9 +159,10 @@ def test_importers_agree(case, importer, in_reference, differences):
     assert differences[-1] < TOLERANCE
 
 
+@pytest.mark.parametrize(("version", "folder"), [("2.0", FMUS), ("3.0", FOLDER)])
 @pytest.mark.parametrize("model", MODELS)
-def test_fmutool_finds_nothing(model):
-    assert fmutool_errors(path_of(model)) == []
+def test_fmutool_finds_nothing(model, version, folder):
+    assert fmutool_errors(path_of(model, folder), version) == []
 
 
 @pytest.mark.parametrize(("version", "folder"), [("2", FMUS), ("3", FOLDER)])
@@ -205,7 +206,8 @@ IN_FMI_3 = [
     (case, importer)
     for case in CASES
     for importer in IMPORTERS3
-    if (importer != "fmpy" if case in MODELS else case in LOOPS) or os.environ.get("STRIBECK_THOROUGH") == "1"
+    if (importer in ("fmi", "fmi-rs") if case in MODELS else case in LOOPS)
+    or os.environ.get("STRIBECK_THOROUGH") == "1"
 ]
 
 
