@@ -52,7 +52,10 @@ pub(super) fn by_steps(
     cancel: &AtomicBool,
 ) -> Result<(), Ended> {
     let speed = speed(instance, inputs);
-    let least = if speed > 0.0 { f64::max(LEAST_TIME, LEAST_WAY / speed) } else { LEAST_TIME };
+    let way = if speed > 0.0 { LEAST_WAY / speed } else { 0.0 };
+    // Nothing changes within a dead time: the last tenfold of the time must be longer.
+    let lag = instance.model().past(instance.row()).map_or(0.0, |past| 10.0 * past.lag);
+    let least = LEAST_TIME.max(way).max(lag);
     let (mut time, mut step) = (0.0, FIRST_STEP);
     let mut history: Vec<(f64, Vec<f64>)> = Vec::new();
     while time < f64::max(LONGEST, 10.0 * least) {
