@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from itertools import combinations
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -28,11 +29,25 @@ class Places:
             if name not in names:
                 raise Refused(f"out: {name} is not among the results {', '.join(names)}")
             _check(name, array, shape, asked)
+        for one, other in combinations(out, 2):
+            if np.shares_memory(out[one], out[other]):
+                raise Refused(f"out: {one} and {other} share memory")
         self.shape, self.names, self.out = shape, names, dict(out)
         # Without one of these the results go into memory that is used again and again.
         self.is_plain = not out and asked in (None, NUMBERS[0])
         self.new = asked or NUMBERS[0]
         self.flat: list[Floats] = []
+
+    def apart(
+        self, inputs: Mapping[str, NDArray[np.float64]], times: NDArray[np.float64] | None
+    ) -> tuple[dict[str, NDArray[np.float64]], NDArray[np.float64] | None]:
+        """Inputs and times, as copies where results will be written over them: a result keeps what it was computed
+        from."""
+
+        def kept(array: NDArray[np.float64]) -> NDArray[np.float64]:
+            return array.copy() if any(np.may_share_memory(array, place) for place in self.out.values()) else array
+
+        return {key: kept(array) for key, array in inputs.items()}, None if times is None else kept(times)
 
     def given(self, others: Iterable[NDArray[np.float64]]) -> list[Floats] | None:
         """The arrays that are written to, flat; none if new ones of float64 will do. An array that overlaps with
@@ -42,6 +57,8 @@ class Places:
         taken = list(others)
         for name in self.names:
             array = self.out.get(name)
+            # A matrix has no flat form of its own.
+            array = None if array is None else np.asarray(array)
             if array is None:
                 self.flat.append(np.empty(self.shape, self.new).reshape(-1))
                 continue
@@ -75,3 +92,5 @@ def _check(name: str, array: Any, shape: tuple[int, ...], asked: np.dtype[Any] |
         raise Refused(f"out: {name} has the shape {array.shape}: must be {shape}")
     if not array.flags.writeable:
         raise Refused(f"out: {name} is read-only")
+    if any(count > 1 and stride == 0 for count, stride in zip(array.shape, array.strides, strict=True)):
+        raise Refused(f"out: {name} has several elements in one place")

@@ -34,8 +34,9 @@ def force(
 
     All arguments are broadcast against each other, as numpy does it. `velocity` is in m/s, `normal_force` in N;
     parameters are those of `stribeck.law(name).parameters`, in SI units. At velocity 0 a law without memory carries the
-    `external_force`, up to its static level; it is 0 if it is not given. The forces go into the array `out` if there is
-    one, and are float32 if that, or `dtype`, says so; after a refusal `out` may hold some of them.
+    `external_force`, up to its static level; it is 0 if it is not given. Leave out `mass`: with it a step may stop the
+    body, which is not steady sliding. The forces go into the array `out` if there is one, and are float32 if that, or
+    `dtype`, says so; after a refusal `out` may hold some of them.
 
     >>> force("Coulomb", [-1.0, 2.0], 10.0, mu_k=[[0.1], [0.3]])
     array([[-1.,  1.],
@@ -123,6 +124,7 @@ def simulate(
     results = _results(described, record)
     shape = (samples,) if single else (runs, samples)
     places = Places(shape, results, _given(out, results), dtype)
+    inputs, times = places.apart(inputs, times)
     flat = _stribeck.follow(
         described.name,
         preset=preset,
@@ -137,10 +139,9 @@ def simulate(
         threads_asked=checked(threads),
         out=places.given(arrays.values()),
     )
-    columns = places.filled(flat)
     times = _every(step, samples) if times is None else times
     units = {key: described.variables[key].unit for key in [*results, *inputs]}
-    return Result(described.name, times, columns, units, assumed, inputs)
+    return Result(described.name, times, places.filled(flat), units, assumed, inputs)
 
 
 def _sampling(dt: float | None, time: ArrayLike | None) -> tuple[NDArray[np.float64] | None, float]:

@@ -3,6 +3,7 @@
 import numpy
 import pytest
 import stribeck
+from numpy.lib.stride_tricks import as_strided
 
 # Enough for several threads, with a remainder for every width of registers; all sizes, both directions, rest.
 POINTS = 50_003
@@ -103,9 +104,45 @@ def frozen():
     return array
 
 
+def test_results_over_inputs_leave_the_inputs_as_they_were():
+    """Velocity and time of a result are those of the call, whatever was written over the arrays."""
+    velocity, time = numpy.array([1e-3, 2e-3, -1e-3]), numpy.array([0.0, 0.1, 0.25])
+    wanted = stribeck.simulate("LuGre", velocity=velocity, normal_force=1.0, time=time, record="friction_force")
+    for over in (velocity.copy(), time.copy()):
+        given = {"velocity": velocity, "time": time} | {"velocity" if over[0] else "time": over}
+        result = stribeck.simulate("LuGre", **given, normal_force=1.0, record="friction_force", out=over)
+        assert over.tobytes() == result["friction_force"].tobytes() == wanted["friction_force"].tobytes()
+        assert (result.inputs["velocity"] == velocity).all()
+        assert (result["time"] == time).all()
+
+
+def test_a_dead_time_is_waited_for():
+    """A force that follows the past by seconds is that of long sliding."""
+    held = stribeck.simulate(
+        "Armstrong", velocity=numpy.full(401, 0.01), normal_force=5.0, dt=1.0, held=True, time_lag=3.0, mu_s=1.0
+    )
+    force = stribeck.force("Armstrong", 0.01, 5.0, time_lag=3.0, mu_s=1.0)
+    assert force == pytest.approx(held["friction_force"][-1], rel=1e-6)
+
+
+def overlapping():
+    memory = numpy.empty(len(MOTION["velocity"]) + 1)
+    return {"friction_force": memory[:-1], "dissipated_power": memory[1:]}
+
+
 @pytest.mark.parametrize(
     ("call", "error", "message"),
     [
+        (
+            lambda _: stribeck.simulate("LuGre", **MOTION, out=overlapping()),
+            ValueError,
+            "friction_force and dissipated_power share memory",
+        ),
+        (
+            lambda _: stribeck.force("LuGre", [1.0, 2.0], 1.0, out=as_strided(numpy.empty(1), (2,), (0,))),
+            ValueError,
+            "friction_force has several elements in one place",
+        ),
         (
             lambda out: stribeck.force("LuGre", [1.0, 2.0], 1.0, out=out[:1]),
             ValueError,
