@@ -95,7 +95,7 @@ crate::model! {
         /// Force of the strut without its friction; only the external force depends on it.
         force_without_friction: input = real("N", 1325.2555).means(Meaning::ForceWithoutFriction),
         /// Part of the strut force that moves the rod and not the body; 0 if they move together.
-        rod_force: input = real("N", 0.0),
+        rod_force: input = real("N", 0.0).means(Meaning::RodForce),
         /// Mass of the body, without the wheels.
         body_mass: fixed = real("kg", 52.91).positive(),
         /// The wheel's suspension.

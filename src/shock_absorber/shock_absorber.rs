@@ -213,7 +213,7 @@ crate::model! {
         /// Force of the mount, on the eye of the rod; force if there is no mount.
         force_mount: output = real("N", 0.0),
         /// Part of the force that moves the rod and not its eye: force less force_mount.
-        rod_force: output = real("N", 0.0),
+        rod_force: output = real("N", 0.0).means(Meaning::RodForce),
         /// Force on the travel of the host, by virtual work: see adapter.
         force_travel: output = real("N", 0.0),
         /// Axial friction at the rod guide; has the sign of the velocity when sliding.

@@ -36,6 +36,8 @@ pub enum Meaning {
     StrutForce,
     /// Force of a strut without its friction.
     ForceWithoutFriction,
+    /// Part of the force of a strut that moves its rod, and not what the rod's eye is mounted on.
+    RodForce,
     /// Height of the ground under a wheel.
     GroundHeight,
     /// Rate of that height.

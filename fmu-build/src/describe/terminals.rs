@@ -55,6 +55,7 @@ const FLANGES: [Flange; 3] = [
             (Meaning::Acceleration, "acceleration"),
             (Meaning::StrutForce, "force"),
             (Meaning::ForceWithoutFriction, "force_without_friction"),
+            (Meaning::RodForce, "rod_force"),
             (Meaning::ExternalForce, "external_force"),
         ],
         needed: [Meaning::StrutLength, Meaning::StrutForce],
@@ -276,7 +277,8 @@ mod tests {
     #[test]
     fn a_strut_and_a_car_are_connected_at_once() {
         let inputs = connect(("QuarterCar", "strut"), ("ShockAbsorber", "strut"));
-        assert_eq!(inputs, ["external_force", "force_without_friction", "length", "strut_force", "velocity"]);
+        let expected = ["external_force", "force_without_friction", "length", "rod_force", "strut_force", "velocity"];
+        assert_eq!(inputs, expected);
         for corner in ["fl", "fr", "rl", "rr"] {
             let (strut, ground) = (format!("{corner}.strut"), format!("{corner}.ground"));
             for car in ["FourPostCar", "DoubleTrackCar"] {
