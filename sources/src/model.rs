@@ -1,6 +1,6 @@
 //! The model, and the memory that its instance needs.
 
-use stribeck::model::{Columns, Model, ModelType};
+use stribeck::model::{Columns, ModelType};
 
 include!(concat!(env!("OUT_DIR"), "/model.rs"));
 
@@ -9,6 +9,3 @@ pub static MODEL: ModelType = ModelType::of_steps::<Chosen>();
 
 /// Number of its columns.
 pub const COLUMNS: usize = <Chosen as Columns>::TABLE.len();
-
-/// Number of values beside its row.
-pub const MEMORY: usize = <Chosen as Model>::MEMORY;

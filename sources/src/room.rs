@@ -7,12 +7,17 @@ use std::alloc::{GlobalAlloc, Layout};
 use std::cell::UnsafeCell;
 use std::ptr::null_mut;
 
-use crate::model::{COLUMNS, MEMORY};
+use stribeck::model::Model;
+
+use crate::model::{COLUMNS, Chosen};
 
 /// Numbers that an instance and a saved state keep for each column and each value of the memory: row, workspace, rates,
 /// slopes, dual numbers and their rates, a snapshot, the directions and slopes of derivatives, the bytes of a state.
 const PER_COLUMN: usize = 17;
 const PER_VALUE: usize = 8;
+
+/// Number of values that the model keeps beside its row.
+const MEMORY: usize = <Chosen as Model>::MEMORY;
 
 /// What does not grow with the model: texts, and the records themselves.
 const REST: usize = 3072;
