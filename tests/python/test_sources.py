@@ -26,6 +26,8 @@ from fmpy import extract, instantiate_fmu, read_model_description
 from fmpy.build import build_platform_binary
 from fmpy.validation import validate_fmu
 
+from examples.fmpy import coupling
+
 COMPILERS = [name for name in ("gcc", "clang", "cc") if shutil.which(name)][:1]
 # Otherwise a bristle, a law with its own memory, and one that sticks.
 ALL = os.environ.get("STRIBECK_THOROUGH") == "1"
@@ -65,6 +67,10 @@ def test_sources_refuse_other_arithmetic_and_bad_values(sources):
     assert "no -ffast-math" in done.stderr
 
 
+# They must live as long as an FMU may log.
+LOGGERS = []
+
+
 class Fmu:
     """An FMU with a logger."""
 
@@ -101,7 +107,9 @@ def both(tmp_path_factory):
     with mock.patch.dict(os.environ, PATH=programs):
         build_platform_binary(folder / "sources", build_dir=folder / "build")
     assert validate_fmu(str(folder / "LuGre.fmu")) == []
-    return Fmu(ROOT / "dist" / "LuGre.fmu", folder / "library"), sources
+    yield Fmu(ROOT / "dist" / "LuGre.fmu", folder / "library"), sources
+    # fmpy's formatting library passes all messages of the process to the last logger: to that of the other tests again.
+    LOGGERS.append(coupling._callbacks())
 
 
 def test_an_fmu_of_sources_does_what_that_with_a_library_does(both):
