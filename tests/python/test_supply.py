@@ -119,7 +119,7 @@ def exports_of(library: Path) -> list[str]:
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="nm lists the symbols of ELF libraries")
-@pytest.mark.parametrize(("crate", "begins"), [("stribeck", None), ("stribeck_ffi", ("fmi2", "stribeck_"))])
+@pytest.mark.parametrize(("crate", "begins"), [("stribeck", None), ("stribeck_ffi", ("fmi2", "fmi3", "stribeck_"))])
 def test_only_the_library_exports_c_functions(built, tmp_path, crate, begins):
     """A WebAssembly build or a Python extension links the models and exports nothing but its own functions."""
     rlib = built[f"lib{crate}.rlib"]
