@@ -28,6 +28,12 @@ from fmpy.validation import validate_fmu
 
 from examples.fmpy import coupling
 
+LIBRARY = ["rustc", "--print", "target-libdir", "--target", "wasm32-unknown-unknown"]
+FOLDER = Path(subprocess.run(LIBRARY, capture_output=True, text=True).stdout.strip())
+pytestmark = pytest.mark.skipif(
+    not any(FOLDER.glob("libstd-*.rlib")), reason="C sources need `rustup target add wasm32-unknown-unknown`"
+)
+
 COMPILERS = [name for name in ("gcc", "clang", "cc") if shutil.which(name)][:1]
 # Otherwise a bristle, a law with its own memory, and one that sticks.
 ALL = os.environ.get("STRIBECK_THOROUGH") == "1"
