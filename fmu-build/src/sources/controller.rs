@@ -57,3 +57,43 @@ fn named(text: &str, name: &str) -> String {
     ];
     pairs.iter().fold(text.to_owned(), |text, (from, to)| text.replace(from, to))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::project::root;
+    use std::fs;
+
+    /// Names and numbers of the lines `<prefix><NAME> = <number>,` of an enumeration, names in capitals without underscores.
+    fn numbers(text: &str, begin: &str, prefix: &str) -> BTreeMap<String, u32> {
+        let (_, enumeration) = text.split_once(begin).expect("the enumeration");
+        let (enumeration, _) = enumeration.split_once('}').expect("its end");
+        let lines = enumeration.lines().filter_map(|line| line.trim().trim_end_matches(',').split_once(" = "));
+        let items = lines.filter_map(|(name, number)| Some((name.strip_prefix(prefix)?, number.parse().ok()?)));
+        items.map(|(name, number)| (name.replace('_', "").to_uppercase(), number)).collect()
+    }
+
+    /// Statuses are numbers between the module, the C sources and the library.
+    #[test]
+    fn statuses_have_the_numbers_of_the_library() {
+        let read = |file: &str| fs::read_to_string(root().join(file)).expect(file);
+        let library = numbers(&read("include/stribeck.h"), "typedef enum {", "STRIBECK_");
+        assert_eq!(library.len(), 10);
+        let module = numbers(&read("sources/src/state.rs"), "pub enum Status", "");
+        assert_eq!(module.len(), 9);
+        for (name, number) in &module {
+            assert_eq!(library.get(name), Some(number), "{name} of the module");
+        }
+        let header = numbers(HEADER, "typedef enum law_status", "LAW_");
+        assert_eq!(header.len(), 10);
+        for (name, number) in &header {
+            let known = if name == "UNKNOWNPRESET" { "UNKNOWNMODEL" } else { name };
+            match library.get(known) {
+                Some(of_library) => assert_eq!(number, of_library, "{name} of the header"),
+                None => assert!(name == "OTHERARITHMETIC" && !library.values().any(|taken| taken == number), "{name}"),
+            }
+        }
+        let refused = format!("enum {{ OK, REFUSED_VALUE = {} }};", library["REFUSEDVALUE"]);
+        assert!(include_str!("fmi2.c").contains(&refused));
+    }
+}
