@@ -38,7 +38,7 @@ pub(crate) trait Version: Sized {
     type Status;
     /// The logger of an importer.
     type Logger: Logger;
-    /// What only instances of this version have.
+    /// Data that only instances of this version have.
     type Own;
     /// Beginning of the names of its functions.
     const PREFIX: &'static str;
@@ -116,7 +116,7 @@ pub(crate) struct Component<V: Version> {
     /// Number of steps of the run.
     steps: u64,
     pub log: Log<V::Logger>,
-    /// What only this version has.
+    /// Data of this version alone.
     pub own: V::Own,
 }
 

@@ -19,7 +19,7 @@ pub(super) type Component = component::Component<Fmi3>;
 /// FMI 3.0.
 pub(super) enum Fmi3 {}
 
-/// What only instances of FMI 3.0 have.
+/// Data that only instances of FMI 3.0 have.
 pub(super) struct Own {
     pub layout: Layout,
     /// Workspace.
@@ -27,7 +27,7 @@ pub(super) struct Own {
     pub stepping: Stepping,
 }
 
-/// What the importer of an instance for co-simulation can do.
+/// Abilities of the importer of an instance for co-simulation, and what they require.
 pub(super) struct Stepping {
     /// Whether it handles events.
     pub has_event_mode: bool,

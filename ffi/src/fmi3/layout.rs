@@ -8,7 +8,7 @@ use stribeck::memory::{self, OutOfMemory};
 use stribeck::model::{Kind, ModelType};
 use stribeck::reference::{self, Place};
 
-/// What a variable has one or several of.
+/// Element of a variable: a scalar has one, an array several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Item {
     /// A column of the row.

@@ -225,7 +225,7 @@ impl Visitor {
         (may_return_early && is_asked != fmi3False).then_some(end)
     }
 
-    /// Returns to Step Mode, unless a call within the callback was an error. What was shown of the future is taken back.
+    /// Returns to Step Mode, unless a call within the callback was an error. Takes back the future that was shown.
     ///
     /// # Safety
     /// As for fmi3DoStep.

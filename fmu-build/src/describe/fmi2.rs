@@ -42,7 +42,8 @@ pub const CAPABILITIES: [(&str, &str); 10] = [
     ("providesDirectionalDerivative", "true"),
 ];
 
-/// Form of what is no physical quantity. A library accepts choices in both forms: FMI 2.0 sets them as integers.
+/// Types of the variables that are not physical quantities. The library accepts choices as enumerations and as integers,
+/// because FMI 2.0 sets both by the same function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choices {
     /// As enumerations, whose choices have names.

@@ -27,7 +27,7 @@ struct Flange {
     description: &'static str,
     /// Its members, by what they are declared for, with the names that both sides have.
     members: &'static [(Meaning, &'static str)],
-    /// Without these there is no flange.
+    /// Meanings that a model must have for such a flange.
     needed: [Meaning; 2],
 }
 

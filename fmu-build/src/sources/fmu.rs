@@ -20,7 +20,7 @@ pub fn files(model: &ModelType, origin: &str, library: &[u8]) -> Result<BTreeMap
     Ok(BTreeMap::from([(format!("{}.c", model.name), text)]))
 }
 
-/// What the functions of FMI need to know: the model, its states, and which function may be called in which of them.
+/// Facts that the functions of FMI need: the model, its states, and which function may be called in which of them.
 fn facts(model: &ModelType) -> Result<String> {
     let mut text = format!("#define MODEL_GUID \"{}\"\n", model.guid());
     writeln!(text, "#define HAS_RATES {}", u8::from(model.model_exchange))?;

@@ -1,14 +1,18 @@
 /* law.h: TITLE, as C for controllers. ORIGIN; do not edit.
  *
- * Memory      An instance lives in LAW_MEMORY bytes that the caller provides, static or not, as a `law_memory`. It is
- * one until the memory is used for something else; nothing has to be freed. It must not be moved or copied: law_save
- * and law_restore copy a state. There is no other memory, and no state outside it: different instances may be used at
- * the same time, one of them by one thread, task or interrupt at a time. Errors      Any status other than LAW_OK is a
- * refusal, which changes nothing. No result is infinite or NaN. After LAW_INTERNAL, which is an error in these sources,
- * the instance must be created again. Sign        As in the documentation of the model. SI units throughout; Booleans
- * are 0 or 1, choices numbers from 1. Compiler    C99, and its library: memcpy, memmove, memset, setjmp, longjmp, and
- * sqrt, floor and the like. double is computed as IEC 60559 says, and a * b + c is rounded twice: -ffp-contract=off for
- * gcc and clang, never -ffast-math. law_create finds out. Then every result has the bits of the library of stribeck.
+ * Memory: An instance lives in LAW_MEMORY bytes that the caller provides, static or not, as a `law_memory`. It is one
+ * until the memory is used for something else; nothing has to be freed. It must not be moved or copied: law_save and
+ * law_restore copy a state. An instance uses no other memory, so different ones may be used at the same time, each by
+ * one thread, task or interrupt at a time.
+ *
+ * Errors: Any status other than LAW_OK is a refusal, which changes nothing. No result is infinite or NaN. After
+ * LAW_INTERNAL, which is an error in these sources, the instance must be created again.
+ *
+ * Sign: As in the documentation of the model. SI units throughout; Booleans are 0 or 1, choices numbers from 1.
+ *
+ * Compiler: C99, and its library: memcpy, memmove, memset, setjmp, longjmp, and sqrt, floor and the like. double is
+ * computed as IEC 60559 says, and a * b + c is rounded twice: -ffp-contract=off for gcc and clang, never -ffast-math.
+ * law_create finds out. Then every result has the bits of the library of stribeck.
  *
  * Example, without status checks:
  *

@@ -21,7 +21,7 @@ mod operators;
 mod program;
 mod stack;
 
-/// What the sources include.
+/// Headers that the sources include.
 const INCLUDES: [&str; 6] = ["float.h", "math.h", "setjmp.h", "stddef.h", "stdint.h", "string.h"];
 
 /// Files of C99 sources: what `modelDescription.xml` or a `buildDescription.xml` lists.
@@ -30,7 +30,7 @@ pub struct Sources {
     pub files: BTreeMap<String, String>,
 }
 
-/// What the sources are for.
+/// Use of the sources.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// A C interface of the model, without memory of its own and without texts.
