@@ -28,6 +28,13 @@ pub enum Purpose {
     ModelExchange,
 }
 
+impl Purpose {
+    /// Whether it is one of these.
+    pub const fn is_among(self, [one, other]: [Purpose; 2]) -> bool {
+        one as u8 == self as u8 || other as u8 == self as u8
+    }
+}
+
 /// A version of FMI: its functions, states and status, and what only its instances have.
 pub(crate) trait Version: Sized {
     /// The functions that act on an instance.
@@ -88,15 +95,36 @@ pub(crate) trait Lifecycle: Copy + fmt::Debug + PartialEq + 'static {
     const INSTANTIATED: Self;
     /// After an error.
     const FAILED: Self;
+    /// Where inputs and discrete states may jump.
+    const EVENT_MODE: Self;
+    /// Where time and states of Model Exchange move.
+    const CONTINUOUS_TIME_MODE: Self;
 
     /// Whether results that are not finite belong to the ordinary course of a run.
-    fn is_tried(self) -> bool;
+    fn is_tried(self) -> bool {
+        self.is_at_event() || self.is_between_events()
+    }
 
     /// Whether inputs and discrete states may jump.
-    fn is_at_event(self) -> bool;
+    fn is_at_event(self) -> bool {
+        self == Self::EVENT_MODE
+    }
 
     /// Whether time and states of Model Exchange move.
-    fn is_between_events(self) -> bool;
+    fn is_between_events(self) -> bool {
+        self == Self::CONTINUOUS_TIME_MODE
+    }
+}
+
+/// States with consecutive numbers.
+pub(crate) const fn numbered<S: Copy, const N: usize>(states: [S; N], first: usize) -> [(S, f64); N] {
+    let mut numbered = [(states[0], 0.0); N];
+    let mut at = 0;
+    while at < N {
+        numbered[at] = (states[at], (first + at) as f64);
+        at += 1;
+    }
+    numbered
 }
 
 /// The instance behind a handle. The mark comes first, whatever the version.

@@ -55,29 +55,11 @@ impl Version for Fmi2 {
 }
 
 impl Lifecycle for State {
-    const ALL: &'static [(State, f64)] = &{
-        let mut numbered = [(State::Instantiated, 0.0); STATES.len()];
-        let mut at = 0;
-        while at < STATES.len() {
-            numbered[at] = (STATES[at], at as f64);
-            at += 1;
-        }
-        numbered
-    };
+    const ALL: &'static [(State, f64)] = &component::numbered(STATES, 0);
     const INSTANTIATED: State = State::Instantiated;
     const FAILED: State = State::Error;
-
-    fn is_tried(self) -> bool {
-        matches!(self, State::EventMode | State::ContinuousTimeMode)
-    }
-
-    fn is_at_event(self) -> bool {
-        self == State::EventMode
-    }
-
-    fn is_between_events(self) -> bool {
-        self == State::ContinuousTimeMode
-    }
+    const EVENT_MODE: State = State::EventMode;
+    const CONTINUOUS_TIME_MODE: State = State::ContinuousTimeMode;
 }
 
 /// See [`component::enter`].

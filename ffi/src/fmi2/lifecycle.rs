@@ -164,8 +164,7 @@ impl Call {
     /// Whether instances of this interface type have it.
     #[inline]
     pub const fn is_for(self, purpose: Purpose) -> bool {
-        let [one, other] = ALLOWED[self as usize].1;
-        one as u8 == purpose as u8 || other as u8 == purpose as u8
+        purpose.is_among(ALLOWED[self as usize].1)
     }
 }
 

@@ -164,20 +164,15 @@ pub unsafe extern "C-unwind" fn fmi3GetDirectionalDerivative(
     sensitivity: *mut fmi3Float64,
     nSensitivity: usize,
 ) -> fmi3Status {
-    let body = |component: &mut Component| {
-        // SAFETY: the caller promises that many elements.
-        let (pair, seed, sensitivity) = unsafe {
-            let pair =
-                Pair { unknowns: array(unknowns, nUnknowns, "unknowns")?, knowns: array(knowns, nKnowns, "knowns")? };
-            (pair, array(seed, nSeed, "seed")?, array_mut(sensitivity, nSensitivity, "sensitivity")?)
-        };
-        let [results, directions] = pair.counts(component)?;
-        check_count(nSeed, directions, "seeds")?;
-        check_count(nSensitivity, results, "sensitivities")?;
-        write_directional(component, &pair, seed, sensitivity)
-    };
-    // SAFETY: the caller's promise about `instance`.
-    unsafe { enter(instance, Call::GetDirectionalDerivative, body) }
+    // SAFETY: the caller's promises.
+    unsafe {
+        derivative(
+            (instance, Call::GetDirectionalDerivative),
+            [(unknowns, nUnknowns), (knowns, nKnowns)],
+            (seed, nSeed),
+            (sensitivity, nSensitivity),
+        )
+    }
 }
 
 /// Derivatives of a weighted sum of unknowns with respect to each known: the transpose of fmi3GetDirectionalDerivative, as
@@ -197,20 +192,45 @@ pub unsafe extern "C-unwind" fn fmi3GetAdjointDerivative(
     sensitivity: *mut fmi3Float64,
     nSensitivity: usize,
 ) -> fmi3Status {
+    // SAFETY: the caller's promises.
+    unsafe {
+        derivative(
+            (instance, Call::GetAdjointDerivative),
+            [(unknowns, nUnknowns), (knowns, nKnowns)],
+            (seed, nSeed),
+            (sensitivity, nSensitivity),
+        )
+    }
+}
+
+/// Both kinds of derivatives. The seed has a value for each element of the knowns, and the sensitivity one for each of the
+/// unknowns; for adjoint derivatives it is the other way round.
+///
+/// # Safety
+/// As for fmi3GetDirectionalDerivative; arrays come with their numbers of elements.
+unsafe fn derivative(
+    (instance, call): (fmi3Instance, Call),
+    [unknowns, knowns]: [(*const fmi3ValueReference, usize); 2],
+    seed: (*const fmi3Float64, usize),
+    sensitivity: (*mut fmi3Float64, usize),
+) -> fmi3Status {
     let body = |component: &mut Component| {
         // SAFETY: the caller promises that many elements.
         let (pair, seed, sensitivity) = unsafe {
-            let pair =
-                Pair { unknowns: array(unknowns, nUnknowns, "unknowns")?, knowns: array(knowns, nKnowns, "knowns")? };
-            (pair, array(seed, nSeed, "seed")?, array_mut(sensitivity, nSensitivity, "sensitivity")?)
+            let (unknowns, knowns) = (array(unknowns.0, unknowns.1, "unknowns")?, array(knowns.0, knowns.1, "knowns")?);
+            let sensitivity = array_mut(sensitivity.0, sensitivity.1, "sensitivity")?;
+            (Pair { unknowns, knowns }, array(seed.0, seed.1, "seed")?, sensitivity)
         };
-        let [results, directions] = pair.counts(component)?;
-        check_count(nSeed, results, "seeds")?;
-        check_count(nSensitivity, directions, "sensitivities")?;
-        write_adjoint(component, &pair, seed, sensitivity)
+        let [of_unknowns, of_knowns] = pair.counts(component)?;
+        let is_adjoint = call == Call::GetAdjointDerivative;
+        let [seeds, sensitivities] = if is_adjoint { [of_unknowns, of_knowns] } else { [of_knowns, of_unknowns] };
+        check_count(seed.len(), seeds, "seeds")?;
+        check_count(sensitivity.len(), sensitivities, "sensitivities")?;
+        let write = if is_adjoint { write_adjoint } else { write_directional };
+        write(component, &pair, seed, sensitivity)
     };
     // SAFETY: the caller's promise about `instance`.
-    unsafe { enter(instance, Call::GetAdjointDerivative, body) }
+    unsafe { enter(instance, call, body) }
 }
 
 /// Time derivatives of outputs at the present time: order 1 exact, higher orders 0 as no model has them. An order belongs
