@@ -48,8 +48,7 @@ LINTED = {"RUSTC_WORKSPACE_WRAPPER": "clippy-driver", "CLIPPY_ARGS": "--deny__CL
 FOR_A_FEW_RUNS = [f"--config=profile.dev.package.stribeck-{it}.opt-level=1" for it in ("solve", "measured", "fit")]
 
 # Those of Table 6.5 of the thesis.
-LAWS_ON_BELT = ["Karnopp", "BengisuAkay", "Andersson", "Awrejcewicz"]
-LAWS_ON_BELT += ["Specker", "LinearStiction", "Hollars", "BrownMcPhee"]
+ON_BELT = ["Karnopp", "BengisuAkay", "Andersson", "Awrejcewicz", "Specker", "LinearStiction", "Hollars", "BrownMcPhee"]
 # The parts of the library that contain code.
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
 RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "python", "ssp", "web", "examples"]
@@ -417,7 +416,7 @@ def demo() -> None:
     run(PYTHON, "-m", "examples.fmpy.demo")
     # It takes half a minute longer than optimised, and five minutes less to build; other crates' solvers take one more.
     stribeck = ["cargo", "run", *FOR_A_FEW_RUNS, "--package", "stribeck-cli", "--no-default-features", "--"]
-    run(*stribeck, "compare", "--law", *LAWS_ON_BELT, "--pictures", "out/belt")
+    run(*stribeck, "compare", "--law", *ON_BELT, "--pictures", "out/belt")
     run(*stribeck, "rig", "--law", "LuGre", "--out", "out/rig")
     known = ["--law", "LuGre", "--mass", "2", "--normal-force", "20", "--reference", "out/rig/truth.toml"]
     run(*stribeck, "identify", "out/rig/force.csv", *known, "--report", "out/identification.html")
@@ -614,13 +613,14 @@ def coverage() -> None:
     need_rust()
     need("rustup", "this task needs the Rust of https://rustup.rs, which has the tools of LLVM")
     run("rustup", "component", "add", "llvm-tools")
+    setup()
     environment = setup_tool(COVERAGE_TOOL)
     # Rust counts branches only in unstable builds; the compiler is the same.
     build = {**environment, "RUSTC_BOOTSTRAP": "1", "CARGO_PROFILE_DEV_DEBUG": "0"}
     # Otherwise counters and test programs of earlier sources would count too.
     run("cargo", "llvm-cov", "clean", "--workspace", **build)
     run("cargo", "llvm-cov", "--branch", "--no-report", *CRATES, "--lib", "--tests", **build)
-    run(sys.executable, "tests/coverage.py")
+    run(PYTHON, "tests/coverage.py")
 
 
 @task("5 to 10 minutes")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Prints the share of the library's code and branches that the tests cover. Fails below the limits.
 
-    python3 tests/coverage.py    after `cargo llvm-cov --no-report`; both are done by `python3 tasks.py coverage`
+    .venv/bin/python tests/coverage.py    after `cargo llvm-cov --no-report`; `python3 tasks.py coverage` does both
 
 Also runs the C tests, with the instrumented library. A generic function exists once for each number type and model, and
 all code twice, with and without the unit tests; a place in the source is covered if any of its instances is. Each
@@ -19,6 +19,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from c.run import headers_of_fmi_3
+
 ROOT = Path(__file__).resolve().parents[1]
 SOURCES = [ROOT / "src", ROOT / "ffi" / "src"]
 TARGET = ROOT / "target" / "llvm-cov-target"
@@ -26,7 +28,7 @@ PROGRAMS = TARGET / "debug" / "deps"
 LIBRARY = TARGET / "debug" / "libstribeck.so"
 # The foreign-function interfaces, and code that only they need.
 FOREIGN = {"ffi", "memory.rs"}
-TEST_CODE = {"ffi/src/fmi2/tests.rs", "ffi/src/probe.rs"}
+TEST_CODE = {"ffi/src/fmi2/tests.rs", "ffi/src/fmi3/tests.rs", "ffi/src/probe.rs"}
 LIMITS = {"core": 95.0, "FFI": 90.0}
 CODE = 0  # kind of a region that is code; others are gaps, skipped text and expansions
 
@@ -45,10 +47,12 @@ def run_c_tests():
     counted = {"RUSTFLAGS": "-Cinstrument-coverage -Zcoverage-options=branch", "LLVM_PROFILE_FILE": os.devnull}
     succeed("cargo", "build", "--package", "libstribeck", "--target-dir", TARGET, RUSTC_BOOTSTRAP="1", **counted)
     compiler = [os.environ.get("CC", "cc"), "-std=gnu99", "-O1", f"-I{ROOT / 'include'}"]
+    compiler += ["-isystem", headers_of_fmi_3()]
     counters = str(TARGET / "c-tests-%p.profraw")
     for name, linked, arguments in [
         ("api_test", [LIBRARY, f"-Wl,-rpath,{LIBRARY.parent}"], []),
         ("fmi_test", [], [LIBRARY]),
+        ("fmi3_test", [], [LIBRARY]),
     ]:
         program = TARGET / name
         succeed(*compiler, ROOT / "tests" / "c" / f"{name}.c", *linked, "-lm", "-ldl", "-o", program)

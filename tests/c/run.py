@@ -1,18 +1,19 @@
 #!/usr/bin/env python3
 """Compiles and runs the C and C++ programs against include/stribeck.h and the release library.
 
-    python3 tests/c/run.py                    in about two minutes
-    python3 tests/c/run.py --library FOLDER   with the libraries in this folder; otherwise they are built
-    python3 tests/c/run.py --thorough         with 10,000 loads, a million steps, under Valgrind and with sanitizers in
-                                              the library itself; needs nightly Rust
+    .venv/bin/python tests/c/run.py                   in about two minutes
+    .venv/bin/python tests/c/run.py --library FOLDER  with the libraries in this folder; otherwise they are built
+    .venv/bin/python tests/c/run.py --thorough        with 10,000 loads, a million steps, under Valgrind and with
+                                                      sanitizers in the library itself; needs nightly Rust
 
 Every program is compiled with warnings as errors, linked to the shared and to the static library, and run as it is and
 under the address and undefined-behaviour sanitizers. On Linux faults of hosts are then tried on every model. The
-compilers are cc and c++, or what CC and CXX name.
+compilers are cc and c++, or what CC and CXX name; the headers of FMI 3.0 those of the Python package fmpy.
 """
 
 import argparse
 import ctypes
+import importlib.util
 import json
 import os
 import platform
@@ -32,8 +33,18 @@ WINDOWS = os.name == "nt"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
 STANDARD = {".c": "-std=c99", ".cpp": "-std=c++17"}
 SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"]
+# Programs that load the library, one for each version of FMI.
+FMI_TESTS = ["fmi_test", "fmi3_test"]
 ADDR_NO_RANDOMIZE = 0x0040000  # of <sys/personality.h>
 TIMEOUT = 3600  # seconds; the longest program, of the thorough run, takes some minutes
+
+
+def headers_of_fmi_3():
+    """The folder with the headers of the standard."""
+    fmpy = importlib.util.find_spec("fmpy")
+    if fmpy is None:
+        sys.exit("tests/c/run.py: no headers of FMI 3.0: start it with .venv/bin/python, which has fmpy")
+    return Path(fmpy.origin).parent / "c-code"
 
 
 class Failed(Exception):
@@ -78,6 +89,7 @@ class Compiler:
         self.build_folder = build_folder
         self.output_folder = output_folder
         self.commands = {".c": find_compiler("CC", "cc"), ".cpp": find_compiler("CXX", "c++")}
+        self.headers = headers_of_fmi_3()
 
     def shared_library(self):
         names = {"Windows": "stribeck.dll", "Darwin": "libstribeck.dylib"}
@@ -106,6 +118,7 @@ class Compiler:
                 *WARNINGS,
                 *flags,
                 f"-I{ROOT / 'include'}",
+                *("-isystem", self.headers),
                 source,
                 "-o",
                 program,
@@ -248,11 +261,31 @@ def test_programs(compiler, results, linkage, sanitized):
 
 def test_loaded(compiler, results, sanitized):
     label = "loaded, sanitized" if sanitized else "loaded"
-    library = compiler.shared_library()
-    results.check(
-        f"fmi_test ({label})",
-        lambda: runs(compiler.compile(TESTS / "fmi_test.c", "loaded", sanitized), library, prints=[" 0 failed"]),
-    )
+    for test in FMI_TESTS:
+        results.check(
+            f"{test} ({label})",
+            lambda test=test: runs(
+                compiler.compile(TESTS / f"{test}.c", "loaded", sanitized),
+                compiler.shared_library(),
+                prints=[" 0 failed"],
+            ),
+        )
+
+
+def test_functions_of_fmi_3(compiler, results):
+    """The program for FMI 3.0 calls each function of the header."""
+
+    def compare():
+        header = (compiler.headers / "fmi3Functions.h").read_text(encoding="utf-8")
+        program = (TESTS / "fmi3_test.c").read_text(encoding="utf-8")
+        declared = set(re.findall(r"^FMI3_Export\s+fmi3(\w+)TYPE\s+fmi3\1;", header, re.MULTILINE))
+        listed = set(re.findall(r"^    DO\((\w+)\)", program, re.MULTILINE))
+        called = set(re.findall(r"\bfmi(?:->|\.)(\w+)\(", program))
+        called |= {verb + kind for kind in re.findall(r"HAS_NO\((\w+), ", program) for verb in ("Get", "Set")}
+        if not declared or listed != declared or not declared <= called:
+            raise Failed(f"not listed: {declared ^ listed}; not called: {declared - called}")
+
+    results.check("functions of fmi3Functions.h", compare)
 
 
 def test_valgrind(compiler, results):
@@ -276,8 +309,9 @@ def test_valgrind(compiler, results):
     results.check("valgrind: leak", lambda: caught("leak", "definitely lost"))
     api_test = compiler.compile(TESTS / "api_test.c", "shared", False)
     results.check("valgrind: api_test", lambda: clean(api_test))
-    fmi_test = compiler.compile(TESTS / "fmi_test.c", "loaded", False)
-    results.check("valgrind: fmi_test", lambda: clean(fmi_test, compiler.shared_library()))
+    for test in FMI_TESTS:
+        program = compiler.compile(TESTS / f"{test}.c", "loaded", False)
+        results.check(f"valgrind: {test}", lambda program=program: clean(program, compiler.shared_library()))
     faults = compiler.compile(TESTS / "faults.c", "shared", False)
     results.check("valgrind: faults", lambda: clean(faults, "threads", *models()))
 
@@ -404,6 +438,7 @@ def main():
         print("note: no sanitizers on Windows")
 
     test_headers(compiler, results)
+    test_functions_of_fmi_3(compiler, results)
     if True in sanitizing:
         test_sanitizers(compiler, results)
     for sanitized in sanitizing:

@@ -8,6 +8,7 @@ import zipfile
 from contextlib import suppress
 from pathlib import Path
 
+import fmpy
 import numpy
 import pytest
 from fmpy.util import add_remoting
@@ -22,6 +23,7 @@ PLATFORMS = ["linux64", "win64", ARM]
 MAC = ["darwin64", MAC_ARM]
 EXAMPLES = PROJECT / "examples" / "c"
 PROGRAMS = PROJECT / "tests" / "c"
+FMI_3_HEADERS = Path(fmpy.__file__).with_name("c-code")
 
 # First bytes of a file, and the number of its processor in it (System V ABI, PE format, mach-o/loader.h).
 ELF, INTEL_ELF, ARM_ELF = b"\x7fELF", b"\x3e\x00", b"\xb7\x00"
@@ -72,11 +74,12 @@ def test_a_copy_of_the_project_in_another_folder_gives_the_same_bytes():
     assert different == []
 
 
+@pytest.mark.parametrize("program", ["fmi_test.c", "fmi3_test.c"])
 @pytest.mark.parametrize("platform", [*PLATFORMS, "darwin64"])
-def test_a_host_loads_the_library_and_reaches_every_function(machines, platform):
+def test_a_host_loads_the_library_and_reaches_every_function(machines, platform, program):
     machine = machines[platform]
     loads = [] if platform == "win64" else ["-lm", "-ldl"]
-    program = machine.compile(PROGRAMS / "fmi_test.c", *loads)
+    program = machine.compile(PROGRAMS / program, "-isystem", FMI_3_HEADERS, *loads)
     assert " 0 failed" in machine.run(program, machine.library)
 
 
