@@ -52,10 +52,14 @@ class Instance3:
 
 @contextmanager
 def open_instance(
-    model: str | Path, values: Mapping[str, list[float]] | None = None, exchange: bool = False, events: bool = False
+    model: str | Path,
+    values: Mapping[str, list[float]] | None = None,
+    exchange: bool = False,
+    events: bool = False,
+    early_return: bool = True,
 ) -> Iterator[Instance3]:
     """Makes an instance that is ready to be initialised, with these start values; frees it at the end. With `events` it
-    is one for co-simulation in event mode, whose steps may end early."""
+    is one for co-simulation in event mode, whose steps end early at an event if they may."""
     path = str(model if isinstance(model, Path) else FOLDER / f"{model}.fmu")
     description, folder = fmpy.read_model_description(path, validate=False), fmpy.extract(path)
     try:
@@ -66,7 +70,8 @@ def open_instance(
             unzipDirectory=str(folder),
             instanceName=description.modelName,
         )
-        fmu.instantiate(loggingOn=True, **({} if exchange else {"eventModeUsed": events, "earlyReturnAllowed": events}))
+        modes = {"eventModeUsed": events, "earlyReturnAllowed": events and early_return}
+        fmu.instantiate(loggingOn=True, **({} if exchange else modes))
         try:
             instance = Instance3(fmu, description)
             for name, given in (values or {}).items():

@@ -5,7 +5,7 @@ import platform
 import re
 import sys
 import zipfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from functools import partial
@@ -44,10 +44,10 @@ def leave_event_mode(instance: Instance3) -> None:
 
 
 @contextmanager
-def component(part: Component, events: bool):
+def component(part: Component, events: bool, early_return: bool = True):
     """A component of a system, initialised."""
     values = {name: [float(value)] for name, value in part.parameters.items()}
-    with open_instance(part.fmu, values, events=events) as instance:
+    with open_instance(part.fmu, values, events=events, early_return=early_return) as instance:
         instance.fmu.enterInitializationMode(startTime=0.0)
         instance.fmu.exitInitializationMode()
         if events:
@@ -56,29 +56,68 @@ def component(part: Component, events: bool):
         instance.fmu.terminate()
 
 
+class Coupled:
+    """Instances that exchange values."""
+
+    def __init__(self, parts: System, fmus: Mapping[str, Instance3], signals: Signals) -> None:
+        self.connections, self.fmus, self.signals = parts.connections, fmus, signals
+        # At the start, values propagate through all components.
+        for _ in fmus:
+            self.give(self.outputs())
+
+    def outputs(self) -> list[list[float]]:
+        """The values that are passed on."""
+        return [self.fmus[source].get(output) for (source, output), _ in self.connections]
+
+    def give(self, values: Sequence[list[float]]) -> None:
+        """Passes values on."""
+        for (_, (target, variable)), value in zip(self.connections, values, strict=True):
+            self.fmus[target].set(variable, value)
+
+    def begin(self, number: int) -> None:
+        """Sets the signals of the beginning of a step."""
+        for (part, name), values in self.signals.items():
+            self.fmus[part].set(name, [values[number]])
+
+    def read(self, watched: Sequence[str]) -> list[float]:
+        """Values of variables."""
+        return [self.fmus[part].get(name)[0] for part, name in map(split, watched)]
+
+
 def in_fmpy3(
     parts: System, length: float, steps: int, watched: Sequence[str], signals: Signals, events: bool = False
 ) -> Record:
     """The plain script on fmpy."""
     with ExitStack() as stack:
         fmus = {part.name: stack.enter_context(component(part, events)) for part in parts.components}
-
-        def exchange() -> None:
-            values = [fmus[source].get(output) for (source, output), _ in parts.connections]
-            for (_, (target, variable)), value in zip(parts.connections, values, strict=True):
-                fmus[target].set(variable, value)
-
-        # At the start, values propagate through all components.
-        for _ in fmus:
-            exchange()
-        rows = []
+        coupled, rows = Coupled(parts, fmus, signals), []
         for number in range(steps):
-            for (part, name), values in signals.items():
-                fmus[part].set(name, [values[number]])
+            coupled.begin(number)
             for fmu in fmus.values():
                 step(fmu, number * length, length)
-            rows.append([fmus[part].get(name)[0] for part, name in map(split, watched)])
-            exchange()
+            rows.append(coupled.read(watched))
+            coupled.give(coupled.outputs())
+        return columns(watched, rows)
+
+
+def with_common_events(parts: System, length: float, steps: int, watched: Sequence[str], signals: Signals) -> Record:
+    """The plain script on fmpy, as a container of the FMU manipulation toolbox does it: no step ends early; after one
+    with an event all enter Event Mode, in which values are passed on once more."""
+    with ExitStack() as stack:
+        fmus = {part.name: stack.enter_context(component(part, True, early_return=False)) for part in parts.components}
+        coupled, rows = Coupled(parts, fmus, signals), []
+        for number in range(steps):
+            coupled.begin(number)
+            events = [fmu.fmu.doStep(number * length, length)[0] for fmu in fmus.values()]
+            if any(events):
+                values = coupled.outputs()
+                for fmu in fmus.values():
+                    fmu.fmu.enterEventMode()
+                coupled.give(values)
+                for fmu in fmus.values():
+                    leave_event_mode(fmu)
+            rows.append(coupled.read(watched))
+            coupled.give(coupled.outputs())
         return columns(watched, rows)
 
 

@@ -10,8 +10,8 @@ import numpy
 import pytest
 from fmi3 import FOLDER
 from fmpy.fmi1 import FMICallException
-from importers import IMPORTERS, difference, fmutool_errors, in_fmpy, rust_master, system
-from importers3 import IMPORTERS3, IN_EVENT_MODE, in_version_3
+from importers import IMPORTERS, difference, fmutool_errors, in_container, in_fmpy, rust_master, system
+from importers3 import IMPORTERS3, IN_EVENT_MODE, in_version_3, with_common_events
 
 from examples.fmpy.coupling import FMUS, CouplingError, friction_models_in, models_in, path_of, variables_of
 
@@ -202,12 +202,12 @@ def test_a_failing_fmu_stays_harmless_if_the_run_continues():
 
 # FMPy runs each model alone in test_fmi3.py; of the loops a few are enough, unless every one is asked for.
 LOOPS = ["BeltRig with CoulombStiction", "BeltRig with LuGre", "QuarterCar with ShockAbsorber"]
+IS_THOROUGH = os.environ.get("STRIBECK_THOROUGH") == "1"
 IN_FMI_3 = [
     (case, importer)
     for case in CASES
     for importer in IMPORTERS3
-    if (importer in ("fmi", "fmi-rs") if case in MODELS else case in LOOPS)
-    or os.environ.get("STRIBECK_THOROUGH") == "1"
+    if (importer in ("fmi", "fmi-rs") if case in MODELS else case in LOOPS) or IS_THOROUGH
 ]
 
 
@@ -230,3 +230,12 @@ def test_event_mode_leads_to_the_same_motion(model, importer, in_reference):
     record = IN_EVENT_MODE[importer](in_version_3(parts), *rest)
     tolerance = 1e-3 if "num.h_max" in variables_of(path_of(model)) else 1e-9
     assert difference(record, in_reference(model)) < tolerance
+
+
+@pytest.mark.parametrize("case", CASES if IS_THOROUGH else LOOPS)
+def test_a_container_of_fmus_of_fmi_3_exchanges_at_events(case):
+    """It enters Event Mode with all of its FMUs, which then know each other's values at once, not a step later."""
+    build, *arguments = CASES[case]
+    parts, *rest = build(*arguments)
+    parts = in_version_3(parts)
+    assert difference(in_container(parts, *rest), with_common_events(parts, *rest)) < TOLERANCE
