@@ -7,13 +7,13 @@
 #if defined _WIN32
 #include <windows.h>
 typedef HMODULE library;
-static library open_library(const char *path) {
+static inline library open_library(const char *path) {
     return LoadLibraryA(path);
 }
-static void close_library(library loaded) {
+static inline void close_library(library loaded) {
     FreeLibrary(loaded);
 }
-static void *find(library loaded, const char *name) {
+static inline void *find(library loaded, const char *name) {
     FARPROC function = GetProcAddress(loaded, name);
     void *address = NULL;
     memcpy(&address, &function, sizeof address);
@@ -22,13 +22,13 @@ static void *find(library loaded, const char *name) {
 #else
 #include <dlfcn.h>
 typedef void *library;
-static library open_library(const char *path) {
+static inline library open_library(const char *path) {
     return dlopen(path, RTLD_NOW | RTLD_LOCAL);
 }
-static void close_library(library loaded) {
+static inline void close_library(library loaded) {
     dlclose(loaded);
 }
-static void *find(library loaded, const char *name) {
+static inline void *find(library loaded, const char *name) {
     return dlsym(loaded, name);
 }
 #endif

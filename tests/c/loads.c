@@ -2,7 +2,7 @@
  *
  * Some even unload it while instances live, and load it again: then it may have another address.
  *
- * Usage: loads <shared library> <empty folder> <cycles> <guid of each model>...
+ * Usage: loads 2|3 <shared library> <empty folder> <cycles> <guid of each model>...
  */
 #define _GNU_SOURCE
 #include <dirent.h>
@@ -12,37 +12,19 @@
 #include <unistd.h>
 
 #include "check.h"
-#include "library.h"
 #include "reference.h"
-#include "stribeck.h"
+#include "version.h"
 
 enum { PATH_SIZE = 4096, WARM_UP = 100 };
 
-/* A loaded library and those of its functions that this program calls. */
+/* A loaded library, and its functions in one version of FMI. */
 typedef struct {
     library loaded;
-    fmi2Component (*Instantiate)(fmi2String, fmi2Type, fmi2String, fmi2String, const fmi2CallbackFunctions *,
-                                 fmi2Boolean, fmi2Boolean);
-    void (*FreeInstance)(fmi2Component);
-    fmi2Status (*SetupExperiment)(fmi2Component, fmi2Boolean, fmi2Real, fmi2Real, fmi2Boolean, fmi2Real);
-    fmi2Status (*EnterInitializationMode)(fmi2Component);
-    fmi2Status (*ExitInitializationMode)(fmi2Component);
-    fmi2Status (*DoStep)(fmi2Component, fmi2Real, fmi2Real, fmi2Boolean);
-    fmi2Status (*GetReal)(fmi2Component, const fmi2ValueReference *, size_t, fmi2Real *);
-    fmi2Status (*SetReal)(fmi2Component, const fmi2ValueReference *, size_t, const fmi2Real *);
-    fmi2Status (*GetFMUstate)(fmi2Component, fmi2FMUstate *);
-    fmi2Status (*SetFMUstate)(fmi2Component, fmi2FMUstate);
-    fmi2Status (*FreeFMUstate)(fmi2Component, fmi2FMUstate *);
-    fmi2Status (*SerializedFMUstateSize)(fmi2Component, fmi2FMUstate, size_t *);
-    fmi2Status (*SerializeFMUstate)(fmi2Component, fmi2FMUstate, fmi2Byte *, size_t);
+    version fmi;
 } fmu;
 
-#define RESOLVE(fmu, name)                                                                                             \
-    do {                                                                                                               \
-        void *address = find((fmu)->loaded, "fmi2" #name);                                                             \
-        REQUIRE(address != NULL);                                                                                      \
-        memcpy(&(fmu)->name, &address, sizeof address);                                                                \
-    } while (0)
+/* The version of FMI that is tried. */
+static int number;
 
 /* Loads the library from that path. */
 static int load(fmu *made, const char *path) {
@@ -51,37 +33,22 @@ static int load(fmu *made, const char *path) {
         fprintf(stderr, "  %s: %s\n", path, dlerror());
         return 0;
     }
-    RESOLVE(made, Instantiate);
-    RESOLVE(made, FreeInstance);
-    RESOLVE(made, SetupExperiment);
-    RESOLVE(made, EnterInitializationMode);
-    RESOLVE(made, ExitInitializationMode);
-    RESOLVE(made, DoStep);
-    RESOLVE(made, GetReal);
-    RESOLVE(made, SetReal);
-    RESOLVE(made, GetFMUstate);
-    RESOLVE(made, SetFMUstate);
-    RESOLVE(made, FreeFMUstate);
-    RESOLVE(made, SerializedFMUstateSize);
-    RESOLVE(made, SerializeFMUstate);
+    made->fmi = version_of(made->loaded, number);
     return 1;
 }
 
 /* Makes an instance that is ready to step. */
-static fmi2Component start(const fmu *from, const char *guid) {
-    fmi2CallbackFunctions callbacks = {NULL, NULL, NULL, NULL, NULL};
-    fmi2Component slave = from->Instantiate("slave", fmi2CoSimulation, guid, "", &callbacks, fmi2False, fmi2True);
+static void *start(const fmu *from, const char *guid) {
+    void *slave = instantiate(&from->fmi, guid, false, false);
     REQUIRE(slave != NULL);
-    CHECK(from->SetupExperiment(slave, fmi2False, 0.0, 0.0, fmi2False, 0.0) == fmi2OK);
-    CHECK(from->EnterInitializationMode(slave) == fmi2OK);
-    CHECK(from->ExitInitializationMode(slave) == fmi2OK);
+    CHECK(initialise(&from->fmi, slave) == OK);
     return slave;
 }
 
 /* Steps from one millisecond to another. */
-static void steps(const fmu *by, fmi2Component slave, int from, int to) {
+static void steps(const fmu *by, void *slave, int from, int to) {
     for (int k = from; k < to; k++) {
-        CHECK(by->DoStep(slave, k * 1e-3, 1e-3, fmi2True) == fmi2OK);
+        CHECK(do_step(&by->fmi, slave, k * 1e-3, 1e-3) == OK);
     }
 }
 
@@ -89,9 +56,9 @@ static void steps(const fmu *by, fmi2Component slave, int from, int to) {
 static void cycle(const char *path, const char *guid) {
     fmu one;
     if (load(&one, path)) {
-        fmi2Component slave = start(&one, guid);
+        void *slave = start(&one, guid);
         steps(&one, slave, 0, 10);
-        one.FreeInstance(slave);
+        free_instance(&one.fmi, slave);
         close_library(one.loaded);
     }
 }
@@ -201,24 +168,20 @@ static void from_odd_folders(const char *library_path, const char *folder, const
 }
 
 /* The whole state of an instance as bytes, to be freed; `state` may be NULL, which stands for the present one. */
-static fmi2Byte *bytes_of(const fmu *from, fmi2Component slave, fmi2FMUstate state, size_t *size) {
-    fmi2FMUstate present = NULL;
+static unsigned char *bytes_of(const fmu *from, void *slave, void *state, size_t *size) {
+    void *present = NULL;
     if (state == NULL) {
-        CHECK(from->GetFMUstate(slave, &present) == fmi2OK);
+        CHECK(save(&from->fmi, slave, &present) == OK);
         state = present;
     }
-    REQUIRE(from->SerializedFMUstateSize(slave, state, size) == fmi2OK);
-    fmi2Byte *bytes = malloc(*size);
-    REQUIRE(bytes != NULL);
-    CHECK(from->SerializeFMUstate(slave, state, bytes, *size) == fmi2OK);
-    CHECK(from->FreeFMUstate(slave, &present) == fmi2OK);
+    unsigned char *bytes = bytes_of_state(&from->fmi, slave, state, size);
+    CHECK(free_state(&from->fmi, slave, &present) == OK);
     return bytes;
 }
 
-static void expect_bytes(const fmu *from, fmi2Component slave, fmi2FMUstate state, const fmi2Byte *wanted,
-                         size_t wanted_size) {
+static void expect_bytes(const fmu *from, void *slave, void *state, const unsigned char *wanted, size_t wanted_size) {
     size_t size = 0;
-    fmi2Byte *bytes = bytes_of(from, slave, state, &size);
+    unsigned char *bytes = bytes_of(from, slave, state, &size);
     CHECK(size == wanted_size && memcmp(bytes, wanted, wanted_size) == 0);
     free(bytes);
 }
@@ -226,14 +189,14 @@ static void expect_bytes(const fmu *from, fmi2Component slave, fmi2FMUstate stat
 enum { INSTANCES = 4 };
 
 /* Continues with instances that have made five steps; each begins with another function. */
-static void go_on(const fmu *by, fmi2Component *slaves, fmi2Real *value, fmi2Status *set) {
-    const fmi2ValueReference time = reference_of("time"), velocity = reference_of("velocity");
+static void go_on(const fmu *by, void **slaves, double *value, int *set) {
+    const uint32_t time = reference_of("time"), velocity = reference_of("velocity");
     steps(by, slaves[0], 5, 10);
-    CHECK(by->GetReal(slaves[1], &time, 1, value) == fmi2OK);
+    CHECK(get_reals(&by->fmi, slaves[1], &time, 1, value, 1) == OK);
     /* Not every model has this input. */
-    *set = by->SetReal(slaves[2], &velocity, 1, value);
+    *set = set_reals(&by->fmi, slaves[2], &velocity, 1, value, 1);
     for (int i = 1; i < INSTANCES; i++) {
-        by->FreeInstance(slaves[i]);
+        free_instance(&by->fmi, slaves[i]);
     }
 }
 
@@ -245,47 +208,47 @@ static void while_instances_live(const char *path, const char *other_path, const
     if (!load(&moved, path) || !load(&other, other_path)) {
         return;
     }
-    fmi2Component slaves[INSTANCES];
-    fmi2Component twins[INSTANCES];
+    void *slaves[INSTANCES];
+    void *twins[INSTANCES];
     for (int i = 0; i < INSTANCES; i++) {
         slaves[i] = start(&moved, guid);
         twins[i] = start(&other, guid);
         steps(&moved, slaves[i], 0, 5);
         steps(&other, twins[i], 0, 5);
     }
-    fmi2Component slave = slaves[0];
-    fmi2Component twin = twins[0];
-    fmi2FMUstate saved = NULL;
-    CHECK(moved.GetFMUstate(slave, &saved) == fmi2OK);
+    void *slave = slaves[0];
+    void *twin = twins[0];
+    void *saved = NULL;
+    CHECK(save(&moved.fmi, slave, &saved) == OK);
     size_t early_size = 0;
-    fmi2Byte *early = bytes_of(&other, twin, NULL, &early_size);
+    unsigned char *early = bytes_of(&other, twin, NULL, &early_size);
 
     long page = sysconf(_SC_PAGESIZE);
-    char *code = find(moved.loaded, "fmi2DoStep");
+    char *code = find(moved.loaded, number == 2 ? "fmi2DoStep" : "fmi3DoStep");
     char *taken = code - (size_t)code % (size_t)page;
     close_library(moved.loaded);
     REQUIRE(mappings_of(path) == 0);
     void *block = mmap(taken, (size_t)page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
     REQUIRE(block == taken);
     if (load(&moved, path)) {
-        fmi2Real values[2] = {0.0, 1.0};
-        fmi2Status set[2];
+        double values[2] = {0.0, 1.0};
+        int set[2];
         go_on(&moved, slaves, &values[0], &set[0]);
         go_on(&other, twins, &values[1], &set[1]);
         CHECK(values[0] == values[1] && set[0] == set[1]);
         size_t late_size = 0;
-        fmi2Byte *late = bytes_of(&other, twin, NULL, &late_size);
+        unsigned char *late = bytes_of(&other, twin, NULL, &late_size);
         expect_bytes(&moved, slave, NULL, late, late_size);
         expect_bytes(&moved, slave, saved, early, early_size);
-        CHECK(moved.SetFMUstate(slave, saved) == fmi2OK);
+        CHECK(restore(&moved.fmi, slave, saved) == OK);
         expect_bytes(&moved, slave, NULL, early, early_size);
-        CHECK(moved.FreeFMUstate(slave, &saved) == fmi2OK);
-        moved.FreeInstance(slave);
+        CHECK(free_state(&moved.fmi, slave, &saved) == OK);
+        free_instance(&moved.fmi, slave);
         close_library(moved.loaded);
         free(late);
     }
     free(early);
-    other.FreeInstance(twin);
+    free_instance(&other.fmi, twin);
     close_library(other.loaded);
     REQUIRE(munmap(block, (size_t)page) == 0);
 }
@@ -305,13 +268,14 @@ static void unloaded_too_early(const char *library_path, const char *folder, int
 }
 
 int main(int argc, char **argv) {
-    if (argc < 5) {
-        fprintf(stderr, "usage: %s <shared library> <empty folder> <cycles> <guid>...\n", argv[0]);
+    if (argc < 6) {
+        fprintf(stderr, "usage: %s 2|3 <shared library> <empty folder> <cycles> <guid>...\n", argv[0]);
         return 2;
     }
-    make_folder(argv[2]);
-    from_odd_folders(argv[1], argv[2], argv[4]);
-    again_and_again(argv[1], argv[2], atoi(argv[3]), argv[4]);
-    unloaded_too_early(argv[1], argv[2], argc - 4, argv + 4);
+    number = atoi(argv[1]);
+    make_folder(argv[3]);
+    from_odd_folders(argv[2], argv[3], argv[5]);
+    again_and_again(argv[2], argv[3], atoi(argv[4]), argv[5]);
+    unloaded_too_early(argv[2], argv[3], argc - 5, argv + 5);
     return report();
 }

@@ -35,6 +35,7 @@ STANDARD = {".c": "-std=c99", ".cpp": "-std=c++17"}
 SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"]
 # Programs that load the library, one for each version of FMI.
 FMI_TESTS = ["fmi_test", "fmi3_test"]
+VERSIONS = ["2", "3"]
 ADDR_NO_RANDOMIZE = 0x0040000  # of <sys/personality.h>
 TIMEOUT = 3600  # seconds; the longest program, of the thorough run, takes some minutes
 
@@ -100,7 +101,7 @@ class Compiler:
             # A function bound at its first call needs space on the small stack, as much as the processor's registers.
             bound = ["-Wl,-z,now"] if platform.system() == "Linux" else []
             run_path = [] if WINDOWS else [f"-Wl,-rpath,{self.build_folder}", *bound]
-            return [self.shared_library(), *run_path, "-lm", *([] if WINDOWS else ["-lpthread"])]
+            return [self.shared_library(), *run_path, "-lm", *([] if WINDOWS else ["-lpthread", "-ldl"])]
         if linkage == "static":
             return [self.build_folder / "libstribeck.a", *native_static_libraries(self.output_folder), "-lm"]
         # Loaded by the program itself.
@@ -313,7 +314,10 @@ def test_valgrind(compiler, results):
         program = compiler.compile(TESTS / f"{test}.c", "loaded", False)
         results.check(f"valgrind: {test}", lambda program=program: clean(program, compiler.shared_library()))
     faults = compiler.compile(TESTS / "faults.c", "shared", False)
-    results.check("valgrind: faults", lambda: clean(faults, "threads", *models()))
+    for version in VERSIONS:
+        results.check(
+            f"valgrind: faults ({version})", lambda version=version: clean(faults, version, "threads", *models())
+        )
 
 
 class Instrumented:
@@ -336,6 +340,7 @@ class Instrumented:
         """The sources of a program, linked to the library."""
         program = self.folder / sources[0].stem
         compiler = [*find_compiler("CC", "gcc"), STANDARD[".c"], self.flag, "-g", "-O1", f"-I{ROOT / 'include'}"]
+        compiler += ["-isystem", headers_of_fmi_3()]
         linked = [self.library, f"-Wl,-rpath,{self.library.parent}", "-lm", "-lpthread", "-ldl"]
         succeed([*compiler, *sources, "-o", program, *linked])
         return program
@@ -344,23 +349,28 @@ class Instrumented:
 def test_threads(output_folder, results):
     """The thread sanitizer sees two threads in one instance, and none in a thousand that are passed between threads."""
     faults = Instrumented("thread", output_folder).compile(TESTS / "faults.c", TESTS / "tsan.c")
-    label = "thread sanitizer: "
-    results.check(f"{label}race", lambda: is_caught(faults, "race", *models(), by="ffi/src/fmi2/"))
-    results.check(f"{label}threads", lambda: report(faults, "threads", *models(), label=label))
+
+    def check(version):
+        label, place = f"thread sanitizer, FMI {version}: ", f"ffi/src/fmi{version}/"
+        results.check(f"{label}race", lambda: is_caught(faults, version, "race", *models(), by=place))
+        results.check(f"{label}threads", lambda: report(faults, version, "threads", *models(), label=label))
+
+    for version in VERSIONS:
+        check(version)
 
 
 def test_addresses(output_folder, results):
     """The address sanitizer sees an array that is too short, and nothing in the fault programs; no leak either."""
     instrumented = Instrumented("address", output_folder)
     faults, loads = instrumented.compile(TESTS / "faults.c"), instrumented.compile(TESTS / "loads.c")
-    label = "address sanitizer: "
-    results.check(f"{label}short array", lambda: is_caught(faults, "short", *models(), by="ffi/src/fmi2/values.rs"))
-    results.check(f"{label}environment", lambda: report_environments(faults, label))
-    for fault in ["threads", "0.5"]:
-        results.check(f"{label}{fault}", lambda fault=fault: report(faults, fault, *models(), label=label))
-    with tempfile.TemporaryDirectory() as folder:
-        arguments = [instrumented.library, folder, 200, *guids()]
-        results.check(f"{label}loads", lambda: report(loads, *arguments, label=label))
+
+    def check(version):
+        label, place = f"address sanitizer, FMI {version}: ", f"ffi/src/fmi{version}/values.rs"
+        results.check(f"{label}short array", lambda: is_caught(faults, version, "short", *models(), by=place))
+        test_conditions(results, (faults, loads), version, ["threads", "0.5"], (instrumented.library, 200), label)
+
+    for version in VERSIONS:
+        check(version)
 
 
 def models():
@@ -381,7 +391,7 @@ def guids():
     return [model.partition("=")[2] for model in models()]
 
 
-def report_environments(faults, label=""):
+def report_environments(faults, version, label):
     """Odd floating-point modes, and the German locale, whether or not it is installed."""
     if shutil.which("localedef") is None or not Path("/usr/share/i18n/locales/de_DE").is_file():
         raise Failed("no definition of the German locale: apt install locales (Debian, Ubuntu)")
@@ -389,25 +399,37 @@ def report_environments(faults, label=""):
         # With warnings, as some definitions have, the exit code is 1; the program checks the locale.
         run(["localedef", "-i", "de_DE", "-f", "UTF-8", Path(folder) / "de_DE.UTF-8"])
         os.environ["LOCPATH"] = folder
-        report(faults, "environment", *models(), label=label)
+        report(faults, version, "environment", *models(), label=label)
+
+
+def report_loads(loads, version, library, cycles, label):
+    """Loads and unloads of the library."""
+    with tempfile.TemporaryDirectory() as folder:
+        report(loads, version, library, folder, cycles, *guids(), label=label)
+
+
+def test_conditions(results, programs, version, conditions, library_and_cycles, label):
+    """Conditions that a host may impose on the library, in one version of FMI. Each program prints its counts, with the
+    figures."""
+    faults, loads = programs
+    for fault in conditions:
+        results.check(f"{label}{fault}", lambda fault=fault: report(faults, version, fault, *models(), label=label))
+    results.check(f"{label}environment", lambda: report_environments(faults, version, label))
+    results.check(f"{label}loads", lambda: report_loads(loads, version, *library_and_cycles, label))
 
 
 def test_faults(compiler, results, thorough):
-    """Conditions that a host may impose on the library. Each program prints its counts, with the figures."""
+    """The same, in both versions."""
     if platform.system() != "Linux":
         print(f"note: no fault tests on {platform.system()}")
         return
-    all_models = models()
     faults = compiler.compile(TESTS / "faults.c", "shared", False)
     loads = compiler.compile(TESTS / "loads.c", "loaded", False)
-
-    seconds = "5" if thorough else "0.5"
-    for fault in ["stack", "threads", seconds, *(["long"] if thorough else [])]:
-        results.check(f"fault: {fault}", lambda fault=fault: report(faults, fault, *all_models))
-    cycles = 10_000 if thorough else 500
-    results.check("fault: environment", lambda: report_environments(faults))
-    with tempfile.TemporaryDirectory() as folder:
-        results.check("fault: loads", lambda: report(loads, compiler.shared_library(), folder, cycles, *guids()))
+    seconds, cycles = ("5", 10_000) if thorough else ("0.25", 250)
+    conditions = ["stack", "threads", seconds, *(["long"] if thorough else [])]
+    for version in VERSIONS:
+        library = (compiler.shared_library(), cycles)
+        test_conditions(results, (faults, loads), version, conditions, library, f"FMI {version}: ")
 
 
 def main():
