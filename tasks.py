@@ -513,7 +513,7 @@ def faults() -> None:
     setup_faults()
     setup_wasm()
     pack()
-    names = ("model_description", "fmus", "exchange", "importers", "sources", "ssp", "supply", "studies")
+    names = ("model_description", "fmus", "exchange", "importers", "fmusim", "sources", "ssp", "supply", "studies")
     commands = [
         ["cargo", "test", "--test", "fmi", "--test", "allocation", "--", "--nocapture"],
         ["cargo", "test", "--package", "fmu-build"],

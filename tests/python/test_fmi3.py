@@ -4,6 +4,7 @@ sizes; FMPy's own loops."""
 from ctypes import c_double
 
 import pytest
+from events import CASES, H
 from exchange import open_part
 from fmi3 import FOLDER, integrating, open_instance, stepping
 from fmpy import simulate_fmu
@@ -124,6 +125,24 @@ def test_fmpy_runs_both_kinds(model, kind):
     old = simulate_fmu(str(path_of(model)), fmi_type=kind, stop_time=0.1, output_interval=1e-3, output=output)
     for name in output:
         assert result[name][-1] == pytest.approx(old[name][-1], rel=1e-6, abs=1e-12)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_contacts_stick_and_slip_at_the_times_of_the_closed_form(case):
+    """In FMPy's own loop."""
+    model, start, time, sticks = CASES[case]
+    rows = simulate_fmu(
+        str(FOLDER / f"{model}.fmu"),
+        fmi_type="CoSimulation",
+        start_values=start,
+        output=["sticking"],
+        output_interval=H,
+        stop_time=0.5,
+        use_event_mode=True,
+        early_return_allowed=True,
+    )
+    event = next(row for row in rows if row["sticking"] == sticks and row["time"] > 0.0)
+    assert event["time"] == pytest.approx(time, abs=1e-9)
 
 
 @pytest.mark.parametrize("model", ["LuGre", "ShockAbsorber"])
