@@ -8,7 +8,7 @@ use stribeck::catalogue;
 use stribeck::model::ModelType;
 
 use crate::describe::interface::{HEADER_FILE, Interface, Version, committed_in};
-use crate::describe::{defaults, fmi2, fmi3, header, readme};
+use crate::describe::{defaults, fmi2, fmi3, header, models};
 use crate::project;
 
 /// A file with its expected contents.
@@ -64,7 +64,8 @@ pub fn of(root: &Path) -> Result<Generated> {
     let mut stale: Vec<File> =
         described.map(|(version, model, text)| File::new(description(version, model.name), text)).collect();
     stale.push(File::new(HEADER_FILE, header));
-    stale.push(File::new("README.md", readme::with_table(&read(root, "README.md")?, root)?));
+    stale.push(File::new("README.md", models::with_families(&read(root, "README.md")?)?));
+    stale.push(File::new(models::PAGE, models::with_tables(&read(root, models::PAGE)?, root)?));
     stale.push(File::new(defaults::PAGE, defaults::with_tables(&read(root, defaults::PAGE)?)?));
     stale.extend(left_over(root)?);
     stale.retain(|file| file.is_stale(root));

@@ -12,7 +12,7 @@ pub mod fmi3;
 pub mod generated;
 pub mod header;
 pub mod interface;
-pub mod readme;
+pub mod models;
 pub mod rules;
 pub mod structure;
 pub mod terminals;
