@@ -19,8 +19,10 @@ use clap::{Parser, Subcommand};
 use ssp::system;
 use stribeck_ffi::fmi3;
 
+use crate::build::crates::Parts;
 use crate::build::library::{self, Library};
 use crate::build::platform::{self, Choice, Platform};
+use crate::build::toolchain;
 use crate::describe::entry::{self, Entry};
 use crate::describe::fmi2::Choices;
 use crate::describe::generated::{self, Generated};
@@ -29,6 +31,8 @@ use crate::describe::{compatibility, declarations, rules};
 use crate::pack::archive::{self, Archiver};
 use crate::pack::four_post;
 use crate::pack::package::{self, Contents, Form, Packing};
+use crate::pack::sbom::{self, Product};
+use crate::pack::{licenses, sdk};
 use crate::page::{html, texts};
 use crate::sources::Purpose;
 
@@ -69,11 +73,37 @@ enum Command {
         #[arg(long, default_value = "out/texts.json")]
         out: PathBuf,
     },
-    /// Build the library for this machine and write the four-post rig as an SSP package, with its FMUs and parameter
-    /// sets.
+    /// Build the library and write the four-post rig as an SSP package, with its FMUs and parameter sets.
     Ssp {
         /// Folder for the package.
         #[arg(long, default_value = "dist")]
+        out: PathBuf,
+        /// Platforms to build for; repeatable.
+        #[arg(long, value_name = "PLATFORM", default_value = "host")]
+        platform: Vec<Choice>,
+    },
+    /// List the platforms of FMUs, each with the tools that this machine lacks to build for it.
+    Platforms,
+    /// Build the library and write the kit for C and C++: header, shared and static library, files for CMake and
+    /// pkg-config, examples, licences; a folder for each platform.
+    Sdk {
+        /// Folder for the folders.
+        #[arg(long, default_value = "out/sdk")]
+        out: PathBuf,
+        /// Platforms to build for; repeatable.
+        #[arg(long, value_name = "PLATFORM", default_value = "host")]
+        platform: Vec<Choice>,
+    },
+    /// Write the licences of everything that is linked into a package of the workspace, and the list of its components
+    /// (CycloneDX).
+    Components {
+        /// The package.
+        package: String,
+        /// Rust's name of the target (default: this machine).
+        #[arg(long, value_name = "TRIPLE")]
+        target: Option<String>,
+        /// Folder for the files.
+        #[arg(long, default_value = "out/components")]
         out: PathBuf,
     },
     /// Check a built library as `pack` does: exports, imports, paths of this machine.
@@ -142,7 +172,10 @@ fn obey(command: Command, root: &Path) -> Result<()> {
         Command::Check => check(root),
         Command::Pages { models, out } => pages(&models, &out),
         Command::Texts { out } => texts(&out),
-        Command::Ssp { out } => ssp(root, &out),
+        Command::Ssp { out, platform } => ssp(root, &out, &platform),
+        Command::Platforms => list_platforms(root),
+        Command::Components { package, target, out } => components(root, &package, target, &out),
+        Command::Sdk { out, platform } => sdk(root, &out, &platform),
         Command::Inspect { library, platform } => inspect(root, &library, platform),
         Command::Sources { models, out } => sources(root, &models, &out),
         Command::Pack { models, out, sources: true, .. } => pack_sources(root, &models, &out),
@@ -348,20 +381,58 @@ fn refuse_stale(root: &Path) -> Result<()> {
     Ok(())
 }
 
-fn ssp(root: &Path, out: &Path) -> Result<()> {
+fn list_platforms(root: &Path) -> Result<()> {
+    let (platforms, left_out) = buildable(root, &platform::platforms(&[Choice::All])?)?;
+    platforms.iter().for_each(|platform| println!("{}: all tools are here", platform.name()));
+    left_out.iter().for_each(|line| println!("skipped: {line}"));
+    Ok(())
+}
+
+/// The libraries for these platforms, of which none may lack its tools.
+fn built(root: &Path, choices: &[Choice]) -> Result<Vec<Library>> {
     refuse_stale(root)?;
-    let date = project::packing_date()?;
-    let (libraries, archiver) = (build(root, &platform::platforms(&[Choice::Host])?)?, Archiver::new(date)?);
-    let packing = Packing::new(root, libraries.iter().collect(), date, &archiver)?;
-    let mut files = archive::Files::new();
-    let models: Vec<String> = four_post::add_to(&mut files, root)?.into_iter().map(str::to_owned).collect();
-    for entry in entry::select(&models)? {
-        // libcosim and Ecos do not support enumerations.
-        let bytes = packing.fmu(&Contents::of(&entry)?, Form::Two(Choices::Numbered))?;
-        files.insert(system::fmu(entry.model.name), bytes);
+    let (platforms, left_out) = buildable(root, &platform::platforms(choices)?)?;
+    ensure!(left_out.is_empty(), "tools are missing:\n{}", left_out.join("\n"));
+    build(root, &platforms)
+}
+
+fn sdk(root: &Path, out: &Path, choices: &[Choice]) -> Result<()> {
+    for library in built(root, choices)? {
+        let folder = out.join(library.platform.name());
+        let files = sdk::files(root, &library)?;
+        package::save_all(&folder, &files)?;
+        println!("{} files in {}", files.len(), folder.display());
     }
-    let file = format!("{}.ssp", four_post::NAME);
-    let size = package::save(out, &file, &archiver.zip(&files)?)?;
-    println!("{file:<20} {size:>9} bytes");
+    Ok(())
+}
+
+fn components(root: &Path, package: &str, target: Option<String>, out: &Path) -> Result<()> {
+    let triple = target.map_or_else(toolchain::host, Ok)?;
+    let parts = Parts::of_package(root, package, &triple)?;
+    let product = Product { file: format!("{package} for {triple}"), name: package, summary: "Part of Stribeck" };
+    let mut files = licenses::files(root, &parts)?;
+    files.insert(sbom::FILE.into(), sbom::text(&product, &parts)?.into());
+    package::save_all(out, &files)?;
+    println!("{} crates, {} files in {}", parts.crates.len(), files.len(), out.display());
+    Ok(())
+}
+
+fn ssp(root: &Path, out: &Path, choices: &[Choice]) -> Result<()> {
+    let date = project::packing_date()?;
+    let (libraries, archiver) = (built(root, choices)?, Archiver::new(date)?);
+    // libcosim and Ecos do not support enumerations.
+    let form = Form::Two(Choices::Numbered);
+    for (folder, libraries) in bundles_of(form, &libraries) {
+        let packing = Packing::new(root, libraries, date, &archiver)?;
+        let mut files = archive::Files::new();
+        let models: Vec<String> = four_post::add_to(&mut files, root)?.into_iter().map(str::to_owned).collect();
+        for entry in entry::select(&models)? {
+            let bytes = packing.fmu(&Contents::of(&entry)?, form)?;
+            files.insert(system::fmu(entry.model.name), bytes);
+        }
+        let file = format!("{}.ssp", four_post::NAME);
+        let size = package::save(&out.join(folder), &file, &archiver.zip(&files)?)?;
+        println!("{:<20} {size:>9} bytes", Path::new(folder).join(file).display());
+    }
     Ok(())
 }

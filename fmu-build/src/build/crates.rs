@@ -1,5 +1,5 @@
-//! The parts of the library, with their licences: the crates that cargo builds, the standard library, and additions of
-//! linkers.
+//! The parts of the library, or of a program, with their licences: the crates that cargo builds, the standard library,
+//! and additions of linkers.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
@@ -16,7 +16,7 @@ use crate::build::toolchain::{self, Addition};
 /// The package whose library the FMUs carry.
 pub const LIBRARY: &str = "libstribeck";
 
-/// A crate of the library.
+/// A crate of the library or of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crate {
     /// Name.
@@ -33,10 +33,12 @@ pub struct Crate {
     pub needs: BTreeSet<String>,
 }
 
-/// Everything in the libraries of an FMU.
+/// Everything in the libraries of an FMU, or in a program.
 #[derive(Clone, Debug)]
 pub struct Parts {
-    /// Crates, including the library itself.
+    /// The package that is built.
+    pub package: String,
+    /// Crates, including that of the package.
     pub crates: Vec<Crate>,
     /// Version of Rust, whose standard library is linked.
     pub rust: String,
@@ -52,7 +54,15 @@ impl Parts {
         let mut additions = targets.map(|target| target.additions(root)).collect::<Result<Vec<_>>>()?.concat();
         additions.sort_by_key(|addition| addition.name);
         additions.dedup();
-        Ok(Parts { crates: linked(root, &triples)?, rust: toolchain::version()?, additions })
+        let crates = linked(root, LIBRARY, &triples)?;
+        Ok(Parts { package: LIBRARY.into(), crates, rust: toolchain::version()?, additions })
+    }
+
+    /// Parts of another package that is built for a target.
+    pub fn of_package(root: &Path, package: &str, triple: &str) -> Result<Parts> {
+        let crates = linked(root, package, &[triple.to_owned()])?;
+        let additions = toolchain::additions_of_program(root, triple)?;
+        Ok(Parts { package: package.into(), crates, rust: toolchain::version()?, additions })
     }
 }
 
@@ -72,13 +82,13 @@ fn id(name: &str, version: &str) -> String {
     format!("{name} {version}")
 }
 
-/// The crates whose code is in the library if it is built for one of these targets: including the library itself, but
-/// without macros, which only write code, and without crates that only build or test it.
-fn linked(root: &Path, targets: &[String]) -> Result<Vec<Crate>> {
+/// The crates whose code is in a package if it is built for one of these targets: including its own, but without macros,
+/// which only write code, and without crates that only build or test it.
+fn linked(root: &Path, package: &str, targets: &[String]) -> Result<Vec<Crate>> {
     let checksums = checksums(root)?;
     let mut crates: BTreeMap<String, Crate> = BTreeMap::new();
     for target in targets {
-        for one in linked_for(root, target, &checksums)? {
+        for one in linked_for(root, package, target, &checksums)? {
             match crates.get_mut(&one.id()) {
                 Some(known) => known.needs.extend(one.needs),
                 None => drop(crates.insert(one.id(), one)),
@@ -88,8 +98,8 @@ fn linked(root: &Path, targets: &[String]) -> Result<Vec<Crate>> {
     Ok(crates.into_values().collect())
 }
 
-fn linked_for(root: &Path, target: &str, checksums: &HashMap<String, String>) -> Result<Vec<Crate>> {
-    let linked = tree(root, target, "normal,no-proc-macro")?;
+fn linked_for(root: &Path, package: &str, target: &str, checksums: &HashMap<String, String>) -> Result<Vec<Crate>> {
+    let linked = tree(root, package, target, "normal,no-proc-macro")?;
     let metadata = metadata(root, target)?;
     let nodes = &metadata.resolve.as_ref().context("cargo metadata resolved nothing")?.nodes;
     let node = |package: &PackageId| nodes.iter().find(|node| node.id == *package);
@@ -113,9 +123,9 @@ fn linked_for(root: &Path, target: &str, checksums: &HashMap<String, String>) ->
 
 /// Names and versions of the crates that these edges of the tree lead to. `cargo metadata` would include features that
 /// only other packages of the workspace request.
-fn tree(root: &Path, target: &str, edges: &str) -> Result<BTreeSet<String>> {
+fn tree(root: &Path, package: &str, target: &str, edges: &str) -> Result<BTreeSet<String>> {
     let mut cargo = Command::new(toolchain::cargo());
-    cargo.args(["tree", "--locked", "--package", LIBRARY, "--target", target]);
+    cargo.args(["tree", "--locked", "--package", package, "--target", target]);
     cargo.args(["--edges", edges, "--prefix", "none", "--format", "{p}"]).current_dir(root);
     let name_and_version = |line: &str| {
         let (name, rest) = line.split_once(" v")?;
@@ -188,7 +198,7 @@ mod tests {
         let names = listed("bans", "allow").into_iter().map(|one| one["crate"].as_str().unwrap().to_owned());
         let own = OWN.map(str::to_owned);
         let allowed: BTreeSet<_> = names.chain(own).collect();
-        let compiled = tree(root(), "all", "normal,build").unwrap();
+        let compiled = tree(root(), LIBRARY, "all", "normal,build").unwrap();
         let compiled: BTreeSet<_> = compiled.iter().map(|id| id.split_once(' ').unwrap().0.to_owned()).collect();
         let lost: Vec<_> = compiled.symmetric_difference(&allowed).collect();
         assert_eq!(lost, [""; 0], "compiled for the library, or listed in deny.toml, but not both");
@@ -196,7 +206,7 @@ mod tests {
 
     #[test]
     fn own_crates_depend_on_four_others() {
-        let crates = linked(root(), &[toolchain::host().unwrap()]).unwrap();
+        let crates = linked(root(), LIBRARY, &[toolchain::host().unwrap()]).unwrap();
         let own = crates.iter().filter(|one| OWN.contains(&one.name.as_str()));
         let needs: BTreeSet<_> = own.flat_map(|one| &one.needs).map(|id| id.split(' ').next().unwrap()).collect();
         let others: Vec<_> = needs.into_iter().filter(|name| !OWN.contains(name)).collect();
@@ -206,7 +216,7 @@ mod tests {
     #[test]
     fn licences_are_permitted() {
         let permitted = listed("licenses", "allow");
-        for one in linked(root(), &[toolchain::host().unwrap()]).unwrap() {
+        for one in linked(root(), LIBRARY, &[toolchain::host().unwrap()]).unwrap() {
             assert!(is_permitted(&one.license, &permitted), "{}: {}", one.id(), one.license);
         }
         for (license, expected) in
@@ -218,7 +228,7 @@ mod tests {
 
     #[test]
     fn what_is_linked_is_complete() {
-        let crates = linked(root(), &[toolchain::host().unwrap()]).unwrap();
+        let crates = linked(root(), LIBRARY, &[toolchain::host().unwrap()]).unwrap();
         let ids: BTreeSet<_> = crates.iter().map(Crate::id).collect();
         for one in &crates {
             assert!(one.needs.is_subset(&ids), "{one:?}");
@@ -234,9 +244,9 @@ mod tests {
     #[test]
     fn platforms_are_joined() {
         let targets = ["x86_64-unknown-linux-gnu", "x86_64-pc-windows-gnu"].map(str::to_owned);
-        let joined = linked(root(), &targets).unwrap();
+        let joined = linked(root(), LIBRARY, &targets).unwrap();
         for target in targets {
-            for one in linked(root(), &[target]).unwrap() {
+            for one in linked(root(), LIBRARY, &[target]).unwrap() {
                 assert!(
                     joined.iter().any(|known| known.id() == one.id() && one.needs.is_subset(&known.needs)),
                     "{one:?}"

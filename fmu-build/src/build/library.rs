@@ -1,4 +1,4 @@
-//! Builds the shared library that every FMU carries.
+//! Builds the library: the shared one that every FMU carries, and the static one of the same code.
 
 use std::env;
 use std::ffi::OsString;
@@ -22,6 +22,9 @@ pub struct Library {
     pub bytes: Vec<u8>,
     /// The oldest glibc that it runs with, if it needs glibc.
     pub glibc: Option<String>,
+    /// Files that cargo wrote with it, those of each processor: the static library and, for Windows, the one that
+    /// programs are linked to in place of the shared one.
+    pub beside: Vec<PathBuf>,
 }
 
 /// Builds the library in release mode, and rejects it if it exports anything other than these functions or needs
@@ -29,11 +32,47 @@ pub struct Library {
 pub fn build(root: &Path, platform: Platform, exports: &[String]) -> Result<Library> {
     let targets = platform.targets.iter().copied().map(Some);
     let targets = if platform.is_host() { vec![None] } else { targets.collect() };
-    let parts = targets.into_iter().map(|target| compile(root, platform, target));
-    let mut files = parts.collect::<Result<Vec<_>>>()?;
-    let bytes = if files.len() == 1 { files.remove(0) } else { universal::join(&files)? };
+    let parts = targets.into_iter().map(|target| compile(root, target));
+    let (mut shared, mut beside) = (Vec::new(), Vec::new());
+    for files in parts {
+        let (those, others): (Vec<_>, Vec<_>) = files?.into_iter().partition(|file| is_shared(file, platform.suffix));
+        let file = those.first();
+        shared.push(read(file.with_context(|| format!("cargo did not report a *{} of {LIBRARY}", platform.suffix))?)?);
+        beside.extend(others);
+    }
+    let bytes = joined(shared)?;
     let glibc = check(root, platform, &bytes, exports).context("the library that was built is not usable")?;
-    Ok(Library { platform, bytes, glibc })
+    Ok(Library { platform, bytes, glibc, beside })
+}
+
+/// The library with these parts, of one processor each.
+fn joined(mut parts: Vec<Vec<u8>>) -> Result<Vec<u8>> {
+    if parts.len() == 1 { Ok(parts.remove(0)) } else { universal::join(&parts) }
+}
+
+impl Library {
+    /// The static library.
+    pub fn static_library(&self) -> Result<Vec<u8>> {
+        let is_static = |file: &&PathBuf| name_of(file) == "libstribeck.a";
+        joined(self.beside.iter().filter(is_static).map(|file| read(file)).collect::<Result<_>>()?)
+    }
+
+    /// The library that programs for Windows are linked to in place of the shared one.
+    pub fn import_library(&self) -> Result<Option<Vec<u8>>> {
+        self.beside.iter().find(|file| name_of(file).ends_with(".dll.a")).map(|file| read(file)).transpose()
+    }
+}
+
+fn name_of(file: &Path) -> std::borrow::Cow<'_, str> {
+    file.file_name().unwrap_or_default().to_string_lossy()
+}
+
+fn read(file: &Path) -> Result<Vec<u8>> {
+    fs::read(file).with_context(|| format!("cannot read {}", file.display()))
+}
+
+fn is_shared(file: &Path, suffix: &str) -> bool {
+    name_of(file).ends_with(suffix)
 }
 
 /// Rejects a library that exports anything other than these functions, needs something that a machine may lack, or
@@ -74,8 +113,8 @@ pub(super) fn target_folder(root: &Path) -> PathBuf {
     env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from).join("fmu")
 }
 
-/// The library for one target or, without one, for this machine.
-fn compile(root: &Path, platform: Platform, target: Option<Target>) -> Result<Vec<u8>> {
+/// The files of the library for one target or, without one, for this machine.
+fn compile(root: &Path, target: Option<Target>) -> Result<Vec<PathBuf>> {
     let folder = target_folder(root);
     let mut cargo = Command::new(target.map_or_else(toolchain::cargo, Target::cargo));
     cargo.arg("build");
@@ -95,9 +134,7 @@ fn compile(root: &Path, platform: Platform, target: Option<Target>) -> Result<Ve
         .env("CARGO_ENCODED_RUSTFLAGS", flags(given_flags(), own, &remapped_paths(root)?));
     let messages = toolchain::stdout(&mut cargo)?;
     let mut messages = messages.lines().filter_map(|line| serde_json::from_str(line).ok());
-    let file = messages.find_map(|message| artifact(&message, platform.suffix));
-    let file = file.with_context(|| format!("cargo did not report a *{} of the package {LIBRARY}", platform.suffix))?;
-    fs::read(&file).with_context(|| format!("cannot read {}", file.display()))
+    messages.find_map(|message| artifacts(&message)).with_context(|| format!("cargo did not report {LIBRARY}"))
 }
 
 /// Separator of flags in cargo's encoding of a list.
@@ -137,12 +174,12 @@ pub(super) fn flags(given: OsString, own: &[&str], remapped: &[(PathBuf, &'stati
     flags
 }
 
-/// The shared library that a message of cargo reports, if it is one about it.
-fn artifact(message: &Value, suffix: &str) -> Option<PathBuf> {
-    let is_ours = message["reason"] == "compiler-artifact" && message["target"]["name"] == "stribeck";
-    let files = message["filenames"].as_array().filter(|_| is_ours)?;
-    let mut names = files.iter().filter_map(Value::as_str);
-    names.find(|name| name.ends_with(suffix)).map(PathBuf::from)
+/// The files of the library that a message of cargo reports, if it is one about it.
+fn artifacts(message: &Value) -> Option<Vec<PathBuf>> {
+    let target = &message["target"];
+    let is_ours = target["name"] == "stribeck" && target["kind"].as_array()?.iter().any(|kind| kind == "cdylib");
+    let files = message["filenames"].as_array().filter(|_| message["reason"] == "compiler-artifact" && is_ours)?;
+    Some(files.iter().filter_map(Value::as_str).map(PathBuf::from).collect())
 }
 
 pub(super) fn contains(bytes: &[u8], path: &Path) -> bool {
@@ -155,18 +192,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn library_is_found_among_the_messages_of_cargo() {
+    fn files_of_the_library_are_found_among_the_messages_of_cargo() {
         let message = |name: &str| {
             serde_json::json!({
                 "reason": "compiler-artifact",
-                "target": { "name": name },
-                "filenames": ["/t/release/libstribeck.rlib", "/t/stribeck.dll.a", "/t/stribeck.dll"],
+                "target": { "name": name, "kind": ["cdylib", "staticlib"] },
+                "filenames": ["/t/libstribeck.a", "/t/libstribeck.dll.a", "/t/stribeck.dll"],
             })
         };
-        assert_eq!(artifact(&message("stribeck"), ".dll"), Some(PathBuf::from("/t/stribeck.dll")));
-        assert_eq!(artifact(&message("stribeck"), ".so"), None);
-        assert_eq!(artifact(&message("libc"), ".dll"), None);
-        assert_eq!(artifact(&serde_json::json!({ "reason": "build-finished", "success": true }), ".dll"), None);
+        let files = artifacts(&message("stribeck")).unwrap();
+        assert_eq!(files.iter().map(|file| is_shared(file, ".dll")).collect::<Vec<_>>(), [false, false, true]);
+        assert_eq!(artifacts(&message("libc")), None);
+        let rlib = serde_json::json!({ "name": "stribeck", "kind": ["lib"] });
+        assert_eq!(artifacts(&serde_json::json!({ "reason": "compiler-artifact", "target": rlib })), None);
+        assert_eq!(artifacts(&serde_json::json!({ "reason": "build-finished", "success": true })), None);
     }
 
     #[test]

@@ -177,6 +177,25 @@ fn of_mingw(documents: &Path) -> Vec<Addition> {
     ]
 }
 
+/// What is added to a program: by the linker for Windows, and to a static one for Linux, the C library of Rust's target.
+pub fn additions_of_program(root: &Path, triple: &str) -> Result<Vec<Addition>> {
+    if triple.ends_with("-windows-gnu") {
+        return Linker::MinGw.additions(root);
+    }
+    if !triple.ends_with("-linux-musl") {
+        return Ok(Vec::new());
+    }
+    let libraries = zig_folder(root).context("the licence of musl comes with the Python package ziglang")?.join("lib");
+    Ok(vec![
+        Addition {
+            name: "libunwind",
+            license: "Apache-2.0 WITH LLVM-exception",
+            notices: libraries.join("libunwind").join("LICENSE.TXT"),
+        },
+        Addition { name: "musl", license: "MIT", notices: libraries.join("libc").join("musl").join("COPYRIGHT") },
+    ])
+}
+
 /// Whether Rust's standard library for a target is here. `rustc` names the folder of any target that it knows; only an
 /// installed one has the library in it.
 pub fn has_standard_library(triple: &str) -> Result<bool> {
@@ -192,6 +211,19 @@ pub fn stdout(command: &mut Command) -> Result<String> {
     let output = command.stderr(Stdio::inherit()).output().with_context(|| format!("cannot run {name}"))?;
     ensure!(output.status.success(), "{name} failed: {}", output.status);
     Ok(String::from_utf8(output.stdout)?)
+}
+
+/// Flags with which a linker finds what the static library needs on a target, as the compiler names them.
+pub fn native_libraries(triple: &str) -> Result<Vec<String>> {
+    let folder = tempfile::tempdir()?;
+    let mut compiler = rustc();
+    compiler.args(["--crate-type", "staticlib", "--crate-name", "empty", "--print", "native-static-libs"]);
+    compiler.args(["--target", triple, "-", "-o"]).arg(folder.path().join("empty.a")).stdin(Stdio::null());
+    let output = compiler.output().context("cannot run rustc")?;
+    let text = String::from_utf8(output.stderr)?;
+    let flags = text.lines().find_map(|line| Some(line.split_once("native-static-libs:")?.1));
+    let flags = flags.with_context(|| format!("rustc names no libraries for {triple}: {text}"))?;
+    Ok(flags.split_whitespace().map(str::to_owned).collect())
 }
 
 /// Cargo.

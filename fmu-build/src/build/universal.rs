@@ -1,7 +1,9 @@
 //! Joins libraries for Intel and Apple processors into one file, as macOS loads them (Apple, "Mach-O Programming
-//! Topics" and the header `mach-o/fat.h`): a table of the parts, big-endian, and then the parts.
+//! Topics" and the header `mach-o/fat.h`): a table of the parts, big-endian, and then the parts. Static libraries, which
+//! are archives of such files, are joined in the same way.
 
 use anyhow::{Context, Result, bail, ensure};
+use object::read::archive::ArchiveFile;
 use object::read::macho::{FatArch, MachOFatFile32};
 
 const FAT_MAGIC: u32 = 0xcafe_babe;
@@ -19,7 +21,7 @@ pub fn join(parts: &[Vec<u8>]) -> Result<Vec<u8>> {
     let mut body = Vec::new();
     let start = HEAD + ROW * parts.len();
     for part in parts {
-        let [magic, processor, kind] = first_words(part)?;
+        let [magic, processor, kind] = first_words(code_in(part)?)?;
         ensure!(magic == MACH_O_64, "a part of a universal file must be a 64-bit Mach-O file");
         let page = page_size_exponent(processor)?;
         let offset = (start + body.len()).next_multiple_of(1 << page);
@@ -47,6 +49,20 @@ fn page_size_exponent(processor: u32) -> Result<u32> {
         CPU_ARM64 => Ok(14),
         _ => bail!("processor {processor:#x}: macOS runs only on x86-64 and ARM64"),
     }
+}
+
+/// A library, or the first file of code in a static one.
+fn code_in(part: &[u8]) -> Result<&[u8]> {
+    if !part.starts_with(&object::archive::MAGIC) {
+        return Ok(part);
+    }
+    for member in ArchiveFile::parse(part).context("not an archive")?.members() {
+        let code = member.and_then(|member| member.data(part)).context("a file of the archive is truncated")?;
+        if code.starts_with(&MACH_O_64.to_le_bytes()) {
+            return Ok(code);
+        }
+    }
+    bail!("a part of a universal file is an archive without a 64-bit Mach-O file")
 }
 
 fn first_words(part: &[u8]) -> Result<[u32; 3]> {
@@ -91,6 +107,24 @@ mod tests {
         assert_eq!(super::parts(&joined).unwrap(), parts);
         assert_eq!(super::parts(&parts[0]).unwrap(), [&parts[0]]);
         assert!(super::parts(&joined[..70_000]).unwrap_err().to_string().contains("truncated"));
+    }
+
+    /// An archive with one file, as `ar` writes it.
+    fn archive(name: &str, file: &[u8]) -> Vec<u8> {
+        let head = format!("!<arch>\n{name:<16}{:<12}{:<6}{:<6}{:<8}{:<10}`\n", 0, 0, 0, 644, file.len());
+        [head.as_bytes(), file].concat()
+    }
+
+    #[test]
+    fn static_libraries_are_joined_by_the_processors_of_their_code() {
+        let archives = [archive("a.o/", &part(CPU_X86_64, 100)), archive("b.o/", &part(CPU_ARM64, 60))];
+        let joined = join(&archives).unwrap();
+        let file = MachOFatFile32::parse(joined.as_slice()).unwrap();
+        let found: Vec<_> = file.arches().iter().map(FatArch::architecture).collect();
+        assert_eq!(found, [object::Architecture::X86_64, object::Architecture::Aarch64]);
+        assert_eq!(super::parts(&joined).unwrap(), archives);
+        let refused = join(&[archive("c.txt/", b"text")]).unwrap_err().to_string();
+        assert!(refused.contains("archive without"), "{refused}");
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! FMUs, and the package of the four-post rig.
+//! FMUs, the package of the four-post rig, the kit for C.
 
 pub mod archive;
 pub mod experiment;
@@ -7,3 +7,4 @@ pub mod licenses;
 pub mod package;
 pub mod related;
 pub mod sbom;
+pub mod sdk;

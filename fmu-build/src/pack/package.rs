@@ -15,7 +15,8 @@ use crate::describe::fmi3;
 use crate::describe::interface::Version;
 use crate::describe::terminals;
 use crate::pack::archive::{Archiver, Files};
-use crate::pack::{licenses, related, sbom};
+use crate::pack::sbom::{self, Product};
+use crate::pack::{licenses, related};
 use crate::page::{html, icon};
 use crate::sources::Sources;
 
@@ -147,8 +148,9 @@ impl Packing<'_> {
     fn files(&self, contents: &Contents, form: Form) -> Result<Files> {
         let model = contents.entry.model;
         let mut files = contents.files(form, self.date)?;
-        files.insert(sbom::FILE.into(), sbom::text(model, &self.parts)?.into());
-        files.extend(self.licenses.clone());
+        let product = Product { file: format!("{}.fmu", model.name), name: model.name, summary: model.summary };
+        files.insert(format!("documentation/{}", sbom::FILE), sbom::text(&product, &self.parts)?.into());
+        files.extend(licenses::below("documentation", &self.licenses));
         for Library { platform, bytes, .. } in &self.libraries {
             let folders = if form == Form::Three { platform.tuples } else { platform.folders };
             for folder in folders {
@@ -165,6 +167,15 @@ pub fn save(folder: &Path, name: &str, bytes: &[u8]) -> Result<usize> {
     fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
     fs::write(&file, bytes).with_context(|| format!("cannot write {}", file.display()))?;
     Ok(bytes.len())
+}
+
+/// Writes files, by their paths, below a folder.
+pub fn save_all(folder: &Path, files: &Files) -> Result<()> {
+    for (path, bytes) in files {
+        let (below, name) = path.rsplit_once('/').unwrap_or(("", path));
+        save(&folder.join(below), name, bytes)?;
+    }
+    Ok(())
 }
 
 /// Writes only the documentation of one FMU: its page and its icon, in the places they have in the FMU.
@@ -192,7 +203,7 @@ mod tests {
     /// Libraries of these platforms, which are only copied: their tools are not needed.
     fn libraries(choices: &[Choice]) -> Vec<Library> {
         let bytes: Vec<_> = (0..100_000_u32).flat_map(|number| (number / 7).to_le_bytes()).collect();
-        let library = |platform| Library { platform, bytes: bytes.clone(), glibc: None };
+        let library = |platform| Library { platform, bytes: bytes.clone(), glibc: None, beside: Vec::new() };
         platforms(choices).unwrap().into_iter().map(library).collect()
     }
 

@@ -1,4 +1,4 @@
-//! The components of an FMU in machine-readable form: CycloneDX 1.5.
+//! The components of an FMU, or of another product with the library, in machine-readable form: CycloneDX 1.5.
 
 use anyhow::{Context, Result};
 use cyclonedx_bom::external_models::spdx::SpdxExpression;
@@ -9,28 +9,36 @@ use cyclonedx_bom::models::hash::{Hash, HashAlgorithm, HashValue, Hashes};
 use cyclonedx_bom::models::license::{LicenseChoice, Licenses};
 use cyclonedx_bom::models::metadata::Metadata;
 use cyclonedx_bom::prelude::{NormalizedString, Purl};
-use stribeck::model::ModelType;
 
-use crate::build::crates::{Crate, LIBRARY, Parts};
+use crate::build::crates::{Crate, Parts};
 use crate::build::toolchain::Addition;
 use crate::project::{LICENSE, VERSION};
 
-/// Its path in an FMU, with the file extension that CycloneDX recommends.
-pub const FILE: &str = "documentation/sbom.cdx.json";
+/// Its name, with the file extension that CycloneDX recommends.
+pub const FILE: &str = "sbom.cdx.json";
 
 const STANDARD_LIBRARY: &str = "rust-std";
 
-/// The text for a model. It contains no date and no serial number, so that equal contents give equal bytes.
-pub fn text(model: &ModelType, parts: &Parts) -> Result<String> {
-    let Parts { crates, rust, additions } = parts;
-    let fmu = format!("{}.fmu", model.name);
+/// What consists of the components.
+pub struct Product<'a> {
+    /// Its file.
+    pub file: String,
+    /// Name.
+    pub name: &'a str,
+    /// What it is.
+    pub summary: &'a str,
+}
+
+/// The text for a product. It contains no date and no serial number, so that equal contents give equal bytes.
+pub fn text(product: &Product, parts: &Parts) -> Result<String> {
+    let Parts { crates, rust, additions, .. } = parts;
     let standard_library = format!("{STANDARD_LIBRARY} {rust}");
     let components = crates.iter().map(of_crate).chain([of_standard_library(&standard_library, rust)]);
     let components = components.chain(additions.iter().map(of_addition)).collect::<Result<Vec<_>>>()?;
-    let dependencies = dependencies(&fmu, parts, &standard_library)?;
+    let dependencies = dependencies(&product.file, parts, &standard_library)?;
     let bom = Bom {
         serial_number: None,
-        metadata: Some(Metadata { component: Some(component_of(model, fmu)?), ..Metadata::default() }),
+        metadata: Some(Metadata { component: Some(component_of(product)?), ..Metadata::default() }),
         components: Some(Components(components)),
         dependencies: Some(Dependencies(dependencies)),
         spec_version: SpecVersion::V1_5,
@@ -41,24 +49,24 @@ pub fn text(model: &ModelType, parts: &Parts) -> Result<String> {
     Ok(String::from_utf8(text)? + "\n")
 }
 
-/// Dependencies of the FMU and of each of its crates.
-fn dependencies(fmu: &str, parts: &Parts, standard_library: &str) -> Result<Vec<Dependency>> {
+/// Dependencies of the product and of each of its crates.
+fn dependencies(product: &str, parts: &Parts, standard_library: &str) -> Result<Vec<Dependency>> {
     let Parts { crates, additions, .. } = parts;
-    let library = crates.iter().find(|one| one.name == LIBRARY).context("the library is not among its crates")?;
+    let built = crates.iter().find(|one| one.name == parts.package).context("a package is not among its crates")?;
     let added = additions.iter().map(|addition| addition.name.to_owned());
-    let of_fmu = [library.id()].into_iter().chain(added).collect();
+    let of_product = [built.id()].into_iter().chain(added).collect();
     let of_crate = |one: &Crate| {
         let needs = one.needs.iter().cloned().chain([standard_library.to_owned()]).collect();
         Dependency { dependency_ref: one.id(), dependencies: needs }
     };
-    let of_fmu = Dependency { dependency_ref: fmu.to_owned(), dependencies: of_fmu };
-    Ok([of_fmu].into_iter().chain(crates.iter().map(of_crate)).collect())
+    let of_product = Dependency { dependency_ref: product.to_owned(), dependencies: of_product };
+    Ok([of_product].into_iter().chain(crates.iter().map(of_crate)).collect())
 }
 
-fn component_of(model: &ModelType, id: String) -> Result<Component> {
-    let mut fmu = component(model.name, VERSION, id, LICENSE)?;
-    fmu.description = Some(NormalizedString::new(model.summary));
-    Ok(fmu)
+fn component_of(product: &Product) -> Result<Component> {
+    let mut component = component(product.name, VERSION, product.file.clone(), LICENSE)?;
+    component.description = Some(NormalizedString::new(product.summary));
+    Ok(component)
 }
 
 fn of_crate(one: &Crate) -> Result<Component> {
@@ -100,9 +108,12 @@ mod tests {
     use crate::build::platform::{Choice, platforms};
     use crate::build::toolchain::WINDOWS_X86_64;
     use crate::project::root;
-    use crate::specimen::SPECIMEN;
     use cyclonedx_bom::prelude::Validate;
     use serde_json::Value;
+
+    fn product() -> Product<'static> {
+        Product { file: "Specimen.fmu".into(), name: "Specimen", summary: "Friction, for example" }
+    }
 
     /// Parts of the library of this machine, and of one for Windows.
     fn parts() -> Parts {
@@ -113,7 +124,7 @@ mod tests {
     #[test]
     fn the_list_is_valid_and_names_every_crate() {
         let parts = parts();
-        let text = text(&SPECIMEN, &parts).unwrap();
+        let text = text(&product(), &parts).unwrap();
         let bom = Bom::parse_from_json_v1_5(text.as_bytes()).unwrap();
         let faults = bom.validate();
         assert!(faults.passed(), "{faults:?}");
@@ -136,7 +147,7 @@ mod tests {
 
     #[test]
     fn every_reference_leads_to_a_component() {
-        let document: Value = serde_json::from_str(&text(&SPECIMEN, &parts()).unwrap()).unwrap();
+        let document: Value = serde_json::from_str(&text(&product(), &parts()).unwrap()).unwrap();
         let components = document["components"].as_array().unwrap();
         let known: Vec<_> = components.iter().map(|component| &component["bom-ref"]).collect();
         for dependency in document["dependencies"].as_array().unwrap() {
@@ -149,8 +160,8 @@ mod tests {
 
     #[test]
     fn equal_contents_give_equal_bytes_without_date_or_path() {
-        let once = text(&SPECIMEN, &parts()).unwrap();
-        assert_eq!(once, text(&SPECIMEN, &parts()).unwrap());
+        let once = text(&product(), &parts()).unwrap();
+        assert_eq!(once, text(&product(), &parts()).unwrap());
         for foreign in ["timestamp", "serialNumber", &root().display().to_string()] {
             assert!(!once.contains(foreign), "{foreign}");
         }
@@ -160,7 +171,7 @@ mod tests {
     fn an_unknown_licence_is_refused() {
         let mut parts = parts();
         parts.crates[0].license = "Gratis".into();
-        let error = format!("{:#}", text(&SPECIMEN, &parts).unwrap_err());
+        let error = format!("{:#}", text(&product(), &parts).unwrap_err());
         assert!(error.starts_with(&format!("licence of {}", parts.crates[0].id())), "{error}");
     }
 }
