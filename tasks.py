@@ -26,6 +26,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent
 VENV = ROOT / ".venv"
 REQUIREMENTS = ROOT / "requirements.txt"
+REQUIREMENTS_OF_DEMO = ROOT / "requirements-demo.txt"
 CONSTRAINTS = ROOT / "constraints.txt"
 # Cargo tools that only some tasks need are built here, in these versions.
 TOOLS = ROOT / "target" / "tools"
@@ -44,11 +45,6 @@ AS_TESTED = ["--workspace", "--bench", "stribeck"]
 # Clippy in place of the compiler, so that nothing is compiled only to be linted, and its arguments in its own form.
 LINTED = {"RUSTC_WORKSPACE_WRAPPER": "clippy-driver", "CLIPPY_ARGS": "--deny__CLIPPY_HACKERY__warnings"}
 
-# Crates that a few runs and one fit do not repay optimising further.
-FOR_A_FEW_RUNS = [f"--config=profile.dev.package.stribeck-{it}.opt-level=1" for it in ("solve", "measured", "fit")]
-
-# Those of Table 6.5 of the thesis.
-ON_BELT = ["Karnopp", "BengisuAkay", "Andersson", "Awrejcewicz", "Specker", "LinearStiction", "Hollars", "BrownMcPhee"]
 # The parts of the library that contain code.
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
 RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "python", "ssp", "web", "examples"]
@@ -190,14 +186,15 @@ def files(folders: list[str], *endings: str) -> list[Path]:
 
 
 @task("about a minute")
-def setup() -> None:
+def setup(requirements: Path = REQUIREMENTS) -> None:
     """Creates .venv, again only if the packages to install or the Python version have changed."""
     if sys.version_info < (3, 11):  # noqa: UP036 - the user may have an older one
         raise TaskError(f"Python 3.11 or newer is needed, this is {sys.version.split()[0]}: install it from python.org")
     stamp = VENV / "installed.txt"
-    packages = [path.read_text(encoding="utf-8") for path in (REQUIREMENTS, CONSTRAINTS)]
-    wanted = "\n".join([f"# Python {sys.version_info.major}.{sys.version_info.minor}", *packages])
-    if stamp.is_file() and stamp.read_text(encoding="utf-8") == wanted:
+    header = f"# Python {sys.version_info.major}.{sys.version_info.minor}"
+    both = [path.read_text(encoding="utf-8") for path in (CONSTRAINTS, REQUIREMENTS_OF_DEMO)]
+    enough = {one: "\n".join([header, *both, one.read_text(encoding="utf-8")]) for one in (requirements, REQUIREMENTS)}
+    if stamp.is_file() and stamp.read_text(encoding="utf-8") in enough.values():
         return
     try:
         import ensurepip  # noqa: F401
@@ -205,8 +202,8 @@ def setup() -> None:
         raise TaskError("this Python has no venv module: apt install python3-venv (Debian, Ubuntu)") from error
     run(sys.executable, "-m", "venv", "--clear", VENV)
     # Python compiles the few files that are imported when they are: all of them take as long as to install them.
-    run(PYTHON, "-m", "pip", "install", "--quiet", "--no-compile", "--disable-pip-version-check", "-r", REQUIREMENTS)
-    stamp.write_text(wanted, encoding="utf-8")
+    run(PYTHON, "-m", "pip", "install", "--quiet", "--no-compile", "--disable-pip-version-check", "-r", requirements)
+    stamp.write_text(enough[requirements], encoding="utf-8")
 
 
 def setup_platforms() -> None:
@@ -410,16 +407,8 @@ def page() -> None:
 
 @task("6 to 9 minutes, then about 2")
 def demo() -> None:
-    """Packs the FMUs and runs each of them from Python, draws laws on the belt of the thesis, and identifies a law."""
-    setup()
-    pack()
-    run(PYTHON, "-m", "examples.fmpy.demo")
-    # It takes half a minute longer than optimised, and five minutes less to build; other crates' solvers take one more.
-    stribeck = ["cargo", "run", *FOR_A_FEW_RUNS, "--package", "stribeck-cli", "--no-default-features", "--"]
-    run(*stribeck, "compare", "--law", *ON_BELT, "--pictures", "out/belt")
-    run(*stribeck, "rig", "--law", "LuGre", "--out", "out/rig")
-    known = ["--law", "LuGre", "--mass", "2", "--normal-force", "20", "--reference", "out/rig/truth.toml"]
-    run(*stribeck, "identify", "out/rig/force.csv", *known, "--report", "out/identification.html")
+    """Shows a law, packs the FMUs and runs each in Python, draws laws on the thesis' belt, and identifies a law."""
+    run(sys.executable, "-m", "examples.demo")
 
 
 def check_style() -> None:
