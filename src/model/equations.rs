@@ -244,6 +244,16 @@ pub struct Preset {
     pub values: &'static [(&'static str, f64)],
 }
 
+/// Whether a table has a state that events settle.
+const fn is_settled_by_events(table: &[Variable]) -> bool {
+    let (mut found, mut column) = (false, 0);
+    while column < table.len() {
+        found |= table[column].is_settled_by_events();
+        column += 1;
+    }
+    found
+}
+
 /// Fault of a model that [`Model::check_without_events`] rejects.
 pub(crate) fn rests_at_events() -> Fault {
     Fault::new(format_args!("comes to rest at an event; without events it would never stick"))
@@ -322,7 +332,9 @@ pub trait Model: Described + Law<Number = f64> {
     /// Rejects parameters with which the model comes to rest at events only: with a solver that has none it would never
     /// stick. By default a model with a state that events settle does.
     fn check_without_events(&self) -> Result<(), Fault> {
-        if Self::TABLE.iter().any(Variable::is_settled_by_events) { Err(rests_at_events()) } else { Ok(()) }
+        // Answered when it is compiled: a table that is read at run time would be in the library as it was declared, with
+        // pointers to all its texts.
+        if const { is_settled_by_events(Self::TABLE) } { Err(rests_at_events()) } else { Ok(()) }
     }
 
     /// Whether a continuous state rests with the present parameters, such as that of a part that is switched off. Its rate
