@@ -2,6 +2,8 @@
 //! 50 digits.
 
 mod common;
+#[path = "batch/stepped.rs"]
+mod stepped;
 
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;

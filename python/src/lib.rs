@@ -1,6 +1,7 @@
 //! The extension module of the Python package `stribeck`: plain data in, plain data out. What users see is written in
 //! Python, in `stribeck/`.
 
+mod batch;
 mod catalogue;
 mod entries;
 mod identification;
@@ -30,6 +31,7 @@ fn _stribeck(module: &Bound<PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add("Refused", module.py().get_type::<Refused>())?;
     module.add_class::<model::Instance>()?;
+    module.add_class::<batch::Batch>()?;
     module.add_class::<tyre::Tyre>()?;
     module.add_function(wrap_pyfunction!(catalogue::names, module)?)?;
     module.add_function(wrap_pyfunction!(catalogue::describe, module)?)?;

@@ -7,14 +7,15 @@ array([-2.1  ,  2.001,  2.1  ])
 
 `laws` and `models` list what there is, `law` and `model` describe one. `force` gives the force in steady sliding,
 `simulate` the force along measured or computed motions, `solve` and `compare` the motion of whole systems, `study`
-many of them, `identify` the parameters of a law from measured friction, `fmu` the path of an FMU. `Model` and
-`ShockAbsorber` are stepped by the caller, a `Tyre` is asked for its forces.
+many of them, `identify` the parameters of a law from measured friction, `fmu` the path of an FMU. `Model`,
+`ShockAbsorber` and a `batch` of many are stepped by the caller, a `Tyre` is asked for its forces.
 
 Units are SI. `velocity` is that of body 1 relative to body 2; `friction_force` has its sign when sliding, and body 1
 feels the negative.
 """
 
 from stribeck._stribeck import Refused, __version__
+from stribeck.batches import Batch, batch
 from stribeck.catalogue import Description, Preset, Variable, law, laws, model, models
 from stribeck.fmus import fmu
 from stribeck.identification import Estimate, Fit, Identification, Judgement, identify
@@ -39,6 +40,7 @@ from stribeck.systems import (
 from stribeck.tyres import Tyre, TyreRadii, TyreWrench
 
 __all__ = [
+    "Batch",
     "Check",
     "Comparison",
     "Description",
@@ -62,6 +64,7 @@ __all__ = [
     "TyreWrench",
     "Variable",
     "__version__",
+    "batch",
     "compare",
     "find_step",
     "fmu",

@@ -20,7 +20,12 @@ class Places:
     """Places for the results of a call, of one shape: the arrays `out`, and new ones of the type `dtype`."""
 
     def __init__(
-        self, shape: tuple[int, ...], names: list[str], out: Mapping[str, Any], dtype: DTypeLike | None
+        self,
+        shape: tuple[int, ...],
+        names: list[str],
+        out: Mapping[str, Any],
+        dtype: DTypeLike | None,
+        plain: bool = True,
     ) -> None:
         asked = None if dtype is None else np.dtype(dtype)
         if asked is not None and asked not in NUMBERS:
@@ -34,7 +39,7 @@ class Places:
                 raise Refused(f"out: {one} and {other} share memory")
         self.shape, self.names, self.out = shape, names, dict(out)
         # Without one of these the results go into memory that is used again and again.
-        self.is_plain = not out and asked in (None, NUMBERS[0])
+        self.is_plain = plain and not out and asked in (None, NUMBERS[0])
         self.new = asked or NUMBERS[0]
         self.flat: list[Floats] = []
 

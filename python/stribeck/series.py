@@ -52,7 +52,7 @@ def force(
     # Steady sliding has no acceleration.
     for other in described.inputs:
         given.setdefault(other, 0.0)
-    arrays = {key: _numbers(described.find(key), value) for key, value in given.items()}
+    arrays = {key: numbers(described.find(key), value) for key, value in given.items()}
     shape = _broadcast(arrays)
     places = Places(shape, ["friction_force"], {} if out is None else {"friction_force": out}, dtype)
     columns = {key: _column(array, shape) for key, array in arrays.items()}
@@ -114,7 +114,7 @@ def simulate(
         raise TypeError(f"held = {held!r}: must be True or False")
     described = model(name)
     # A misspelled name is reported before a missing input.
-    arrays = {key: _numbers(described.find(key), value) for key, value in values.items()}
+    arrays = {key: numbers(described.find(key), value) for key, value in values.items()}
     assumed = _assumed(described, arrays)
     arrays |= {key: np.asarray(value) for key, value in assumed.items()}
     times, step = _sampling(dt, time)
@@ -148,7 +148,7 @@ def _sampling(dt: float | None, time: ArrayLike | None) -> tuple[NDArray[np.floa
     """The times, or the interval between them."""
     if (dt is None) == (time is None):
         raise TypeError("give either dt or time")
-    return (None, _step(dt)) if time is None else (_times(time), 0.0)
+    return (None, checked_step(dt)) if time is None else (_times(time), 0.0)
 
 
 def _every(step: float, samples: int) -> NDArray[np.float64]:
@@ -159,7 +159,7 @@ def _every(step: float, samples: int) -> NDArray[np.float64]:
     return times
 
 
-def _numbers(variable: Variable, value: Any) -> NDArray[np.float64]:
+def numbers(variable: Variable, value: Any) -> NDArray[np.float64]:
     """A value, or an array of values, as numbers."""
     if variable.role == "Output":
         raise Refused(f"{variable.name} is computed and cannot be set")
@@ -207,7 +207,7 @@ def _times(time: ArrayLike) -> NDArray[np.float64]:
     return times
 
 
-def _step(dt: float | None) -> float:
+def checked_step(dt: float | None) -> float:
     step = number("dt", dt)
     if not 0.0 < step < np.inf:
         raise Refused(f"dt = {step} s: must be > 0 and finite")

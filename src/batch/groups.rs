@@ -103,6 +103,16 @@ impl<R: Register> Groups<R> {
         }
     }
 
+    /// The number of a column that all rows have, with the same bits, if there is one.
+    #[inline]
+    pub fn same(&self, column: usize) -> Option<f64> {
+        let (numbers, column) = (self.numbers(), column * R::LANES..(column + 1) * R::LANES);
+        let first = numbers.get(column.start)?.to_bits();
+        let lanes = numbers.chunks_exact(self.columns * R::LANES).flat_map(|numbers| &numbers[column.clone()]);
+        let differ = lanes.fold(0, |found, number| found | (number.to_bits() ^ first));
+        (differ == 0).then_some(f64::from_bits(first))
+    }
+
     #[inline]
     pub fn slide_steadily(&mut self) -> bool {
         // SAFETY: the processor has the register: the promise to `new`.

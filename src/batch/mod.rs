@@ -3,9 +3,11 @@
 //! The kind of [`Registers`] is chosen when the program runs. Laws with modes have no such form; their runs, and whatever
 //! else cannot be made side by side, are made one after the other by the same calls: see [`Worker`].
 
+mod derivatives;
 mod groups;
 mod registers;
 mod steady;
+mod stepped;
 mod worker;
 
 use std::fmt;
@@ -15,8 +17,10 @@ use crate::memory::{self, OutOfMemory};
 use crate::model::{Fit, ModelType, Role};
 use groups::Groups;
 
+pub use derivatives::Wanted;
 pub use registers::Registers;
 pub use steady::{Points, Steady};
+pub use stepped::{Given, Stepped, Stopped, Take};
 pub use worker::{Begin, Rows, Runs, Worker};
 
 #[cfg(target_arch = "aarch64")]
@@ -153,6 +157,12 @@ impl Batch {
     #[inline]
     fn read(&self, column: usize, values: &mut [f64]) {
         on_groups!(&self.groups, groups => groups.read(column, values));
+    }
+
+    /// The value of a column, if all rows have the same one.
+    #[inline]
+    fn same(&self, column: usize) -> Option<f64> {
+        on_groups!(&self.groups, groups => groups.same(column))
     }
 
     /// Computes the outputs of steady sliding, except advice; the states stay as they are. False if one is not finite.

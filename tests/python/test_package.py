@@ -601,7 +601,7 @@ def test_many_processes_ask_for_an_fmu_at_once(tmp_path):
     assert [file.name for file in tmp_path.iterdir()] == ["LuGre.fmu"]
 
 
-@pytest.mark.parametrize("module", ["", ".catalogue", ".series", ".systems", ".studies", ".instances"])
+@pytest.mark.parametrize("module", ["", ".batches", ".catalogue", ".series", ".systems", ".studies", ".instances"])
 def test_examples_in_the_documentation(module):
     outcome = doctest.testmod(import_module(f"stribeck{module}"), optionflags=doctest.IGNORE_EXCEPTION_DETAIL)
     assert outcome.attempted > 0
