@@ -100,9 +100,12 @@ impl Case {
         let column = |name: &str| law.find(name).expect("a variable");
         let mut random = Random(5);
         let mut values = |count: usize, scale: f64| (0..count).map(|_| scale * random.signed()).collect::<Vec<f64>>();
-        let velocity = values(runs * samples, 3e-3);
+        let mut velocity = values(runs * samples, 3e-3);
         let mu = values(runs, 0.05).iter().map(|value| 0.1 + value).collect();
-        let load = values(runs * samples, 5.0).iter().map(|value| 10.0 + value).collect();
+        let mut load: Vec<f64> = values(runs * samples, 5.0).iter().map(|value| 10.0 + value).collect();
+        // At rest, and without load.
+        velocity.iter_mut().skip(11).step_by(13).for_each(|value| *value = 0.0);
+        load.iter_mut().skip(12).step_by(17).for_each(|value| *value = 0.0);
         Case {
             law,
             runs,
@@ -170,9 +173,9 @@ impl Case {
 fn runs_have_the_bits_of_each_alone() {
     let (all, forces) = (["friction_force", "dissipated_energy"], ["friction_force", "dissipated_power", "sticking"]);
     for registers in Registers::here() {
-        for law in ["LuGre", "BrownMcPhee", "Dahl", "ElastoPlastic"] {
+        for law in ["LuGre", "BrownMcPhee", "Dahl", "ElastoPlastic", "Dankowicz", "SpeckerDynamic"] {
             for between in [Between::Held, Between::Linear] {
-                for [runs, samples] in [[1, 50], [21, 9], [18, 40]] {
+                for [runs, samples] in [[1, 150], [2, 64], [21, 9], [18, 40]] {
                     Case::of(law, [runs, samples], between, &all).check(registers);
                     Case::of(law, [runs, samples], between, &forces).check(registers);
                 }

@@ -10,6 +10,7 @@ use std::ops::Range;
 use crate::memory::{self, OutOfMemory};
 use crate::model::Kernel;
 use crate::number::{Lanes, Register};
+use crate::numerics::relaxation::Relaxation;
 
 /// Rows in groups, one row in each lane: a group after the other, column after column.
 pub(super) struct Groups<R> {
@@ -17,13 +18,21 @@ pub(super) struct Groups<R> {
     columns: usize,
     rows: usize,
     lanes: Box<[Lanes<R>]>,
+    /// How a state relaxes in each group, for a law that has one.
+    relaxations: Box<[Lanes<R>]>,
 }
 
 impl<R: Register> Groups<R> {
     /// Rows of zeros. The processor must have the register.
     pub fn new(kernel: Kernel<R>, columns: usize, rows: usize) -> Result<Groups<R>, OutOfMemory> {
         let lanes = columns.checked_mul(rows.div_ceil(R::LANES)).ok_or(OutOfMemory)?;
-        Ok(Groups { kernel, columns, rows, lanes: memory::filled(Lanes::from(0.0), lanes)? })
+        Ok(Groups {
+            kernel,
+            columns,
+            rows,
+            lanes: memory::filled(Lanes::from(0.0), lanes)?,
+            relaxations: Box::default(),
+        })
     }
 
     pub fn rows(&self) -> usize {
@@ -31,12 +40,11 @@ impl<R: Register> Groups<R> {
     }
 
     fn numbers(&self) -> &[f64] {
-        // SAFETY: a register consists of so many numbers, and `Lanes` of a register.
-        unsafe { std::slice::from_raw_parts(self.lanes.as_ptr().cast::<f64>(), self.lanes.len() * R::LANES) }
+        numbers_of(&self.lanes)
     }
 
     fn numbers_mut(&mut self) -> &mut [f64] {
-        // SAFETY: as above; the borrow is exclusive and passes on to the result.
+        // SAFETY: as in `numbers_of`; the borrow is exclusive and passes on to the result.
         unsafe { std::slice::from_raw_parts_mut(self.lanes.as_mut_ptr().cast::<f64>(), self.lanes.len() * R::LANES) }
     }
 
@@ -119,6 +127,27 @@ impl<R: Register> Groups<R> {
         unsafe { (self.kernel.slide_steadily)(&mut self.lanes) }
     }
 
+    /// How the state that relaxes does so in each row over a step. Room for it is made at the first call.
+    #[inline]
+    pub fn relax(&mut self, dt: f64, mut show: impl FnMut(usize, Relaxation<f64>)) -> Result<(), OutOfMemory> {
+        const NUMBERS: usize = 3;
+        let groups = self.rows.div_ceil(R::LANES);
+        if self.relaxations.is_empty() {
+            self.relaxations = memory::filled(Lanes::from(0.0), NUMBERS * groups)?;
+        }
+        // SAFETY: the processor has the register: the promise to `new`.
+        unsafe { (self.kernel.relax)(&mut self.lanes, dt, &mut self.relaxations) };
+        for (group, numbers) in numbers_of(&self.relaxations).chunks_exact(NUMBERS * R::LANES).enumerate() {
+            let first = group * R::LANES;
+            let ((steady, numbers), rows) = (numbers.split_at(R::LANES), R::LANES.min(self.rows - first));
+            let numbers = steady.iter().zip(numbers).zip(&numbers[R::LANES..]);
+            for (lane, ((steady, factor), is_short)) in numbers.take(rows).enumerate() {
+                show(first + lane, Relaxation { steady: *steady, factor: *factor, is_short: *is_short });
+            }
+        }
+        Ok(())
+    }
+
     #[inline]
     pub fn output(&mut self) -> bool {
         // SAFETY: the processor has the register: the promise to `new`.
@@ -130,4 +159,9 @@ impl<R: Register> Groups<R> {
         // SAFETY: the processor has the register: the promise to `new`.
         unsafe { (self.kernel.advance)(&mut self.lanes, dt) }
     }
+}
+
+fn numbers_of<R: Register>(lanes: &[Lanes<R>]) -> &[f64] {
+    // SAFETY: a register consists of so many numbers, and `Lanes` of a register.
+    unsafe { std::slice::from_raw_parts(lanes.as_ptr().cast::<f64>(), lanes.len() * R::LANES) }
 }

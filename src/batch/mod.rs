@@ -15,6 +15,7 @@ use std::ops::Range;
 
 use crate::memory::{self, OutOfMemory};
 use crate::model::{Fit, ModelType, Role};
+use crate::numerics::relaxation::Relaxation;
 use groups::Groups;
 
 pub use derivatives::Wanted;
@@ -169,6 +170,12 @@ impl Batch {
     #[inline]
     fn slide_steadily(&mut self) -> bool {
         on_groups!(&mut self.groups, groups => groups.slide_steadily())
+    }
+
+    /// Shows how the state that relaxes does so in each row over `dt` > 0, while the inputs are held.
+    #[inline]
+    fn relax(&mut self, dt: f64, show: impl FnMut(usize, Relaxation<f64>)) -> Result<(), OutOfMemory> {
+        on_groups!(&mut self.groups, groups => groups.relax(dt, show))
     }
 
     /// Computes the outputs of all rows, except advice. False if one is not finite.

@@ -6,11 +6,18 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::{Batch, Registers};
 use crate::instance::Instance;
 use crate::memory::{self, OutOfMemory};
-use crate::model::{Fit, ModelType, Role};
+use crate::model::{Fit, Meaning, ModelType, Role};
 use crate::series::{self, Between, Course, Ended, Input, PATIENCE, Times};
 
 /// Runs that are made together (chosen): a few groups in any registers, whose rows fit into the nearest cache.
 const TOGETHER: usize = 16;
+
+/// Samples of one run that are made together (chosen): their rows still fit into it.
+const SAMPLES: usize = 64;
+
+/// Runs of which each is made along its samples, where its law has a state that relaxes: fewer than a group of lanes
+/// (chosen).
+const FEW: usize = 3;
 
 /// Beyond this, or below its inverse, a step may fail although the outputs before and after it are finite (chosen): no law
 /// multiplies so many numbers within these bounds that the product comes near the largest number.
@@ -80,7 +87,9 @@ enum Not {
 
 /// Workspace for runs of a model: nothing is allocated while they are made.
 pub struct Worker<'a> {
+    /// Rows of runs, and of samples of one.
     batch: Option<Batch>,
+    samples: Option<Batch>,
     course: Vec<Input<'a>>,
 }
 
@@ -88,8 +97,9 @@ impl<'a> Worker<'a> {
     /// Workspace for runs of a model.
     pub fn new(model: &'static ModelType, runs: &Runs<'a>, registers: Registers) -> Result<Worker<'a>, OutOfMemory> {
         let batch = Batch::new(model, registers, TOGETHER)?;
+        let samples = if runs.samples < TOGETHER { None } else { Batch::new(model, registers, SAMPLES)? };
         let course = memory::each(runs.inputs.iter(), |rows| Ok(Input { column: rows.column, samples: &[] }))?;
-        Ok(Worker { batch, course })
+        Ok(Worker { batch, samples, course })
     }
 
     /// The number of runs to be made in one call.
@@ -135,13 +145,13 @@ impl<'a> Worker<'a> {
         arrays: &mut [&mut [f64]],
         cancel: &AtomicBool,
     ) -> bool {
-        let Some(mut batch) = self.batch.take() else { return false };
+        let Some(mut batch) = self.samples.take() else { return false };
         let done = self.begin(instance, runs, 0, begin).is_ok_and(|is_memoryless| {
             is_memoryless
-                && batch.load(0..TOGETHER, instance.row())
+                && batch.load(0..SAMPLES, instance.row())
                 && along(&mut batch, runs, 0, arrays, 0, cancel).is_ok()
         });
-        self.batch = Some(batch);
+        self.samples = Some(batch);
         done
     }
 
@@ -155,18 +165,15 @@ impl<'a> Worker<'a> {
         arrays: &mut [&mut [f64]],
         cancel: &AtomicBool,
     ) -> Result<(), Not> {
+        if let Some(mut batch) = self.samples.take() {
+            let done = self.make_samples(&mut batch, instance, runs, some.clone(), begin, arrays, cancel);
+            self.samples = Some(batch);
+            if let Some(done) = done {
+                return done;
+            }
+        }
         let Some(mut batch) = self.batch.take() else { return Err(Not::Together) };
         let done = (|| {
-            let is_memoryless = self.begin(instance, runs, some.start, begin)?;
-            if is_memoryless && (runs.samples >= TOGETHER || some.len() == 1) {
-                return some.clone().enumerate().try_for_each(|(place, run)| {
-                    let is_memoryless = self.begin(instance, runs, run, begin)?;
-                    if !(is_memoryless && batch.load(0..TOGETHER, instance.row())) {
-                        return Err(Not::Together);
-                    }
-                    along(&mut batch, runs, run, arrays, place * runs.samples, cancel)
-                });
-            }
             if some.len() == 1 {
                 return Err(Not::Together);
             }
@@ -182,6 +189,39 @@ impl<'a> Worker<'a> {
         })();
         self.batch = Some(batch);
         done
+    }
+
+    /// Makes the samples of each run side by side. None if that cannot be done.
+    #[allow(clippy::too_many_arguments, reason = "those of the caller")]
+    fn make_samples(
+        &mut self,
+        batch: &mut Batch,
+        instance: &mut Instance,
+        runs: &Runs<'a>,
+        some: Range<usize>,
+        begin: Begin,
+        arrays: &mut [&mut [f64]],
+        cancel: &AtomicBool,
+    ) -> Option<Result<(), Not>> {
+        for (place, run) in some.clone().enumerate() {
+            let is_memoryless = match self.begin(instance, runs, run, begin) {
+                Ok(is_memoryless) => is_memoryless,
+                Err(not) => return Some(Err(not)),
+            };
+            let chain =
+                Chain::of(instance, runs).filter(|_| some.len() <= FEW && no_step_fails(instance, runs, &self.course));
+            let is_loaded = (is_memoryless || chain.is_some()) && batch.load(0..SAMPLES, instance.row());
+            let first = place * runs.samples;
+            let done = match chain {
+                _ if !is_loaded => return None,
+                Some(chain) => chain.along(batch, runs, run, arrays, first, cancel),
+                None => along(batch, runs, run, arrays, first, cancel),
+            };
+            if done.is_err() {
+                return Some(done);
+            }
+        }
+        Some(Ok(()))
     }
 
     /// Brings the instance to the beginning of a run. Whether no result depends on the steps.
@@ -294,26 +334,136 @@ fn along(
     for rows in runs.inputs.iter().filter(|rows| rows.width == 1) {
         batch.fill(rows.column, rows.at(run, 0));
     }
-    for from in (0..runs.samples).step_by(TOGETHER) {
+    for from in (0..runs.samples).step_by(SAMPLES) {
         if from % PATIENCE == 0 && cancel.load(Ordering::Relaxed) {
             return Err(Not::Cancelled);
         }
-        let count = TOGETHER.min(runs.samples - from);
-        for rows in runs.inputs.iter().filter(|rows| rows.width > 1) {
-            let values = &rows.row(run)[from..from + count];
-            batch.set(rows.column, |place| values[place.min(count - 1)]);
-        }
+        let samples = from..runs.samples.min(from + SAMPLES);
+        drive(batch, runs, run, samples.clone());
         if !batch.output() {
             return Err(Not::Together);
         }
         for (column, array) in runs.results.iter().zip(arrays.iter_mut()) {
-            let values = &mut array[first + from..first + from + count];
-            batch.get(*column, |place, value| {
-                if let Some(number) = values.get_mut(place) {
-                    *number = value;
-                }
-            });
+            batch.read(*column, &mut array[first + samples.start..first + samples.end]);
         }
     }
     Ok(())
+}
+
+/// Gives rows the inputs of some samples of a run.
+fn drive(batch: &mut Batch, runs: &Runs, run: usize, samples: Range<usize>) {
+    for rows in runs.inputs.iter().filter(|rows| rows.width > 1) {
+        batch.set_from(rows.column, &rows.row(run)[samples.clone()]);
+    }
+}
+
+/// States that are all that a run carries from sample to sample: one that relaxes, and the energy.
+struct Chain {
+    state: usize,
+    value: f64,
+    /// If it is recorded.
+    energy: Option<usize>,
+    spent: f64,
+    dt: f64,
+}
+
+impl Chain {
+    /// That of a run at its beginning, if its law has a state that relaxes, and its results can be found so.
+    fn of(instance: &Instance, runs: &Runs) -> Option<Chain> {
+        let model = instance.model();
+        let state = model.kernels.as_ref()?.relaxes?;
+        let energy = model.table.of(Meaning::Energy).filter(|column| runs.results.contains(column));
+        let are_held = runs.between == Between::Held || runs.inputs.iter().all(|rows| rows.width == 1);
+        let Times::Every(dt) = runs.times else { return None };
+        let row = instance.row();
+        let spent = energy.map_or(0.0, |column| row[column]);
+        are_held.then_some(Chain { state, value: row[state], energy, spent, dt })
+    }
+
+    /// Makes a run: what a step does to its state, whatever that is, is found for several samples at once; then only that is
+    /// left to be done one after the other.
+    fn along(
+        mut self,
+        batch: &mut Batch,
+        runs: &Runs,
+        run: usize,
+        arrays: &mut [&mut [f64]],
+        first: usize,
+        cancel: &AtomicBool,
+    ) -> Result<(), Not> {
+        for rows in runs.inputs.iter().filter(|rows| rows.width == 1) {
+            batch.fill(rows.column, rows.at(run, 0));
+        }
+        for from in (0..runs.samples).step_by(SAMPLES) {
+            if from % PATIENCE == 0 && cancel.load(Ordering::Relaxed) {
+                return Err(Not::Cancelled);
+            }
+            let samples = from..runs.samples.min(from + SAMPLES);
+            drive(batch, runs, run, samples.clone());
+            let places = first + samples.start..first + samples.end;
+            self.some(batch, runs, arrays, places, samples.end == runs.samples)?;
+        }
+        Ok(())
+    }
+
+    /// Results at some samples, whose inputs are there. They go to these places; `are_last` if no step follows.
+    fn some(
+        &mut self,
+        batch: &mut Batch,
+        runs: &Runs,
+        arrays: &mut [&mut [f64]],
+        places: Range<usize>,
+        are_last: bool,
+    ) -> Result<(), Not> {
+        let (mut values, mut value) = ([0.0; SAMPLES], self.value);
+        let relaxed = batch.relax(self.dt, |place, relaxation| {
+            values[place] = value;
+            value = relaxation.after(value);
+        });
+        relaxed.map_err(|_| Not::Together)?;
+        // Rows beyond the samples follow the last one, after which nothing comes.
+        self.value = value;
+        let values = &values[..places.len()];
+        batch.set_from(self.state, values);
+        let mut is_finite = batch.output();
+        for (column, array) in runs.results.iter().zip(arrays.iter_mut()) {
+            let places = &mut array[places.clone()];
+            match *column {
+                column if column == self.state => places.copy_from_slice(values),
+                column if Some(column) == self.energy => {}
+                column => batch.read(column, places),
+            }
+        }
+        if let Some(energy) = self.energy {
+            is_finite &= self.spend(batch, energy, runs, arrays, places, are_last);
+        }
+        if is_finite { Ok(()) } else { Err(Not::Together) }
+    }
+
+    /// The energies at some samples: that of each step is added to that before. False if one is not finite.
+    fn spend(
+        &mut self,
+        batch: &mut Batch,
+        energy: usize,
+        runs: &Runs,
+        arrays: &mut [&mut [f64]],
+        places: Range<usize>,
+        are_last: bool,
+    ) -> bool {
+        let mut spent = [0.0; SAMPLES];
+        let spent = &mut spent[..places.len()];
+        batch.set_from(energy, &[0.0]);
+        // The step after the last sample is not made.
+        let is_finite = batch.advance(self.dt) || are_last;
+        batch.read(energy, spent);
+        for work in spent.iter_mut() {
+            (*work, self.spent) = (self.spent, self.spent + *work);
+        }
+        for (column, array) in runs.results.iter().zip(arrays.iter_mut()) {
+            if *column == energy {
+                array[places.clone()].copy_from_slice(spent);
+            }
+        }
+        is_finite && spent.iter().all(|value| value.is_finite())
+    }
 }

@@ -3,7 +3,7 @@ use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::model::{Derivatives, Law, Meaning, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
 use crate::number::{Real, choose};
-use crate::numerics::relaxation;
+use crate::numerics::relaxation::{self, Relaxation};
 
 crate::model! {
     /// Dankowicz friction, reconstructed: asperities yield by a given shear deflection before gross sliding; Dahl's law
@@ -130,11 +130,16 @@ impl<T: Real> Derivatives for Dankowicz<T> {
 
 impl<T: Real> Dankowicz<T> {
     #[inline(always)]
+    fn decay(&self, distance: T) -> T {
+        distance / self.delta_t
+    }
+
+    #[inline(always)]
     fn slide(&mut self, dt: T) {
         let direction = self.velocity.sign();
         let distance = self.velocity.abs() * dt;
         let before = self.bristle_deflection;
-        self.bristle_deflection = relaxation::after(before, direction * self.delta_t, distance / self.delta_t);
+        self.bristle_deflection = relaxation::after(before, direction * self.delta_t, self.decay(distance));
         // The integral of z over the distance: dz = ds - (z / delta_t) ds, forwards.
         let work = self.coulomb() * (distance - direction * (self.bristle_deflection - before));
         self.dissipated_energy = self.dissipated_energy + work;
@@ -147,9 +152,15 @@ impl<T: Real> Steps for Dankowicz<T> {
         let is_loaded = self.normal_force.is_positive();
         change!(self, is_loaded, |law| law.slide(dt), |law| law.bristle_deflection = T::zero());
     }
+
+    #[inline(always)]
+    fn relaxation(&self, dt: T) -> Option<Relaxation<T>> {
+        let (steady, decay) = (self.velocity.sign() * self.delta_t, self.decay(self.velocity.abs() * dt));
+        Some(Relaxation::of(steady, decay, self.normal_force.is_positive()))
+    }
 }
 
-in_lanes!(Dankowicz);
+in_lanes!(Dankowicz, relaxes bristle_deflection);
 
 impl Model for Dankowicz {
     const STEADY_SLIDING: bool = true;

@@ -5,7 +5,7 @@ use crate::laws::passivity::names_least_viscous;
 use crate::laws::stribeck;
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, change, in_lanes};
 use crate::number::{Real, choose};
-use crate::numerics::relaxation;
+use crate::numerics::relaxation::{self, Relaxation};
 
 crate::model! {
     /// LuGre friction: bristles that yield before they slide (Dahl) with a level that falls with speed (Stribeck) and
@@ -205,11 +205,16 @@ impl<T: Real> LuGre<T> {
     }
 
     #[inline(always)]
+    fn decay(&self, level: T, distance: T) -> T {
+        self.sigma_0 * distance.abs() / level
+    }
+
+    #[inline(always)]
     fn slide(&mut self, level: T, damping: T, distance: T) {
         let direction = self.velocity.sign();
-        let decay = self.sigma_0 * distance.abs() / level;
         let before = self.bristle_deflection;
-        self.bristle_deflection = relaxation::after(before, self.steady_deflection(level), decay);
+        self.bristle_deflection =
+            relaxation::after(before, self.steady_deflection(level), self.decay(level, distance));
         let change = self.bristle_deflection - before;
         // The integral of the force over the distance: sigma_0 z |v| / g = v - dz/dt gives the first term.
         let work = direction * level * (distance - change)
@@ -231,9 +236,16 @@ impl<T: Real> Steps for LuGre<T> {
         self.relax(level, damping, dt);
         self.respond(level, damping);
     }
+
+    #[inline(always)]
+    fn relaxation(&self, dt: T) -> Option<Relaxation<T>> {
+        let level = self.level();
+        let decay = self.decay(level, self.velocity * dt);
+        Some(Relaxation::of(self.steady_deflection(level), decay, !level.vanishes()))
+    }
 }
 
-in_lanes!(LuGre);
+in_lanes!(LuGre, relaxes bristle_deflection);
 
 impl Model for LuGre {
     const LINEAR: bool = true;

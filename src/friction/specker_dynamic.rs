@@ -3,7 +3,7 @@ use crate::contact::unloading::released_without_load;
 use crate::laws::specker::SpeckerCurve;
 use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
 use crate::number::{Real, choose};
-use crate::numerics::relaxation;
+use crate::numerics::relaxation::{self, Relaxation};
 
 crate::model! {
     /// Dynamic Specker friction, reconstructed: the smooth curve of Specker behind a first-order low-pass whose time
@@ -195,9 +195,16 @@ impl<T: Real> Steps for SpeckerDynamic<T> {
         let is_loaded = self.normal_force.is_positive();
         change!(self, is_loaded, |law| law.approach(dt), |law| law.lagging_force = T::zero());
     }
+
+    #[inline(always)]
+    fn relaxation(&self, dt: T) -> Option<Relaxation<T>> {
+        let curve = self.curve();
+        let decay = dt / self.time_constant(&curve);
+        Some(Relaxation::of(curve.force(self.velocity), decay, self.normal_force.is_positive()))
+    }
 }
 
-in_lanes!(SpeckerDynamic);
+in_lanes!(SpeckerDynamic, relaxes lagging_force);
 
 impl Model for SpeckerDynamic {
     const LINEAR: bool = true;

@@ -32,6 +32,8 @@ pub struct Kernels {
     pub(crate) two: Kernel<Two>,
     /// How a row fits beside others.
     pub(crate) fit: fn(&[f64]) -> Fit,
+    /// The state that relaxes over a step: [`InLanes::RELAXES`].
+    pub(crate) relaxes: Option<usize>,
 }
 
 /// Rows of a law in groups, one row in each lane: a group after the other, column after column.
@@ -48,6 +50,9 @@ pub(crate) struct Kernel<R> {
     /// Computes the outputs of steady sliding, and leaves the states. It must only be called where the processor has the
     /// register.
     pub slide_steadily: unsafe fn(Groups<R>) -> bool,
+    /// Finds how the state that relaxes moves in a step: for each group steady value, factor, and whether the step is short.
+    /// It must only be called where the processor has the register.
+    pub relax: unsafe fn(Groups<R>, f64, Groups<R>),
 }
 
 impl Kernels {
@@ -59,6 +64,7 @@ impl Kernels {
                 output: output_with_avx2::<M>,
                 advance: advance_with_avx2::<M>,
                 slide_steadily: if M::STEADY_SLIDING { slide_steadily_with_avx2::<M> } else { output_with_avx2::<M> },
+                relax: if M::RELAXES.is_some() { relax_with_avx2::<M> } else { |_, _, _| {} },
             },
             #[cfg(target_arch = "x86_64")]
             eight: Kernel {
@@ -69,14 +75,17 @@ impl Kernels {
                 } else {
                     output_with_avx512::<M>
                 },
+                relax: if M::RELAXES.is_some() { relax_with_avx512::<M> } else { |_, _, _| {} },
             },
             #[cfg(target_arch = "aarch64")]
             two: Kernel {
                 output: output::<M, Two>,
                 advance: advance::<M, Two>,
                 slide_steadily: if M::STEADY_SLIDING { slide_steadily::<M, Two> } else { output::<M, Two> },
+                relax: if M::RELAXES.is_some() { relax::<M, Two> } else { |_, _, _| {} },
             },
             fit: |row| view::<M, f64>(row).fit(),
+            relaxes: M::RELAXES,
         }
     }
 }
@@ -117,10 +126,23 @@ fn slide_steadily_with_avx512<M: InLanes>(groups: Groups<Eight>) -> bool {
     slide_steadily::<M, Eight>(groups)
 }
 
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn relax_with_avx2<M: InLanes>(groups: Groups<Pair<Four>>, dt: f64, found: Groups<Pair<Four>>) {
+    relax::<M, Pair<Four>>(groups, dt, found);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq")]
+fn relax_with_avx512<M: InLanes>(groups: Groups<Eight>, dt: f64, found: Groups<Eight>) {
+    relax::<M, Eight>(groups, dt, found);
+}
+
 /// Uses of a register: see [`For`].
 const OUTPUT: usize = 0;
 const ADVANCE: usize = 1;
 const STEADY: usize = 2;
+const RELAX: usize = 3;
 
 #[inline(always)]
 fn output<M: InLanes, R: Register>(groups: Groups<R>) -> bool {
@@ -158,6 +180,16 @@ fn slide_steadily<M: InLanes, R: Register>(groups: Groups<R>) -> bool {
         found += not_finite(&row[outputs]);
     }
     found == Lanes::from(0.0)
+}
+
+#[inline(always)]
+fn relax<M: InLanes, R: Register>(groups: Groups<R>, dt: f64, found: Groups<R>) {
+    let rows = For::<RELAX, R>::groups(groups).chunks_exact_mut(M::TABLE.len());
+    for (row, found) in rows.zip(For::<RELAX, R>::groups(found).chunks_exact_mut(3)) {
+        if let Some(relaxation) = model_in::<M, Lanes<For<RELAX, R>>>(row).relaxation(Lanes::from(dt)) {
+            found.copy_from_slice(&[relaxation.steady, relaxation.factor, relaxation.is_short]);
+        }
+    }
 }
 
 /// The columns from the first to the last one with one of two roles, as a range: all others keep their numbers.

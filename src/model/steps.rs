@@ -2,6 +2,7 @@
 
 use super::row::view_mut;
 use super::{Law, Model};
+use crate::numerics::relaxation::Relaxation;
 use crate::numerics::vector::Component;
 
 /// A law whose step has no modes that decide the course of the computation: it is written once for every number type.
@@ -15,12 +16,22 @@ pub trait Steps: Law {
         self.advance(dt);
         self.output();
     }
+
+    /// How the state of [`InLanes::RELAXES`] moves in [`Steps::advance`], whatever it is; none if there is no such state.
+    #[inline(always)]
+    fn relaxation(&self, _dt: Self::Number) -> Option<Relaxation<Self::Number>> {
+        None
+    }
 }
 
 /// A model with such steps: it runs on several rows at once, each in a lane of its own, and through dual numbers.
 pub trait InLanes: Model {
     /// The same model in another number.
     type Of<T: Component>: Steps<Number = T>;
+
+    /// The column of a state that relaxes linearly over a step with held inputs, if that and the energy are all states, and
+    /// if the energy of a step is added to that before.
+    const RELAXES: Option<usize> = None;
 
     /// How the row can be worked on beside others, with its present parameters and states.
     fn fit(&self) -> Fit {
@@ -52,12 +63,15 @@ pub fn model_in<M: InLanes, T: Component>(row: &mut [T]) -> &mut M::Of<T> {
 }
 
 /// Declares that a model runs in lanes: `in_lanes!(Law)`, and `in_lanes!();` inside `impl Model`, where it takes the
-/// steps from [`Steps`]. `in_lanes!(Law, |law| answer)` also says how its rows [fit](InLanes::fit).
+/// steps from [`Steps`]. `in_lanes!(Law, |law| answer)` also says how its rows [fit](InLanes::fit), and `in_lanes!(Law,
+/// relaxes state)` which state [relaxes](InLanes::RELAXES).
 /// `in_lanes!(without registers);` is for a law whose vectors would be calls in every one of them.
 macro_rules! in_lanes {
-    ($Law:ident $(, |$law:ident| $fit:expr)?) => {
+    ($Law:ident $(, |$law:ident| $fit:expr)? $(, relaxes $state:ident)?) => {
         impl $crate::model::InLanes for $Law {
             type Of<T: $crate::numerics::vector::Component> = $Law<T>;
+
+            $(const RELAXES: Option<usize> = Some(std::mem::offset_of!($Law, $state) / size_of::<f64>());)?
 
             $(fn fit(&self) -> $crate::model::Fit {
                 let $law = self;

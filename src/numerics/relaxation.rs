@@ -1,6 +1,6 @@
 //! Exact solution of a linear relaxation.
 
-use crate::number::{Real, choose};
+use crate::number::{Mask, Real, choose};
 
 /// x after a time h of `dx/dt = rate (steady - x)`, given `decay = rate h`:
 ///
@@ -10,7 +10,55 @@ use crate::number::{Real, choose};
 #[inline(always)]
 pub fn after<T: Real>(x: T, steady: T, decay: T) -> T {
     // The first form keeps its digits if little changes, the second if nothing of x(0) remains.
-    choose!(decay.below(T::from(1.0)), x - (steady - x) * (-decay).exp_m1(), steady + (x - steady) * (-decay).exp())
+    choose!(decay.below(SHORT.into()), short(x, steady, (-decay).exp_m1()), long(x, steady, (-decay).exp()))
+}
+
+const SHORT: f64 = 1.0;
+
+#[inline(always)]
+fn short<T: Real>(x: T, steady: T, change: T) -> T {
+    x - (steady - x) * change
+}
+
+#[inline(always)]
+fn long<T: Real>(x: T, steady: T, rest: T) -> T {
+    steady + (x - steady) * rest
+}
+
+/// A relaxation over a time, whatever x it begins with.
+#[derive(Clone, Copy, Debug)]
+pub struct Relaxation<T> {
+    /// The steady x.
+    pub steady: T,
+    /// exp(-decay) - 1 if the time is short, otherwise exp(-decay).
+    pub factor: T,
+    /// 1 if the time is short, otherwise 0.
+    pub is_short: T,
+}
+
+impl<T: Real> Relaxation<T> {
+    /// That with a decay; where the answer is no, x is dropped, whatever it was.
+    #[inline(always)]
+    pub fn of(steady: T, decay: T, goes_on: T::Mask) -> Relaxation<T> {
+        let is_short = decay.below(SHORT.into());
+        let factor = choose!(is_short, (-decay).exp_m1(), (-decay).exp());
+        let zero = T::zero();
+        Relaxation {
+            steady: goes_on.select(steady, zero),
+            factor: goes_on.select(factor, zero),
+            is_short: T::truth(is_short & goes_on),
+        }
+    }
+}
+
+impl Relaxation<f64> {
+    /// [`after`], with the same bits. The numbers of many times are found first, side by side; this is what is left to be
+    /// done one after the other.
+    #[inline(always)]
+    pub fn after(self, x: f64) -> f64 {
+        let [short, long] = [short(x, self.steady, self.factor), long(x, self.steady, self.factor)];
+        if self.is_short == 0.0 { long } else { short }
+    }
 }
 
 #[cfg(test)]
