@@ -517,9 +517,9 @@ impl Equations for Motion {
         let mut states = vec![0.0; self.states.len()];
         for line in &mut lines {
             let part = line.part;
-            line.keep(begin, end, &mut |time| {
-                states_at((time - begin) / (end - begin), &mut states);
-                self.put_states(time, &states);
+            line.keep(begin, end, &mut |fraction| {
+                states_at(fraction, &mut states);
+                self.put_states(begin + (end - begin) * fraction, &states);
                 self.rows.perform(&self.of_lines);
                 let mover = &self.movers[part];
                 mover.model.past(self.rows.of(mover)).map_or(0.0, |past| past.now)

@@ -114,9 +114,9 @@ impl Line {
         }
     }
 
-    /// Keeps a step.
+    /// Keeps a step, from the quantity at each fraction of it.
     pub fn keep(&mut self, begin: f64, end: f64, quantity: &mut dyn FnMut(f64) -> f64) {
-        self.divide(begin, end, HALVINGS, quantity);
+        self.divide([begin, end - begin], [0.0, 1.0], HALVINGS, quantity);
         let oldest = end - self.lag - self.slack(end);
         let is_old = |next: &Piece| next.begin <= oldest && next.stretch <= self.read;
         while self.pieces.get(1).is_some_and(is_old) {
@@ -124,20 +124,24 @@ impl Line {
         }
     }
 
-    fn divide(&mut self, begin: f64, end: f64, halvings: u32, quantity: &mut dyn FnMut(f64) -> f64) {
-        let length = end - begin;
-        let node = |at: f64| begin + length * at / (NODES - 1) as f64;
+    /// Keeps a part of a step, which begins at a fraction of it. Fractions are exact, so that a motion that is known at the
+    /// quarters of a step is asked for there.
+    fn divide(&mut self, step: [f64; 2], [from, part]: [f64; 2], halvings: u32, quantity: &mut dyn FnMut(f64) -> f64) {
+        let node = |at: f64| from + part * at / (NODES - 1) as f64;
         let values = std::array::from_fn(|at| quantity(node(at as f64)));
-        let piece = Piece::through(self.written, begin, length, values);
+        let time = |fraction: f64| step[0] + step[1] * fraction;
+        let piece = Piece::through(self.written, time(from), step[1] * part, values);
         let most = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-        let mut is_close = |at: f64| (piece.at(node(at)).0 - quantity(node(at))).abs() <= CLOSE * most;
-        if halvings == 0 || is_close(0.5) && is_close(3.5) {
+        // What is the same at all nodes to the last digit rests.
+        let rests = values.iter().all(|value| *value == values[0]);
+        let mut is_close = |at: f64| (piece.at(time(node(at))).0 - quantity(node(at))).abs() <= CLOSE * most;
+        if halvings == 0 || rests || is_close(0.5) && is_close(3.5) {
             self.pieces.push_back(piece);
             return;
         }
-        let middle = node(2.0);
-        self.divide(begin, middle, halvings - 1, quantity);
-        self.divide(middle, end, halvings - 1, quantity);
+        let half = 0.5 * part;
+        self.divide(step, [from, half], halvings - 1, quantity);
+        self.divide(step, [from + half, half], halvings - 1, quantity);
     }
 
     /// Whether the stretch that is read ends a lag before this time.

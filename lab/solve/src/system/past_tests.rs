@@ -1,5 +1,6 @@
 //! Laws that follow the past, against closed forms and an integration of their own.
 
+use super::past::Line;
 use super::tests::belt_with;
 use super::{Motion, Setting, Source, System, WireSource};
 use crate::solve::{End, Equations, Grid, Method, Options, Recorder, Statistics, solve};
@@ -286,4 +287,19 @@ fn a_given_past_is_refused_and_no_lag_is_the_present() {
         let found = run(&present, 0.2, 1e-8, &["friction.lagged_velocity", "friction.velocity"]);
         assert_eq!(found.values[0][1000], found.values[1][1000], "{law}");
     }
+}
+
+/// A step that is exact is known at its quarters. What rests there is not looked at in between.
+#[test]
+fn a_step_is_asked_for_at_its_quarters() {
+    let asked = |quantity: fn(f64) -> f64| {
+        let (mut line, mut fractions) = (Line::new(0, 0, LAG), Vec::new());
+        line.keep(0.1, 0.1 + 0.9 * LAG, &mut |fraction| {
+            fractions.push(fraction);
+            quantity(fraction)
+        });
+        fractions
+    };
+    assert_eq!(asked(|_| 0.3), [0.0, 0.25, 0.5, 0.75, 1.0]);
+    assert_eq!(asked(|fraction| fraction * fraction), [0.0, 0.25, 0.5, 0.75, 1.0, 0.125, 0.875]);
 }
