@@ -459,7 +459,21 @@ repeated: [number, number] | null,
 /**
  * Value and intervals for a reader, or why there are none.
  */
-text: string, };
+text: string, 
+/**
+ * The same for a table.
+ */
+readable: Readable | null, };
+
+export type Readable = { 
+/**
+ * The value with the distances of both ends of its interval; without them if the search ended early.
+ */
+value: string, 
+/**
+ * Interval from repetitions.
+ */
+repeated: string | null, };
 
 export type RefusedLaw = { 
 /**

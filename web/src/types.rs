@@ -82,6 +82,7 @@ fn answers() -> String {
         identify::Answer,
         identify::FittedLaw,
         identify::FittedParameter,
+        identify::Readable,
         identify::RefusedLaw,
         identify::Judgement,
         identify::Outside,

@@ -74,6 +74,6 @@ impl Theme {
         for (number, colour) in laws.iter().enumerate() {
             rules += &format!(".picture .law-{}{{stroke:{colour}}}", number + 1);
         }
-        format!("<style>@media (prefers-color-scheme: dark){{{rules}}}</style>\n")
+        format!("<style>@media screen and (prefers-color-scheme: dark){{{rules}}}</style>\n")
     }
 }

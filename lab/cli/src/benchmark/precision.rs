@@ -57,7 +57,7 @@ pub fn work_precision(
     let quantities = [Quantity::Evaluations, quantity];
     let axes = [Axis::powers("1", range(&lines, 0)), Axis::powers(unit, range(&lines, 1))];
     let title = format!("{law}: {what}, events {}", if events { "located" } else { "stepped over" });
-    Some(Drawing { title: &title, quantities, axes: &axes, lines: &lines, theme }.svg())
+    Some(Drawing { title: &title, quantities, axes: &axes, lines: &lines, residuals: None, theme }.svg())
 }
 
 /// The least and the largest value on an axis.

@@ -6,7 +6,7 @@ use serde::Serialize;
 use ts_rs::TS;
 
 use super::output::{EARLY, text_of};
-use super::{Data, Estimate, Fit, Judgement, LackOfFit, Rank, Ranking, Searches, Verdict};
+use super::{Data, Estimate, Fit, Judgement, LackOfFit, Rank, Ranking, Searches, Verdict, digits};
 use stribeck_measured::Units;
 
 /// Laws fitted to records.
@@ -98,6 +98,30 @@ pub struct FittedParameter {
     pub repeated: Option<[f64; 2]>,
     /// Value and intervals for a reader, or why there are none.
     pub text: String,
+    /// The same for a table.
+    pub readable: Option<Readable>,
+}
+
+/// A value and its intervals in one notation, for a table.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, TS)]
+pub struct Readable {
+    /// The value with the distances of both ends of its interval; without them if the search ended early.
+    pub value: String,
+    /// Interval from repetitions.
+    pub repeated: Option<String>,
+}
+
+impl Readable {
+    /// None without a value.
+    pub fn of(one: &Estimate, searches: Searches) -> Option<Readable> {
+        let notation = one.notation();
+        let value = match searches {
+            Searches::Ended => digits(one.value),
+            _ => notation.with_interval(one.value, one.interval()),
+        };
+        let repeated = one.repeated.map(|ends| notation.ends(ends));
+        (one.verdict == Verdict::Determined).then_some(Readable { value, repeated })
+    }
 }
 
 impl Answer {
@@ -154,5 +178,6 @@ fn parameter(one: &Estimate, searches: Searches) -> FittedParameter {
         interval: (is_determined && searches != Searches::Ended).then(|| one.interval()),
         repeated: one.repeated.filter(|_| is_determined),
         text: text_of(one, searches),
+        readable: Readable::of(one, searches),
     }
 }

@@ -8,7 +8,7 @@ use stribeck::number::Real;
 use super::interval::{Optimum, quantiles};
 use super::parameter::{GRAVITY_COEFFICIENTS, Parameter, Scale, Target};
 use super::problem::{Problem, dot};
-use super::uncertainty::{DETERMINED, Uncertainty, Verdict, WIDTH};
+use super::uncertainty::{DETERMINED, Notation, Uncertainty, Verdict, WIDTH, digits};
 use stribeck_measured::Movement;
 
 /// A parameter after a fit.
@@ -36,6 +36,9 @@ pub struct Estimate {
     pub repeated: Option<[f64; 2]>,
 }
 
+/// Ratios to a value at which another is as readable in its notation (chosen).
+const LIKE: std::ops::Range<f64> = 0.01..100.0;
+
 impl Estimate {
     /// Interval of 95 %: by the profile likelihood and by straight lines, whichever end is farther.
     pub fn interval(&self) -> [f64; 2] {
@@ -49,10 +52,17 @@ impl Estimate {
         self.name.split_once(" - ").filter(|_| is_excess).map(|(of, over)| [of, over])
     }
 
-    /// Width of the interval.
-    pub fn width(&self) -> f64 {
+    /// How its numbers are written.
+    pub fn notation(&self) -> Notation {
         let [low, high] = self.interval();
-        high - low
+        Notation::of(self.value, high - low)
+    }
+
+    /// A value that is known, as its own numbers are written; one of another order of size is not readable so, and beside a
+    /// verdict without a number there is nothing to compare.
+    pub fn beside(&self, known: f64) -> String {
+        let is_like = self.verdict == Verdict::Determined && LIKE.contains(&(known / self.value).abs());
+        if is_like { self.notation().text(known) } else { digits(known) }
     }
 
     /// The same with an upper limit in place of an interval that contains 0, below which there is nothing.

@@ -62,7 +62,7 @@ use stribeck::catalogue::{self, Family};
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 
-pub use answer::{Answer, FittedLaw, FittedParameter, RefusedLaw};
+pub use answer::{Answer, FittedLaw, FittedParameter, Readable, RefusedLaw};
 pub use estimate::Estimate;
 pub use evaluated::evaluate;
 pub use experiment::{Experiment, Rest, names};
@@ -79,7 +79,7 @@ pub use response::Ports;
 pub use search::{Method, Searches, Watch};
 pub use selection::Selection;
 pub use strut::{StrutFriction, strut_friction};
-pub use uncertainty::{DETERMINED, Residuals, Verdict, digits, digits_within};
+pub use uncertainty::{DETERMINED, Notation, Residuals, Verdict, digits};
 pub use validation::{Validation, held_out};
 
 use interval::Optimum;

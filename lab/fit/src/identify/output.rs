@@ -10,7 +10,7 @@ use stribeck::model::ModelType;
 use super::levels::pairs_of_levels;
 use super::response::{Ports, forces};
 use super::selection::OF_RIG;
-use super::uncertainty::{digits, digits_within};
+use super::uncertainty::digits;
 use super::{Estimate, Experiment, Fit, Searches, Verdict};
 use stribeck_measured::{Direction, Movement, Record};
 use stribeck_solve::run::Configuration;
@@ -259,17 +259,16 @@ pub(super) fn text_of(one: &Estimate, searches: Searches) -> String {
     if searches == Searches::Ended {
         return format!("{} {unit} (the best so far)", digits(one.value)).replace("  ", " ");
     }
-    let precise = |value: f64| digits_within(value, one.width());
-    let [low, high] = one.interval().map(precise);
-    let repeated = one.repeated.map(|ends| ends.map(precise));
-    let repeated = repeated.map_or(String::new(), |[low, high]| format!("; repeated {low} to {high}"));
-    format!("{} {unit} (95 %: {low} to {high}{repeated})", precise(one.value)).replace("  ", " ")
+    let notation = one.notation();
+    let repeated = one.repeated.map_or(String::new(), |ends| format!("; repeated {}", notation.ends(ends)));
+    let (value, ends) = (notation.text(one.value), notation.ends(one.interval()));
+    format!("{value} {unit} (95 %: {ends}{repeated})").replace("  ", " ")
 }
 
 fn compared(one: &Estimate, reference: Option<&Reference>) -> String {
     let Some(known) = reference.and_then(|reference| known(reference, one)) else { return String::new() };
     if one.verdict != Verdict::Determined {
-        return format!("; reference {}", digits(known));
+        return format!("; reference {}", one.beside(known));
     }
     if known == 0.0 {
         return "; reference 0".to_owned();
@@ -277,7 +276,10 @@ fn compared(one: &Estimate, reference: Option<&Reference>) -> String {
     let Difference { to_reference, to_mean } = difference(one.value, known);
     let [low, high] = one.interval();
     let place = if (low..=high).contains(&known) { "" } else { " outside" };
-    format!("; reference {}{place}, difference {to_reference:.1} % of it, {to_mean:.1} % of the mean", digits(known))
+    format!(
+        "; reference {}{place}, difference {to_reference:.1} % of it, {to_mean:.1} % of the mean",
+        one.beside(known)
+    )
 }
 
 /// Reference value of a fitted parameter; that of the excess `mu_s - mu_k` is the difference of two.

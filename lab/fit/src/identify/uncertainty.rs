@@ -82,21 +82,69 @@ impl fmt::Display for Verdict {
 
 /// A number with four digits.
 pub fn digits(value: f64) -> String {
-    digits_within(value, f64::INFINITY)
+    Notation::of(value, f64::INFINITY).text(value)
 }
 
-/// A number with four digits, or with as many more as show two of the width of its interval.
-pub fn digits_within(value: f64, width: f64) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
+/// How the numbers of a row are written, so that they can be compared at a glance: with the same power of ten and as many
+/// decimals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Notation {
+    /// Power of ten behind each number; none is written if it is 0.
+    power: i32,
+    decimals: usize,
+}
+
+impl Notation {
+    /// Shows four digits of a value, or as many more as show two of the width of its interval; below 0.001 and from 100,000
+    /// on with its power of ten.
+    pub fn of(value: f64, width: f64) -> Notation {
+        let has_width = width > 0.0 && width.is_finite();
+        // Zero is as large as its interval.
+        let value = if value != 0.0 {
+            value
+        } else if has_width {
+            width
+        } else {
+            1.0
+        };
+        let order = |number: f64| number.abs().max(1e-300).log10().floor();
+        let of_width = if has_width { order(value) - order(width) + 1.0 } else { 0.0 };
+        // Beyond these a number of double precision has no more.
+        let after_first = of_width.clamp(3.0, 15.0);
+        if (1e-3..1e5).contains(&value.abs()) {
+            return Notation { power: 0, decimals: (after_first - order(value)).max(0.0) as usize };
+        }
+        let decimals = after_first as usize;
+        // Rounding may carry over: 9.9999e-4 is 1.000e-3.
+        let text = format!("{value:.decimals$e}");
+        Notation { power: text.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0), decimals }
     }
-    let order = |number: f64| number.abs().max(1e-300).log10().floor();
-    let of_width = if width > 0.0 && width.is_finite() { order(value) - order(width) + 1.0 } else { 0.0 };
-    // Beyond these a number of double precision has no more.
-    let after_first = of_width.clamp(3.0, 15.0);
-    let decimals = (after_first - order(value)).max(0.0) as usize;
-    let mantissa = after_first as usize;
-    if (1e-3..1e5).contains(&value.abs()) { format!("{value:.decimals$}") } else { format!("{value:.mantissa$e}") }
+
+    /// A number in this notation.
+    pub fn text(self, number: f64) -> String {
+        let Notation { power, decimals } = self;
+        if number == 0.0 {
+            return "0".to_owned();
+        }
+        if power == 0 {
+            return format!("{number:.decimals$}");
+        }
+        // Powers of ten above 1 are exact, those below are not.
+        let scaled = if power < 0 { number * 10f64.powi(-power) } else { number / 10f64.powi(power) };
+        format!("{scaled:.decimals$}e{power}")
+    }
+
+    /// Both ends of an interval.
+    pub fn ends(self, [low, high]: [f64; 2]) -> String {
+        format!("{} to {}", self.text(low), self.text(high))
+    }
+
+    /// A value with the distances of both ends of its interval: one number where they are the same as they are written.
+    pub fn with_interval(self, value: f64, [low, high]: [f64; 2]) -> String {
+        let [down, up] = [value - low, high - value].map(|distance| self.text(distance));
+        let value = self.text(value);
+        if down == up { format!("{value} \u{b1} {up}") } else { format!("{value} +{up} -{down}") }
+    }
 }
 
 /// Size and correlation of the residuals.
@@ -556,10 +604,26 @@ mod tests {
             ["0", "0.1234", "-50.00", "1.000e-4", "1.235e5"]
         );
         // Widths of 0.0034, of more than the value, and of a millionth of it.
-        assert_eq!(digits_within(49.99777, 0.0034), "49.9978");
-        assert_eq!(digits_within(49.99777, 80.0), "50.00");
-        assert_eq!(digits_within(123_456.0, 0.123), "1.2345600e5");
-        assert_eq!(digits_within(1.0, 0.0), "1.000");
+        let within = |value: f64, width: f64| Notation::of(value, width).text(value);
+        assert_eq!(within(49.99777, 0.0034), "49.9978");
+        assert_eq!(within(49.99777, 80.0), "50.00");
+        assert_eq!(within(123_456.0, 0.123), "1.2345600e5");
+        assert_eq!(within(1.0, 0.0), "1.000");
+        assert_eq!(within(9.9999e-4, f64::INFINITY), "1.000e-3");
+    }
+
+    #[test]
+    fn the_numbers_of_a_row_have_one_notation() {
+        let low = Notation::of(9.757e-4, 6e-5);
+        assert_eq!(
+            [9.757e-4, 0.001_035, 0.0, -3e-5].map(|one| low.text(one)),
+            ["9.757e-4", "10.350e-4", "0", "-0.300e-4"].map(str::to_owned)
+        );
+        let high = Notation::of(98_817.0, 1900.0);
+        assert_eq!(high.ends([98_817.0, 100_700.0]), "98817 to 100700");
+        assert_eq!(Notation::of(1.002e5, 1900.0).ends([98_817.0, 100_700.0]), "0.988e5 to 1.007e5");
+        assert_eq!(Notation::of(0.2, 2e-4).with_interval(0.2, [0.1999, 0.2001]), "0.20000 \u{b1} 0.00010");
+        assert_eq!(Notation::of(9.7e-4, 1e-4).with_interval(9.7e-4, [9e-4, 1e-3]), "9.700e-4 +0.300e-4 -0.700e-4");
     }
 
     /// Each residual is 0.8 of the one before and noise: (1 + 0.8) / (1 - 0.8) samples count as one, also beside an

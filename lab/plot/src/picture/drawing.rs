@@ -15,6 +15,9 @@ use crate::palette::{DASHES, Theme};
 /// Width of the drawing in its own units, and millimetres per unit: 150 mm is a column of a thesis.
 const WIDTH: f64 = 600.0;
 const MILLIMETRES: f64 = 0.25;
+/// Height of the frame of residuals, and space between the frames.
+const RESIDUALS: f64 = 105.0;
+const GAP: f64 = 14.0;
 /// Height of the frame, space above it, space right of it, smallest space left of it.
 const FRAME: f64 = 290.0;
 const ABOVE: f64 = 34.0;
@@ -30,6 +33,9 @@ const MARGIN: f64 = 10.0;
 const TITLE_SIZE: f64 = 14.0;
 const NAME_SIZE: f64 = 13.0;
 const TICK_SIZE: f64 = 12.0;
+/// Width and opacity of a band (chosen).
+const BAND: f64 = 5.0;
+const PALE: f64 = 0.4;
 /// Legend: length of a sample, space behind it, between entries.
 const SAMPLE: f64 = 34.0;
 const BEHIND: f64 = 7.0;
@@ -77,6 +83,16 @@ pub struct Line {
     pub look: Option<usize>,
     /// Its sample in the legend.
     pub sample: Sample,
+    /// Whether it is pale and wide: other curves show on it, even where they lie on its middle.
+    pub is_band: bool,
+}
+
+/// Residuals in a frame of their own below the curves.
+pub struct Residuals {
+    /// Horizontal axis, that of the curves, and vertical axis.
+    pub axes: [Axis; 2],
+    /// Residuals, with the looks of their curves.
+    pub lines: Vec<Line>,
 }
 
 /// A diagram.
@@ -89,19 +105,51 @@ pub struct Drawing<'a> {
     pub axes: &'a [Axis; 2],
     /// Lines, in the order of the legend.
     pub lines: &'a [Line],
+    /// Residuals, if there are some.
+    pub residuals: Option<&'a Residuals>,
     /// Colours.
     pub theme: Theme,
+}
+
+/// A frame with its axes, the name of the vertical one, and its lines.
+struct Pane<'a> {
+    frame: Frame,
+    axes: &'a [Axis; 2],
+    up: String,
+    lines: &'a [Line],
+    /// Whether they are residuals: thin, and without dashes, which noise hides.
+    is_below: bool,
 }
 
 impl Drawing<'_> {
     /// The picture.
     pub fn svg(&self) -> String {
-        let frame = self.frame();
-        let legend = Legend::of(&self.named(), &frame);
-        let height = frame.bottom + LEGEND + ROW * (legend.rows as f64 - 1.0) + MARGIN;
-        let (paper, grid, texts) = (self.paper(height), self.grid(&frame), self.texts(&frame));
-        let (curves, legend) = (self.curves(&frame), self.legend(&frame, &legend));
-        format!("{paper}{grid}{texts}{curves}{legend}</svg>\n")
+        let panes = self.panes();
+        let last = panes[panes.len() - 1].frame;
+        let legend = Legend::of(&self.named(), &last);
+        let height = last.bottom + LEGEND + ROW * (legend.rows as f64 - 1.0) + MARGIN;
+        let (paper, texts) = (self.paper(height), self.texts(&panes));
+        let grid: String = panes.iter().map(|pane| self.grid(pane)).collect();
+        let curves: String = panes.iter().map(|pane| self.curves(pane)).collect();
+        format!("{paper}{grid}{texts}{curves}{}</svg>\n", self.legend(&last, &legend))
+    }
+
+    /// The frame of the curves, and below it that of the residuals, which ends at the same left and right edge.
+    fn panes(&self) -> Vec<Pane<'_>> {
+        let ticks = || self.axes[1].ticks().chain(self.residuals.into_iter().flat_map(|below| below.axes[1].ticks()));
+        let widest = ticks().map(|(_, text)| width(&text, TICK_SIZE)).fold(0.0, f64::max);
+        let last = self.axes[0].ticks().last();
+        let beyond = last.map_or(0.0, |(place, text)| 0.5 * width(&text, TICK_SIZE) - (1.0 - place) * WIDTH);
+        let left = LEFT.max(widest + 38.0);
+        let frame = Frame { left, right: WIDTH - RIGHT.max(beyond + 6.0), top: ABOVE, bottom: ABOVE + FRAME };
+        let up = name(self.quantities[1], &self.axes[1]);
+        let curves = Pane { frame, axes: self.axes, up, lines: self.lines, is_below: false };
+        let below = self.residuals.map(|Residuals { axes, lines }| {
+            let top = frame.bottom + GAP;
+            let up = format!("Residual{}", escape(&axes[1].counted()));
+            Pane { frame: Frame { top, bottom: top + RESIDUALS, ..frame }, axes, up, lines, is_below: true }
+        });
+        std::iter::once(curves).chain(below).collect()
     }
 
     /// The lines of the legend with their numbers.
@@ -125,17 +173,9 @@ impl Drawing<'_> {
         )
     }
 
-    fn frame(&self) -> Frame {
-        let widest = self.axes[1].ticks().map(|(_, text)| width(&text, TICK_SIZE)).fold(0.0, f64::max);
-        let last = self.axes[0].ticks().last();
-        let beyond = last.map_or(0.0, |(place, text)| 0.5 * width(&text, TICK_SIZE) - (1.0 - place) * WIDTH);
-        let left = LEFT.max(widest + 38.0);
-        Frame { left, right: WIDTH - RIGHT.max(beyond + 6.0), top: ABOVE, bottom: ABOVE + FRAME }
-    }
-
-    fn grid(&self, frame: &Frame) -> String {
+    fn grid(&self, Pane { frame, axes, .. }: &Pane) -> String {
         let colours = self.theme.colours();
-        let (grid, edges, zero) = (frame.grid(self.axes), frame.edges(), frame.zero_up(self.axes));
+        let (grid, edges, zero) = (frame.grid(axes), frame.edges(), frame.zero_up(axes));
         format!(
             "<path class=\"grid\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.7\" d=\"{grid}\"/>\n\
              <path class=\"axis\" fill=\"none\" stroke=\"{}\" d=\"{edges}{zero}\" stroke-width=\"0.9\"/>\n",
@@ -143,59 +183,75 @@ impl Drawing<'_> {
         )
     }
 
-    fn texts(&self, frame: &Frame) -> String {
-        let Frame { left, right, bottom, .. } = *frame;
+    /// Title, numbers and names; those of the horizontal axis below the last frame.
+    fn texts(&self, panes: &[Pane]) -> String {
+        let Frame { left, right, bottom, .. } = panes[panes.len() - 1].frame;
         let title = escape(&fitted(self.title, TITLE_SIZE, WIDTH - left - MARGIN));
-        let [across, up] = [0, 1].map(|axis| name(self.quantities[axis], &self.axes[axis]));
+        let across = name(self.quantities[0], &self.axes[0]);
+        let numbers = |Pane { frame, axes, .. }: &Pane| {
+            let numbers = frame.numbers_up(axes, 7.0, 4.2);
+            format!("<g class=\"y\" font-size=\"{TICK_SIZE}\" text-anchor=\"end\">\n{numbers}</g>\n")
+        };
+        let up = |Pane { frame, up, .. }: &Pane| {
+            let middle = 0.5 * (frame.top + frame.bottom);
+            format!("<text transform=\"translate(18 {middle}) rotate(-90)\">{up}</text>\n")
+        };
         format!(
             "<g class=\"ink\" fill=\"{}\">\n\
              <text class=\"title\" x=\"{left:.2}\" y=\"20\" font-size=\"{TITLE_SIZE}\">{title}</text>\n\
              <g class=\"x\" font-size=\"{TICK_SIZE}\" text-anchor=\"middle\">\n{}</g>\n\
-             <g class=\"y\" font-size=\"{TICK_SIZE}\" text-anchor=\"end\">\n{}</g>\n\
-             <g class=\"names\" font-size=\"{NAME_SIZE}\" text-anchor=\"middle\">\n\
-             <text x=\"{:.2}\" y=\"{}\">{across}</text>\n\
-             <text transform=\"translate(18 {}) rotate(-90)\">{up}</text>\n</g>\n</g>\n",
+             {}<g class=\"names\" font-size=\"{NAME_SIZE}\" text-anchor=\"middle\">\n\
+             <text x=\"{:.2}\" y=\"{}\">{across}</text>\n{}</g>\n</g>\n",
             self.theme.colours().ink,
-            frame.numbers_across(self.axes, TICKS),
-            frame.numbers_up(self.axes, 7.0, 4.2),
+            panes[panes.len() - 1].frame.numbers_across(self.axes, TICKS),
+            panes.iter().map(numbers).collect::<String>(),
             0.5 * (left + right),
             bottom + NAME,
-            bottom - 0.5 * FRAME
+            panes.iter().map(up).collect::<String>()
         )
     }
 
-    fn curves(&self, frame: &Frame) -> String {
+    fn curves(&self, pane: &Pane) -> String {
+        let Pane { frame, axes, lines, is_below, .. } = pane;
         let is_over_time = self.quantities[0] == Quantity::Time;
+        let (class, wide) = if *is_below { ("residual", 1.0) } else { ("law", 1.8) };
         let curve = |(number, line): (usize, &Line)| {
-            let points = line.points.iter().map(|point| frame.place(self.axes, *point));
+            let points = line.points.iter().map(|point| frame.place(axes, *point));
             let data = if is_over_time { curve::over_time(points) } else { curve::going_round(points) };
             let look = line.look.unwrap_or(number);
-            format!("<path class=\"law law-{}\" {} d=\"{data}\"/>\n", look + 1, self.stroke(look))
+            let stroke = if *is_below { self.colour(look) } else { self.stroke(line, look) };
+            format!("<path class=\"{class} law-{}\" {stroke} d=\"{data}\"/>\n", look + 1)
         };
-        let curves: String = self.lines.iter().enumerate().map(curve).collect();
-        let cut = self.lines.iter().enumerate().filter(|(_, line)| line.is_cut);
-        let crosses: String = cut.filter_map(|(number, line)| self.cross(frame, line, number)).collect();
+        let curves: String = lines.iter().enumerate().map(curve).collect();
+        let cut = lines.iter().enumerate().filter(|(_, line)| line.is_cut);
+        let crosses: String = cut.filter_map(|(number, line)| self.cross(pane, line, number)).collect();
         format!(
-            "<g class=\"curves\" fill=\"none\" stroke-width=\"1.8\" stroke-linejoin=\"round\">\n\
+            "<g class=\"curves\" fill=\"none\" stroke-width=\"{wide}\" stroke-linejoin=\"round\">\n\
              {curves}{crosses}</g>\n"
         )
     }
 
     /// A cross at the end of a curve.
-    fn cross(&self, frame: &Frame, line: &Line, number: usize) -> Option<String> {
+    fn cross(&self, Pane { frame, axes, .. }: &Pane, line: &Line, number: usize) -> Option<String> {
         let look = line.look.unwrap_or(number);
         let is_finite = |point: &&Point| point.iter().all(|value| value.is_finite());
-        let [x, y] = frame.place(self.axes, *line.points.iter().rev().find(is_finite)?);
-        let colour = self.theme.colours().laws[look];
-        Some(format!("<path class=\"stop law-{}\" stroke=\"{colour}\" d=\"{}\"/>\n", look + 1, cross(x, y)))
+        let [x, y] = frame.place(axes, *line.points.iter().rev().find(is_finite)?);
+        Some(format!("<path class=\"stop law-{}\" {} d=\"{}\"/>\n", look + 1, self.colour(look), cross(x, y)))
     }
 
-    /// Colour and dashes of a law.
-    fn stroke(&self, look: usize) -> String {
-        let colour = self.theme.colours().laws[look];
+    fn colour(&self, look: usize) -> String {
+        format!("stroke=\"{}\"", self.theme.colours().laws[look])
+    }
+
+    /// Colour, dashes and width of a line.
+    fn stroke(&self, line: &Line, look: usize) -> String {
+        let colour = self.colour(look);
         match DASHES[look] {
-            "" => format!("stroke=\"{colour}\""),
-            dashes => format!("stroke=\"{colour}\" stroke-dasharray=\"{dashes}\""),
+            _ if line.is_band => {
+                format!("{colour} stroke-width=\"{BAND}\" stroke-linecap=\"round\" stroke-opacity=\"{PALE}\"")
+            }
+            "" => colour,
+            dashes => format!("{colour} stroke-dasharray=\"{dashes}\""),
         }
     }
 
@@ -206,7 +262,7 @@ impl Drawing<'_> {
             let y = frame.bottom + LEGEND + ROW * (number / legend.columns) as f64;
             let (sample, text) = (line.sample.path(x, y - 4.2), x + SAMPLE + BEHIND);
             let look = line.look.unwrap_or(*line_number);
-            let (class, stroke) = (look + 1, self.stroke(look));
+            let (class, stroke) = (look + 1, self.stroke(line, look));
             let name = escape(&fitted(&line.name, TICK_SIZE, legend.column - SAMPLE - BEHIND));
             format!(
                 "<g class=\"entry\"><path class=\"law-{class}\" {stroke} d=\"{sample}\"/>\

@@ -52,7 +52,7 @@ pub fn friction_map(name: &str, map: &FrictionMap, fit: &Fit, theme: Theme) -> R
     let units = Kind::ForceOverVelocity.quantities().map(|quantity| map.movement.unit(quantity.unit()));
     let quantities = Kind::ForceOverVelocity.quantities_in(units);
     let axes = axes(quantities, units, &lines, &None);
-    let svg = Drawing { title: &title, quantities, axes: &axes, lines: &lines, theme }.svg();
+    let svg = Drawing { title: &title, quantities, axes: &axes, lines: &lines, residuals: None, theme }.svg();
     Ok(Picture { kind: Kind::ForceOverVelocity, part: 1, parts: 1, title, svg })
 }
 

@@ -15,7 +15,7 @@ use resvg::usvg::Tree;
 pub use crate::palette::{MOST_LAWS, Theme};
 pub(crate) use stribeck_draw::text::{escape, typeset_unit};
 
-use drawing::{Drawing, Line};
+use drawing::{Drawing, Line, Residuals};
 pub use friction_map::{fitted_curves, friction_map};
 pub use tyre::tyre;
 
@@ -161,25 +161,37 @@ impl Picture {
 /// A curve with its name.
 pub type Named = (String, Vec<[f64; 2]>);
 
-/// A picture of friction forces from elsewhere, in SI units, as a diagram of this kind; `title` puts it in words, given
-/// those for the diagram, and `unit` has the units of joints in place of those of bodies that slide, if it is of one. None
-/// without a finite point.
-pub fn curves(
+/// A picture of measured friction forces beside others of the same motion, in SI units, as a diagram of this kind, with the
+/// residuals, measured less other, below; `title` puts it in words, given those for the diagram, and `unit` has the units of
+/// joints in place of those of bodies that slide, if it is of one. None without a finite point.
+pub fn beside(
     kind: Kind,
     title: impl FnOnce(&str) -> String,
-    curves: Vec<Named>,
+    measured: Named,
+    others: Vec<Named>,
     unit: impl Fn(&'static str) -> &'static str,
     theme: Theme,
 ) -> Option<Picture> {
-    let lines = curves.into_iter().take(MOST_LAWS).map(|(name, points)| Line { name, points, ..Line::default() });
-    let lines: Vec<Line> = lines.collect();
+    let less =
+        |other: &[[f64; 2]]| measured.1.iter().zip(other).map(|([x, of], [_, other])| [*x, of - other]).collect();
+    let residual = |(number, (_, points)): (usize, &Named)| Line {
+        points: less(points),
+        look: Some(number + 1),
+        ..Line::default()
+    };
+    let residuals: Vec<Line> = others.iter().enumerate().map(residual).collect();
+    let line = |(name, points)| Line { name, points, ..Line::default() };
+    let mut lines: Vec<Line> = std::iter::once(measured).chain(others).map(line).collect();
+    lines[0].is_band = true;
     let is_finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
     lines.iter().flat_map(|line| &line.points).find(|point| is_finite(point))?;
     let units = kind.quantities().map(|quantity| unit(quantity.unit()));
     let quantities = kind.quantities_in(units);
     let title = title(&in_words(quantities));
     let axes = axes(quantities, units, &lines, &None);
-    let svg = Drawing { title: &title, quantities, axes: &axes, lines: &lines, theme }.svg();
+    let residuals = Residuals { axes: below(quantities, units, [&lines, &residuals]), lines: residuals };
+    let svg =
+        Drawing { title: &title, quantities, axes: &axes, lines: &lines, residuals: Some(&residuals), theme }.svg();
     Some(Picture { kind, part: 1, parts: 1, title, svg })
 }
 
@@ -234,7 +246,7 @@ pub fn all(system: &System, outcomes: &[(String, Outcome)], options: &Options) -
 
 fn pictures(kind: Kind, system: &System, outcomes: &[(String, Outcome)], options: &Options) -> Vec<Picture> {
     let quantities = kind.quantities();
-    let zoom = if kind == Kind::Zoom { range(system, outcomes, options) } else { None };
+    let zoom = if kind == Kind::Zoom { zoom_of(system, outcomes, options) } else { None };
     let units = units(system, outcomes, quantities).filter(|_| kind != Kind::Zoom || zoom.is_some());
     let Some(units) = units else { return Vec::new() };
     let line = |(name, outcome): &(String, Outcome)| line(system, quantities, name, outcome, &zoom);
@@ -249,7 +261,8 @@ fn pictures(kind: Kind, system: &System, outcomes: &[(String, Outcome)], options
         let (first, last) = (number * size + 1, number * size + lines.len());
         let part = if parts > 1 { format!(" (laws {first} to {last} of {})", outcomes.len()) } else { String::new() };
         let title = format!("{whole}{part}");
-        let svg = Drawing { title: &title, quantities, axes: &axes, lines, theme: options.theme }.svg();
+        let svg =
+            Drawing { title: &title, quantities, axes: &axes, lines, residuals: None, theme: options.theme }.svg();
         Picture { kind, part: number + 1, parts, title, svg }
     };
     lines.chunks(size).enumerate().map(picture).collect()
@@ -264,7 +277,7 @@ fn units<'a>(system: &System, outcomes: &'a [(String, Outcome)], quantities: [Qu
 }
 
 /// The time range of the zoom: the one that was asked for, or the one about the first breakaway.
-fn range(system: &System, outcomes: &[(String, Outcome)], options: &Options) -> Option<Range> {
+fn zoom_of(system: &System, outcomes: &[(String, Outcome)], options: &Options) -> Option<Range> {
     if let Some([from, to]) = options.zoom.filter(|[from, to]| from < to && (to - from).is_finite()) {
         return Some(Range::given([from, to]));
     }
@@ -304,15 +317,22 @@ fn within(points: Vec<[f64; 2]>, from: f64, to: f64) -> Vec<[f64; 2]> {
 }
 
 fn axes(quantities: [Quantity; 2], units: [&str; 2], lines: &[Line], zoom: &Option<Range>) -> [Axis; 2] {
-    let range = |axis: usize| {
-        let values =
-            lines.iter().flat_map(|line| &line.points).map(|point| point[axis]).filter(|value| value.is_finite());
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
-        if low <= high { [low, high] } else { [0.0, 0.0] }
-    };
-    let across = zoom.as_ref().map_or_else(|| range(0), |zoom| [zoom.from, zoom.to]);
     let is_time = quantities[0] == Quantity::Time;
-    [Axis::new(units[0], across, 8.0, is_time), Axis::new(units[1], range(1), 6.0, false)]
+    let across = zoom.as_ref().map_or_else(|| range(lines, 0), |zoom| [zoom.from, zoom.to]);
+    [Axis::new(units[0], across, 8.0, is_time), Axis::new(units[1], range(lines, 1), 6.0, false)]
+}
+
+/// Axes of residuals: the horizontal one is that of the curves.
+fn below(quantities: [Quantity; 2], units: [&str; 2], [curves, residuals]: [&[Line]; 2]) -> [Axis; 2] {
+    let [across, _] = axes(quantities, units, curves, &None);
+    [across, Axis::new(units[1], range(residuals, 1), 3.0, false)]
+}
+
+/// Range of the finite values of lines over an axis.
+fn range(lines: &[Line], axis: usize) -> [f64; 2] {
+    let values = lines.iter().flat_map(|line| &line.points).map(|point| point[axis]).filter(|value| value.is_finite());
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+    if low <= high { [low, high] } else { [0.0, 0.0] }
 }
 
 #[cfg(test)]

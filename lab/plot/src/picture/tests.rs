@@ -216,6 +216,41 @@ fn png_has_the_stated_size_and_shows_curve_and_text() {
     assert!(picture.png(0).is_err() && picture.png(10_001).is_err());
 }
 
+/// Read with a ruler on the axis of its own frame, the residual is what the curves differ by; those of others are there too.
+#[test]
+fn residuals_are_measured_less_other_in_a_frame_below() {
+    let over_time =
+        |course: &dyn Fn(f64) -> f64| grid(101, 0.1).into_iter().map(|t| [t, course(t)]).collect::<Vec<_>>();
+    let measured = ("measured".to_owned(), over_time(&|t| 5.0 * t.sin()));
+    let others = [("near", 0.25), ("far", -0.5)];
+    let others = others.map(|(name, less)| (name.to_owned(), over_time(&|t| 5.0 * t.sin() - less))).into();
+    let picture = beside(Kind::Force, str::to_owned, measured, others, |unit| unit, Theme::Light).unwrap();
+    let document = Document::parse(&picture.svg).unwrap();
+    assert_eq!(of_class(&document, "law").len(), 3);
+    assert!(of_class(&document, "law")[0].attribute("stroke-opacity").is_some(), "what is measured is a band");
+    let numbers = of_class(&document, "y")[1].children().filter(Node::is_element);
+    let ticks: Vec<[f64; 2]> = numbers
+        .map(|tick| {
+            [
+                tick.attribute("y").unwrap().parse().unwrap(),
+                tick.text().unwrap().replace('\u{2212}', "-").parse().unwrap(),
+            ]
+        })
+        .collect();
+    let ([a, at_a], [b, at_b]) = (ticks[0], ticks[ticks.len() - 1]);
+    let residuals = of_class(&document, "residual");
+    assert_eq!(residuals.len(), 2);
+    for (residual, (class, less)) in residuals.iter().zip([("law-2", 0.25), ("law-3", -0.5)]) {
+        assert!(residual.attribute("class").unwrap().ends_with(class));
+        for place in residual.attribute("d").unwrap().split(['M', 'L']).skip(1) {
+            let y: f64 = place.split_once(' ').unwrap().1.parse().unwrap();
+            let value = at_a + (y + 4.2 - a) * (at_b - at_a) / (b - a);
+            assert!((value - less).abs() < 0.01, "{value} in place of {less}");
+        }
+    }
+    assert!(whole_text(of_class(&document, "names")[0]).ends_with("Residual in N\n"), "{}", picture.svg);
+}
+
 #[test]
 fn a_run_that_did_not_converge_ends_with_a_cross() {
     let (system, _) = belt(&[]);

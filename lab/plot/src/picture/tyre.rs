@@ -86,7 +86,7 @@ impl View<'_> {
         let (kind, quantities) = (self.kind, self.kind.quantities());
         let title = format!("{}: measured (dots) and fitted", in_words(quantities));
         let axes = axes(quantities, quantities.map(Quantity::unit), &lines, &None);
-        let svg = Drawing { title: &title, quantities, axes: &axes, lines: &lines, theme }.svg();
+        let svg = Drawing { title: &title, quantities, axes: &axes, lines: &lines, residuals: None, theme }.svg();
         Some(Picture { kind, part: 1, parts: 1, title, svg })
     }
 
@@ -112,7 +112,7 @@ impl View<'_> {
             [slip, (self.of)(&formula.wrench(&contact))]
         });
         let line = |name: String, points| Line { name, points, look: Some(look), ..Line::default() };
-        [line(String::new(), dots), line(format!("{} N", digits(load, 3)), curve.collect())]
+        [Line { is_band: true, ..line(String::new(), dots) }, line(format!("{} N", digits(load, 3)), curve.collect())]
     }
 }
 

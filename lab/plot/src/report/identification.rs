@@ -2,11 +2,11 @@
 
 use super::html::Page;
 use super::{STYLE, versions_of};
-use crate::picture::{Kind, Named, Picture, Theme, curves, friction_map};
+use crate::picture::{Kind, Picture, Theme, beside, friction_map, typeset_unit};
 use stribeck_fit::identify::map::FrictionMap;
 use stribeck_fit::identify::{
-    Difference, EARLY, Estimate, Fit, Method, Rank, Ranking, Reference, Searches, Settings, Verdict, difference,
-    digits, digits_within, known, respond,
+    Difference, EARLY, Estimate, Fit, Method, Rank, Ranking, Readable, Reference, Settings, Verdict, difference,
+    digits, known, respond,
 };
 use stribeck_measured::{Record, average};
 use stribeck_solve::system::Fault;
@@ -54,28 +54,26 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
 
 fn pictures_of(page: &mut Page, facts: &Identification) -> Result<(), Fault> {
     page.heading("Pictures");
+    let mut pictures = Vec::new();
     for number in 0..facts.records.len() {
-        for picture in drawn(facts, number, Theme::Auto)? {
-            page.raw(&format!("<figure>\n{}</figure>\n", picture.svg));
-        }
+        pictures.extend(drawn(facts, number, Theme::Auto)?);
     }
     for (name, map) in facts.maps {
-        let picture = friction_map(name, map, facts.ranking.best(), Theme::Auto)?;
-        page.raw(&format!("<figure>\n{}</figure>\n", picture.svg));
+        pictures.push(friction_map(name, map, facts.ranking.best(), Theme::Auto)?);
     }
+    page.figures(pictures);
     Ok(())
 }
 
 /// Heading of the table of parameters.
-const HEAD: [&str; 9] = [
+const HEAD: [&str; 8] = [
     "Parameter",
+    "#Value \u{b1} 95 %",
     "Unit",
-    "#Value",
-    "95 % interval",
-    "Bootstrap interval",
+    "#Bootstrap interval",
     "#Reference",
-    "#Difference, % of reference",
-    "#% of the mean of both",
+    "#Off the reference, %",
+    "#Off the mean, %",
     "Verdict",
 ];
 
@@ -102,23 +100,21 @@ fn judgement(page: &mut Page, best: &Fit) {
     page.table(&["Parameter", "#Value"], judgement.values.iter().map(row));
 }
 
-/// A row of the table of parameters; without numbers if the parameter is not determined.
-fn cells(one: &Estimate, best: &Fit, reference: Option<&Reference>) -> [String; 9] {
-    let Estimate { name, unit, value, verdict, repeated, .. } = one;
-    let is_determined = *verdict == Verdict::Determined;
-    let if_determined = |text: String| if is_determined { text } else { String::new() };
-    let precise = |value: f64| digits_within(value, one.width());
-    let ends = |[low, high]: [f64; 2]| format!("{} to {}", precise(low), precise(high));
+/// A row of the table of parameters, in one notation; without numbers if the parameter is not determined.
+fn cells(one: &Estimate, best: &Fit, reference: Option<&Reference>) -> [String; 8] {
+    let Estimate { name, unit, value, verdict, .. } = one;
+    let (value_text, repeated) =
+        Readable::of(one, best.searches).map_or_else(Default::default, |it| (it.value, it.repeated));
     let known = reference.and_then(|reference| known(reference, one));
-    let apart = known.filter(|known| is_determined && *known != 0.0).map(|known| difference(*value, known));
+    let apart =
+        known.filter(|known| *verdict == Verdict::Determined && *known != 0.0).map(|known| difference(*value, known));
     let percent = |of: fn(Difference) -> f64| apart.map_or(String::new(), |apart| format!("{:.1}", of(apart)));
     [
         name.clone(),
-        (*unit).to_owned(),
-        if_determined(precise(*value)),
-        if best.searches == Searches::Ended { String::new() } else { if_determined(ends(one.interval())) },
-        if_determined(repeated.map_or(String::new(), ends)),
-        known.map_or(String::new(), digits),
+        value_text,
+        if *unit == "1" { String::new() } else { typeset_unit(unit) },
+        repeated.unwrap_or_default(),
+        known.map_or(String::new(), |known| one.beside(known)),
         percent(|apart| apart.to_reference),
         percent(|apart| apart.to_mean),
         verdict.to_string(),
@@ -220,7 +216,7 @@ fn correlations(page: &mut Page, best: &Fit) {
     let names: Vec<&str> = best.estimates.iter().take(best.parameters()).map(|one| one.name.as_str()).collect();
     let titles: Vec<String> = names.iter().map(|name| format!("#{name}")).collect();
     let head: Vec<&str> = std::iter::once("").chain(titles.iter().map(String::as_str)).collect();
-    page.table(
+    page.matrix(
         &head,
         names.iter().zip(&best.correlation).map(|(name, row)| {
             let values = row.iter().map(|value| format!("{value:.2}"));
@@ -257,7 +253,8 @@ fn settings(page: &mut Page, facts: &Identification) {
 }
 
 /// Friction of a record over time, velocity and displacement: measured, of the reference, and fitted (the thesis'
-/// Figures 8.7 to 8.11). Over velocity and displacement it is the mean cycle, if the record is periodic.
+/// Figures 8.7 to 8.11), with the residuals below. Over velocity and displacement it is the mean cycle, if the record is
+/// periodic.
 pub fn pictures(facts: &Identification, number: usize) -> Result<Vec<Picture>, Fault> {
     drawn(facts, number, Theme::Light)
 }
@@ -278,8 +275,10 @@ fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Pict
     let picture = |kind: Kind| {
         let source = if kind == Kind::Force { &all } else { &cycled };
         let of = if kind == Kind::Force || cycles == 0 { String::new() } else { format!(" (mean of {cycles} cycles)") };
-        let lines: Vec<Named> = source.iter().map(|(name, record)| (name.clone(), points(kind, record))).collect();
-        curves(kind, |words| format!("{name}: {words}{of}"), lines, |unit| best.movement.unit(unit), theme)
+        let mut lines = source.iter().map(|(name, record)| (name.clone(), points(kind, record)));
+        let measured = lines.next()?;
+        let (others, title) = (lines.collect(), |words: &str| format!("{name}: {words}{of}"));
+        beside(kind, title, measured, others, |unit| best.movement.unit(unit), theme)
     };
     Ok(kinds.into_iter().filter_map(picture).collect())
 }

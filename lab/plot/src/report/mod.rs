@@ -75,9 +75,7 @@ fn warnings(page: &mut Page, outcomes: &[(String, Outcome)]) {
 
 fn pictures(page: &mut Page, system: &System, outcomes: &[(String, Outcome)], facts: &Facts) {
     page.heading("Pictures");
-    for picture in picture::all(system, outcomes, &Options { theme: Theme::Auto, zoom: facts.zoom }) {
-        page.raw(&format!("<figure>\n{}</figure>\n", picture.svg));
-    }
+    page.figures(picture::all(system, outcomes, &Options { theme: Theme::Auto, zoom: facts.zoom }));
 }
 
 fn solver(page: &mut Page, outcomes: &[(String, Outcome)], facts: &Facts) {
