@@ -7,6 +7,7 @@
     python -m examples.car.car limit --law LuGre                highest speed that passes the cones of ISO 3888-2
     python -m examples.car.car accuracy                         smaller steps, balance of energy, exudyn against MuJoCo
     python -m examples.car.car design --code mujoco             seat of the spring, seals and overlap
+    python -m examples.car.car mount                            rubber mounts in the struts, and none
     python -m examples.car.car pressure --pressures 80e3 100e3  inflation pressures of the tyres, side by side
     python -m examples.car.car study                            lane change and four-post with every law, side by side
 
@@ -26,6 +27,7 @@ from examples.car.car_accuracy import report_accuracy
 from examples.car.car_description import CAR, CORNERS, Car, CarError, read_car
 from examples.car.car_design import report_designs
 from examples.car.car_figures import draw_kinematics, draw_study
+from examples.car.car_mount import report_mounts
 from examples.car.car_page import write_page
 from examples.car.car_pressure import TYRE, report_pressures
 from examples.car.car_rest import imbalance, settle
@@ -64,18 +66,18 @@ def arguments() -> argparse.Namespace:
     _add_kinematics(tasks)
     drive, study = _add_drive(tasks), _add_study(tasks)
     limit = tasks.add_parser("limit", help="the highest speed that passes the cones")
-    accuracy, design = _add_reports(tasks)
+    accuracy, design, mount = _add_reports(tasks)
     pressure = _add_pressure(tasks)
-    for task in (drive, limit, accuracy, design, pressure):
+    for task in (drive, limit, accuracy, design, mount, pressure):
         task.add_argument("--law", default="LuGre", help="friction law of the struts (default: LuGre)")
-    for task in (study, accuracy, design, pressure):
+    for task in (study, accuracy, design, mount, pressure):
         task.add_argument("--jobs", type=int, default=2, help="runs at a time (default: 2)")
     for task in (drive, study):
         task.add_argument("--strut", choices=CORNERS, default="fl", help="the strut in the figures (default: fl)")
-    for task in (drive, limit, design, pressure, study):
+    for task in (drive, limit, design, mount, pressure, study):
         task.add_argument("--code", choices=(EXUDYN, MUJOCO), default=EXUDYN, help="simulator (default: exudyn)")
         task.add_argument("--step", type=positive, default=1e-3, help="step in s (default: 1e-3)")
-    for task in (drive, limit, accuracy, design, pressure, study):
+    for task in (drive, limit, accuracy, design, mount, pressure, study):
         _add_settings(task)
     return parser.parse_args()
 
@@ -110,7 +112,7 @@ def _add_study(tasks) -> argparse.ArgumentParser:
     return study
 
 
-def _add_reports(tasks) -> tuple[argparse.ArgumentParser, argparse.ArgumentParser]:
+def _add_reports(tasks) -> tuple[argparse.ArgumentParser, ...]:
     """The tasks that print the tables of docs/car.md."""
     accuracy = tasks.add_parser("accuracy", help="smaller steps, the balance of energy, and both codes")
     accuracy.add_argument("--test", choices=sorted(MANOEUVRES), default="lane-change")
@@ -118,7 +120,7 @@ def _add_reports(tasks) -> tuple[argparse.ArgumentParser, argparse.ArgumentParse
         "--steps", type=positive, nargs="+", default=[1e-3, 5e-4, 2.5e-4], metavar="S", help="in s, the longest first"
     )
     design = tasks.add_parser("design", help="seat of the spring, seals and overlap")
-    return accuracy, design
+    return accuracy, design, tasks.add_parser("mount", help="rubber mounts in the struts, and none")
 
 
 def _add_pressure(tasks) -> argparse.ArgumentParser:
@@ -247,6 +249,13 @@ def show_design(car: Car, options: argparse.Namespace) -> None:
     print(report_designs(options.car, courses, options.law, changes, options.step, options.code, jobs))
 
 
+def show_mounts(car: Car, options: argparse.Namespace) -> None:
+    """Prints what rubber mounts in the struts do."""
+    posts = courses_of(["four-post"], car, numbers(options))["four-post"]
+    changes, jobs = dict(options.set), jobs_of(options)
+    print(report_mounts(options.car, posts, options.law, changes, options.step, options.code, jobs))
+
+
 def show_pressures(car: Car, options: argparse.Namespace) -> None:
     """Prints what inflation pressures do; a speed is that of the lane change, as the car stands on the posts."""
     courses = courses_of(STUDIED, car, numbers(options))
@@ -337,6 +346,8 @@ def program() -> None:
         show_accuracy(car, options)
     elif options.task == "design":
         show_design(car, options)
+    elif options.task == "mount":
+        show_mounts(car, options)
     elif options.task == "pressure":
         show_pressures(car, options)
     elif options.task == "study":

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy
 
 from examples.car.car_description import CORNERS, CarError, read_car
+from examples.car.car_rest import on_rubber
 from examples.car.car_ride import EXUDYN, MUJOCO, Run, simulate
 from examples.car.car_study import DEGREES, NONE, heat, printed
 from examples.car.manoeuvres import Manoeuvre
@@ -21,6 +22,12 @@ def _largest(column: str, factor: float = 1.0) -> Callable[[Run], float]:
 
 def _range(column: str, factor: float = 1.0) -> Callable[[Run], float]:
     return lambda run: factor * float(numpy.ptp(run[column]))
+
+
+def _shaking(run: Run) -> float:
+    """Root mean square of the chassis' vertical acceleration in the second half of a run."""
+    late = run["heave"][len(run["heave"]) // 2 :]
+    return float(numpy.sqrt(numpy.mean((numpy.diff(late, 2) / run.step**2) ** 2)))
 
 
 def _contacts(column: str) -> Callable[[Run], float]:
@@ -46,6 +53,7 @@ ON_THE_ROAD: list[Quantity] = [
 ON_POSTS: list[Quantity] = [
     ("pitch, peak to peak [deg]", _range("pitch", DEGREES), 4),
     ("heave, peak to peak [mm]", _range("heave", 1e3), 3),
+    ("heave acceleration, rms [m/s2]", _shaking, 4),
     ("tyre load fl, peak to peak [N]", _range("fl.load"), 1),
     ("strut fl, peak to peak [mm]", _range("fl.length", 1e3), 4),
     *STRUTS,
@@ -54,7 +62,7 @@ ON_POSTS: list[Quantity] = [
 
 @dataclass(frozen=True)
 class Job:
-    """One run; with another tyre and pressure than those of the car if they are given."""
+    """One run; with another tyre and pressure than those of the car if they are given, and with rubber mounts."""
 
     car: Path
     course: Manoeuvre
@@ -63,6 +71,7 @@ class Job:
     step: float
     code: str
     tyre: Mapping[str, object] = field(default_factory=dict)
+    has_mounts: bool = False
 
 
 @dataclass(frozen=True)
@@ -83,6 +92,8 @@ def answer(job: Job) -> Answer:
     """Computes a run in a process of its own."""
     car = read_car(job.car)
     car = replace(car, tyre=replace(car.tyre, **job.tyre))
+    if job.has_mounts:
+        car = on_rubber(car, job.changes)
     run = simulate(car, job.course, job.law, job.changes, job.step, code=job.code)
     works = run.works
     booked = works and (-works.friction, -works.dampers, -works.tyres, works.residual)

@@ -61,6 +61,16 @@ class Acting:
         """Friction torque about the axis."""
         return self._of("friction_torque")
 
+    @property
+    def rod_force(self) -> float:
+        """Part of the force that does not reach the eye of the rod."""
+        return self._of("rod_force")
+
+    @property
+    def displacement(self) -> float:
+        """Of the mount, by which the strut is longer than the distance of its eyes."""
+        return self._of("mount.displacement")
+
     def _of(self, reading: str) -> float:
         return self.strut[READINGS.index(reading)]
 
@@ -72,6 +82,8 @@ class _Booked:
     acting: Acting
     length: float
     spin: float
+    eye: Vector
+    rod_push: Vector
     centre: Vector
     wheel: Vector
     upright: Vector
@@ -104,7 +116,8 @@ class Ledger:
     def book(self, name: str, carrier: Carrier, length: float, spin: float, acting: Acting, step: float) -> None:
         """Books the step that has just ended for a corner."""
         wheel = carrier.turning + carrier.spin * carrier.axis
-        now = _Booked(acting, length, spin, carrier.centre, wheel, carrier.turning)
+        eye, rod_push = self.model.rod_eye(name), -acting.rod_force * self.model.strut_axis(name)
+        now = _Booked(acting, length, spin, eye, rod_push, carrier.centre, wheel, carrier.turning)
         last = self._booked.get(name)
         self._booked[name] = now
         if last is None:
@@ -112,6 +125,9 @@ class Ledger:
         extension, old = 0.5 * (length - last.length), last.acting
         twisted = 0.25 * step * (acting.twist + old.twist) * (spin + last.spin)
         self.works.struts += (acting.force + old.force) * extension - twisted
+        self.works.struts += 0.5 * float((rod_push + last.rod_push) @ (eye - last.eye))
+        # Behind a mount the strut extends by more than its eyes part.
+        extension += 0.5 * (acting.displacement - old.displacement)
         self.works.friction -= (acting.friction + old.friction) * extension + twisted
         self.works.dampers += (acting.damper + old.damper) * extension
         turned, held = 0.25 * step * (wheel + last.wheel), 0.25 * step * (carrier.turning + last.upright)

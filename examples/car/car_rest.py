@@ -1,13 +1,13 @@
 """The car at rest on its wheels: springs and tyres in balance, without friction."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy
 
 from examples.car.car_description import CORNERS, Car, CarError, is_left
-from examples.car.car_struts import RestingStrut
-from examples.car.car_tyres import UP, CarTyre, Contact, touch
+from examples.car.car_struts import RestingStrut, parameters_of
+from examples.car.car_tyres import UP, CarTyre, Contact, read_tyre, touch
 from examples.car.exudyn_car import ExudynCar
 from examples.car.mujoco_car import MujocoCar
 
@@ -83,6 +83,19 @@ def _rest(model: ExudynCar, struts: Mapping[str, RestingStrut], seen: Mapping[st
         lengths=lengths,
         forces={name: struts[name].at(lengths[name])[0] for name in CORNERS},
     )
+
+
+def on_rubber(car: Car, changes: Mapping[str, object]) -> Car:
+    """The car with a rubber mount in each strut, which carries the strut at rest without being displaced: the car
+    stands as it does without. Friction stops the mass of the rod then, which the strut knows, and no other."""
+    forces = settle(ExudynCar(car), read_tyre(car), parameters_of(car, "None", changes)).forces
+    corners = {
+        name: replace(
+            corner, strut={**corner.strut, "mount.enabled": True, "mount.preload": forces[name], "friction.mass": 0.0}
+        )
+        for name, corner in car.corners.items()
+    }
+    return replace(car, corners=corners)
 
 
 def imbalance(car: Car, rest: Rest) -> float:

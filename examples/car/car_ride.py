@@ -52,6 +52,8 @@ CORNER_COLUMNS = {
     "normal_2": "N",
     "force_damper": "N",
     "friction_torque": "N.m",
+    "rod_force": "N",
+    "mount": "m",
     "force_x": "N",
     "force_y": "N",
     "load": "N",
@@ -119,8 +121,10 @@ class Seen:
 
 
 def at_rest(readings: tuple[float, ...]) -> tuple[float, ...]:
-    """Readings of a strut before its first step, from those after it: its contacts carry their load, nothing rubs."""
-    return tuple(value if name.startswith("normal") else 0.0 for name, value in zip(READINGS, readings, strict=True))
+    """Readings of a strut before its first step, from those after it: contacts and mount carry their load, nothing
+    rubs."""
+    kept = ("normal_1", "normal_2", "mount.displacement")
+    return tuple(value if name in kept else 0.0 for name, value in zip(READINGS, readings, strict=True))
 
 
 class Ride:
@@ -254,6 +258,7 @@ class Ride:
         force = strut.advance(seen.length, seen.velocity, self.step, wrench, acceleration, seen.spin)
         self.strut_seconds += time.process_time() - began
         model.set_strut(name, force)
+        model.push_rod(name, strut.seen[READINGS.index("rod_force")])
         model.twist_strut(name, strut.seen[READINGS.index("friction_torque")])
         carrier = seen.carrier.ahead(before.carrier, lead, self.step)
         return Acting(force, tuple(strut.seen), *self._push_tyre(name, carrier, now + lead, self.step))

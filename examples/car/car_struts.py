@@ -18,7 +18,10 @@ INPUTS = (
     *("length", "velocity", "side_force_m", "side_force_n", "side_moment_m", "side_moment_n"),
     *("acceleration", "spin_rate"),
 )
-READINGS = ("friction_1", "friction_2", "normal_1", "normal_2", "force_damper", "friction_torque")
+READINGS = (
+    *("friction_1", "friction_2", "normal_1", "normal_2", "force_damper", "friction_torque"),
+    *("rod_force", "mount.displacement"),
+)
 NOTHING_YET = (0.0,) * len(READINGS)
 
 # No friction at the start, whatever the law: the car stands where the springs hold it.

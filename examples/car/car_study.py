@@ -125,7 +125,7 @@ def heat(run: Run, column: str) -> float:
     """Work of a force of all struts along their motion."""
     total = 0.0
     for name in CORNERS:
-        force, length = run[f"{name}.{column}"], run[f"{name}.length"]
+        force, length = run[f"{name}.{column}"], run[f"{name}.length"] + run[f"{name}.mount"]
         total += 0.5 * float((force[1:] + force[:-1]) @ numpy.diff(length))
     return total
 

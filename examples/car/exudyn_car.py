@@ -31,8 +31,9 @@ class CornerBodies:
         self.bodies: dict[str, int] = {}
         self.telescope = self.strut = self.parking = -1
         self.patch = self.force = self.moment = self.shaft = self.caliper = -1
-        # Friction torque about the axis of the strut, on tube and rod.
+        # Friction torque about the axis of the strut, on tube and rod; force on the eye of the rod alone.
         self.twists: dict[str, int] = {}
+        self.rod_push = -1
 
 
 class ExudynCar:
@@ -171,6 +172,8 @@ class ExudynCar:
         made.twists = {
             part: self.system.CreateTorque(itemNumber=b[part], loadVector=[0.0] * 3) for part in ("tube", "rod")
         }
+        eye = self._local(b["rod"], p["rod_eye"])
+        made.rod_push = self.system.CreateForce(itemNumber=b["rod"], loadVector=[0.0] * 3, localPosition=eye)
 
     def _anti_roll_bar(self, left: CornerBodies, right: CornerBodies) -> None:
         pivot = 0.5 * (left.corner["bar_pivot"] + right.corner["bar_pivot"])
@@ -193,6 +196,11 @@ class ExudynCar:
     def strut_axis(self, name: str) -> Vector:
         """Present axis of a strut, from the eye of the tube to that of the rod."""
         return unit(self.system.GetObjectOutput(self.corners[name].strut, ENTRY.Displacement))
+
+    def rod_eye(self, name: str) -> Vector:
+        """Present position of the eye of a rod."""
+        made = self.corners[name]
+        return self.place(made.bodies["rod"], made.corner["rod_eye"])
 
     def rod_spin(self, name: str) -> float:
         """Spin of the rod in the tube about the axis of the strut."""
@@ -269,6 +277,11 @@ class ExudynCar:
         self.system.SetObjectParameter(strut, "stiffness", stiffness)
         if stiffness > 0.0:
             self.system.SetObjectParameter(strut, "referenceLength", length)
+
+    def push_rod(self, name: str, rod_force: float) -> None:
+        """Sets the part of a strut's force that does not reach the eye of its rod."""
+        push = -rod_force * self.strut_axis(name)
+        self.system.SetLoadParameter(self.corners[name].rod_push, "loadVector", list(push))
 
     def twist_strut(self, name: str, torque: float) -> None:
         """Sets the friction torque about the axis of a strut: on the tube, and reversed on the rod."""

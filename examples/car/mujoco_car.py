@@ -127,6 +127,14 @@ class MujocoCar:
             )
             for name in CORNERS
         }
+        self.struts = {
+            name: (
+                self.model.body(f"{name}.rod").id,
+                self.model.site(f"{name}.tube_eye").id,
+                self.model.site(f"{name}.rod_eye").id,
+            )
+            for name in CORNERS
+        }
         mujoco.mj_forward(self.model, self.data)
 
     # Measurements.
@@ -191,6 +199,15 @@ class MujocoCar:
     def set_strut(self, name: str, force: float) -> None:
         """Sets the force of a strut; positive pushes the eyes apart."""
         self.data.ctrl[self.names[name][4]] = force
+
+    def push_rod(self, name: str, rod_force: float) -> None:
+        """Sets the part of a strut's force that does not reach the eye of its rod."""
+        rod, tube_eye, rod_eye = self.struts[name]
+        places = self.data.site_xpos
+        line = places[rod_eye] - places[tube_eye]
+        push = -rod_force * line / numpy.linalg.norm(line)
+        arm = places[rod_eye] - self.data.xipos[rod]
+        self.data.xfrc_applied[rod] = [*push, *numpy.cross(arm, push)]
 
     def twist_strut(self, _name: str, torque: float) -> None:
         """Would set the friction torque about the axis of a strut, which is 0 for a rod that does not spin."""
