@@ -4,8 +4,12 @@ import shutil
 
 import fmpy
 import pytest
+from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import FMU2Slave
 from fmpy.validation import validate_fmu
+from pathsim import Connection, Simulation
+from pathsim.blocks import Constant
+from pathsim_fmi import CoSimulationFMU
 
 from examples.fmpy.coupling import FMUS, CouplingError, models_in, open_fmu, path_of
 
@@ -60,6 +64,30 @@ def test_choices_and_booleans_are_set_by_number():
 def test_the_fmu_with_types_still_refuses_a_boolean_as_real():
     with pytest.raises(CouplingError, match="sticking .* is not of type Real"), open_fmu(path_of("LuGre")) as fmu:
         fmu.slave.getReal(fmu.references("sticking"))
+
+
+@pytest.mark.parametrize("model", ["Karnopp", "LuGre"])
+def test_pathsim_runs_them(model):
+    """A host that reads every output as Real: the values of so many steps of the FMU with types."""
+    inputs = {"velocity": 2e-3, "normal_force": 9.81}
+    fmu = CoSimulationFMU(str(path_of(model, FOLDER)), dt=1e-3)
+    sources = {name: Constant(value) for name, value in inputs.items()}
+    wires = [Connection(source, fmu[name]) for name, source in sources.items()]
+    Simulation([*sources.values(), fmu], wires, dt=1e-3, log=False).run(0.05)
+    found = dict(zip(fmu.fmu_wrapper.output_refs, fmu.outputs.to_array(), strict=True))
+    with open_fmu(path_of(model)) as typed:
+        typed.slave.setReal(typed.references(*inputs), list(inputs.values()))
+        # It also makes the step that begins at its end.
+        for number in range(51):
+            typed.slave.doStep(number * 1e-3, 1e-3)
+        shown = ("friction_force", "dissipated_energy", "dissipated_power")
+        assert [found[name] for name in shown] == typed.slave.getReal(typed.references(*shown))
+        assert [bool(found["sticking"])] == typed.slave.getBoolean(typed.references("sticking"))
+
+
+def test_pathsim_refuses_those_with_types():
+    with pytest.raises(FMICallException, match="fmi2GetReal"):
+        CoSimulationFMU(str(path_of("LuGre")), dt=1e-3)
 
 
 def test_a_state_of_one_form_is_one_of_the_other():
