@@ -2,7 +2,7 @@ use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::{passivity, stribeck};
-use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, real};
+use crate::model::{Derivatives, Fault, GivesBack, Law, Meaning, Model, ModelExchange, Preset, real};
 use crate::number::elementary::{exp, exp_m1, hypot, ln, ln_1p};
 use crate::number::{Real, choose};
 use crate::numerics::relaxation;
@@ -284,7 +284,7 @@ impl Model for CylinderFriction {
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
-    fn passivity(&self) -> Option<Fault> {
+    fn passivity(&self) -> Option<GivesBack> {
         // The level without a film at the static level, that at high speed with any film.
         passivity::least_viscous(self.viscous_coefficient, self.sigma_1 * (self.mu_s / self.mu_k - 1.0))
     }

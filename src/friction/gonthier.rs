@@ -1,7 +1,7 @@
 use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, real};
+use crate::model::{Derivatives, Fault, GivesBack, Law, Meaning, Model, ModelExchange, Preset, real};
 use crate::number::elementary::{exp, exp_m1, ln};
 use crate::number::{Mask, Real};
 
@@ -255,7 +255,7 @@ impl Model for Gonthier {
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
-    fn passivity(&self) -> Option<Fault> {
+    fn passivity(&self) -> Option<GivesBack> {
         crate::laws::passivity::equal_levels(self.mu_s, self.mu_k)
     }
 

@@ -7,7 +7,7 @@ use crate::contact::time_stepping::{MOVED, Phase, PhaseColumn};
 use crate::contact::unloading;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, real};
+use crate::model::{Derivatives, Fault, GivesBack, Law, Meaning, Model, ModelExchange, Preset, real};
 use crate::number::elementary::{exp_m1, pow};
 use crate::number::{Mask, Real, Scalar};
 use crate::numerics::approach;
@@ -536,7 +536,7 @@ impl Model for Leuven {
         crate::contact::conditions::carries_static_level(self.hysteresis_strength)
     }
 
-    fn passivity(&self) -> Option<Fault> {
+    fn passivity(&self) -> Option<GivesBack> {
         let excess = pow(self.mu_s / self.mu_k, self.approach_exponent) - 1.0;
         crate::laws::passivity::least_viscous(self.viscous_coefficient, self.sigma_1 * excess)
     }

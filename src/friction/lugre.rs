@@ -213,8 +213,7 @@ impl<T: Real> LuGre<T> {
     fn slide(&mut self, level: T, damping: T, distance: T) {
         let direction = self.velocity.sign();
         let before = self.bristle_deflection;
-        self.bristle_deflection =
-            relaxation::after(before, self.steady_deflection(level), self.decay(level, distance));
+        self.bristle_deflection = relaxation::after(before, self.steady_deflection(level), self.decay(level, distance));
         let change = self.bristle_deflection - before;
         // The integral of the force over the distance: sigma_0 z |v| / g = v - dz/dt gives the first term.
         let work = direction * level * (distance - change)

@@ -6,7 +6,7 @@ use crate::contact::time_stepping::{MOVED, PASSED, Phase, PhaseColumn};
 use crate::contact::unloading;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{self, Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, Width, real};
+use crate::model::{self, Derivatives, Fault, GivesBack, Law, Meaning, Model, ModelExchange, Preset, Width, real};
 use crate::number::{Mask, Real, Scalar, choose};
 use crate::numerics::relaxation;
 
@@ -424,7 +424,7 @@ impl Model for MaxwellSlip {
 
     const PIECEWISE_LINEAR: bool = true;
 
-    fn passivity(&self) -> Option<Fault> {
+    fn passivity(&self) -> Option<GivesBack> {
         crate::laws::passivity::equal_levels(self.mu_s, self.mu_k)
     }
 

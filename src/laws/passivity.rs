@@ -20,8 +20,8 @@
 //! LuGre friction model", IEEE Transactions on Automatic Control 45 (2000), 830-832, doi:10.1109/9.847131.
 
 use super::stribeck;
+use crate::model::GivesBack;
 use crate::number::Real;
-use crate::table::{Brief, Fault};
 
 /// Parameters of bristles with a Stribeck curve.
 pub struct Bristles {
@@ -65,8 +65,8 @@ impl Bristles {
         (1..=16).map(|part| pushed(f64::from(part) / 16.0)).fold(0.0, f64::max)
     }
 
-    /// Names a viscous coefficient that is too small, with the least one.
-    pub fn fault(&self, viscous_coefficient: f64) -> Option<Fault> {
+    /// What a viscous coefficient that is too small does.
+    pub fn give_back(&self, viscous_coefficient: f64) -> Option<GivesBack> {
         least_viscous(viscous_coefficient, self.least_viscous())
     }
 }
@@ -74,7 +74,7 @@ impl Bristles {
 /// The method `passivity` of a model whose bristles have a Stribeck curve and this exponent i.
 macro_rules! names_least_viscous {
     (|$law:ident| $exponent:expr) => {
-        fn passivity(&self) -> Option<$crate::model::Fault> {
+        fn passivity(&self) -> Option<$crate::model::GivesBack> {
             let $law = self;
             let bristles = $crate::laws::passivity::Bristles {
                 coefficients: [self.mu_k, self.mu_s],
@@ -84,53 +84,21 @@ macro_rules! names_least_viscous {
                 damping_velocity: self.damping_velocity,
                 exponent: $exponent,
             };
-            bristles.fault(self.viscous_coefficient)
+            bristles.give_back(self.viscous_coefficient)
         }
     };
 }
 pub(crate) use names_least_viscous;
 
-/// Names a viscous coefficient that is below the least one.
-pub fn least_viscous(viscous_coefficient: f64, least: f64) -> Option<Fault> {
-    if least == f64::INFINITY {
-        let text =
-            "mu_k = 0: at high speeds the damping of the bristles can give back more energy than the contact took";
-        return Some(Fault::new(format_args!("{text}")));
-    }
+/// What a viscous coefficient below the least one does.
+pub fn least_viscous(viscous_coefficient: f64, least: f64) -> Option<GivesBack> {
     // The least one is not a number if both coefficients are 0.
-    (viscous_coefficient < least).then(|| {
-        let [value, least] = [viscous_coefficient, rounded_up(least)].map(Brief);
-        Fault::new(format_args!(
-            "viscous_coefficient = {value}: below {least} the damping of the bristles can give back more energy than the \
-             contact took"
-        ))
-    })
+    (viscous_coefficient < least).then_some(GivesBack::Damping { viscous_coefficient, least })
 }
 
-/// The next larger number of six digits, of one that is positive.
-fn rounded_up(value: f64) -> f64 {
-    if !(1e-300..1e300).contains(&value) {
-        return value;
-    }
-    let mut scale = 1.0;
-    while value * scale < 1e5 {
-        scale *= 10.0;
-    }
-    while value * scale >= 1e6 {
-        scale *= 0.1;
-    }
-    (value * scale).ceil() / scale
-}
-
-/// Names a static level that lets the law give back more energy than it took: only equal levels do not.
-pub fn equal_levels(mu_s: f64, mu_k: f64) -> Option<Fault> {
-    (mu_s > mu_k).then(|| {
-        Fault::new(format_args!(
-            "mu_s = {}: above mu_k = {} a level that rises can give back more energy than the contact took",
-            Brief(mu_s),
-            Brief(mu_k)
-        ))
-    })
+/// What a static level does that lets the law give back more energy than it took: only equal levels do not.
+pub fn equal_levels(mu_s: f64, mu_k: f64) -> Option<GivesBack> {
+    (mu_s > mu_k).then_some(GivesBack::Level { mu_s, mu_k })
 }
 
 #[cfg(test)]
@@ -152,11 +120,11 @@ mod tests {
     fn constant_damping_needs_its_share_of_the_excess() {
         assert!((bristles(0.0).least_viscous() - 158.0).abs() < 1e-12);
         assert!((Bristles { exponent: 3.0, ..bristles(0.0) }.least_viscous() - 39.5).abs() < 1e-12);
-        assert_eq!(bristles(0.0).fault(bristles(0.0).least_viscous()), None);
+        assert_eq!(bristles(0.0).give_back(bristles(0.0).least_viscous()), None);
         let text = "viscous_coefficient = 0.1: below 158 the damping of the bristles can give back more energy than the \
                     contact took";
-        assert_eq!(bristles(0.0).fault(0.1).unwrap().0, text);
-        assert_eq!(Bristles { coefficients: [0.0, 0.0], ..bristles(0.0) }.fault(0.1), None);
+        assert_eq!(bristles(0.0).give_back(0.1).unwrap().fault().0, text);
+        assert_eq!(Bristles { coefficients: [0.0, 0.0], ..bristles(0.0) }.give_back(0.1), None);
     }
 
     /// Damping that fades at the Stribeck velocity has faded before it pushes; one that fades at 1 m/s has not.

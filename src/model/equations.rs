@@ -3,7 +3,7 @@
 use std::ffi::CStr;
 use std::ops::Range;
 
-use super::{Bonds, Evaluate, Kernels, Visitor};
+use super::{Bonds, Evaluate, GivesBack, Kernels, Visitor};
 use crate::reference::References;
 use crate::table::{Fault, Ports, Table, Variable};
 
@@ -315,7 +315,7 @@ pub trait Model: Described + Law<Number = f64> {
 
     /// Names the parameter with which the law can give back more energy than it took from a motion at constant load, and
     /// the value that would keep it passive. None for a law that always is passive, or never: its page says which.
-    fn passivity(&self) -> Option<Fault> {
+    fn passivity(&self) -> Option<GivesBack> {
         None
     }
 

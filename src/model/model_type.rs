@@ -4,7 +4,7 @@ use std::ffi::CStr;
 use std::fmt;
 
 use super::row::{Room, commit, view, view_mut};
-use super::{Bonds, Interface, Kernels, Law, Model, Past, Preset, is_for_exchange};
+use super::{Bonds, GivesBack, Interface, Kernels, Law, Model, Past, Preset, is_for_exchange};
 use crate::guid::{self, GuidText};
 use crate::number::Dual;
 use crate::reference::{self, Place, Reference, References};
@@ -47,7 +47,7 @@ pub struct ModelType {
     /// Names the limit of an input for which a result is not finite.
     pub(crate) check_motion: fn(&[f64]) -> Result<(), Fault>,
     warning: fn(&[f64]) -> Option<Fault>,
-    passivity: fn(&[f64]) -> Option<Fault>,
+    passivity: fn(&[f64]) -> Option<GivesBack>,
     memory_in_use: fn(&[f64]) -> usize,
     /// As [`ModelType::advance`], without advice; row and memory are as they were if a result is not finite, or if the
     /// model panics. So with the four below.
@@ -209,6 +209,11 @@ impl ModelType {
 
     /// The value with which the model can give back more energy than it took: [`Model::passivity`].
     pub fn passivity(&self, row: &[f64]) -> Option<Fault> {
+        self.gives_back(row).map(GivesBack::fault)
+    }
+
+    /// The same, for a model that contains the model.
+    pub(crate) fn gives_back(&self, row: &[f64]) -> Option<GivesBack> {
         (self.passivity)(row)
     }
 

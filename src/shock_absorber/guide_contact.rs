@@ -2,8 +2,9 @@ use std::mem::offset_of;
 use std::ops::Range;
 
 use crate::contact::ExchangeOrder;
+use crate::memory;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Meaning, Model, Width, boolean, choice, real};
+use crate::model::{CoSimulation, Fault, GivesBack, Law, Meaning, Model, Width, boolean, choice, passivity, real};
 use crate::number::{Decision, Mask, Scalar};
 use crate::shock_absorber::law::{Answer, ChosenLaw, Evaluate, Given, MOST_EVENTS};
 use crate::shock_absorber::law_list::{FRICTION_MODEL, LUGRE};
@@ -61,8 +62,7 @@ crate::part! {
 impl Levels {
     /// Refuses impossible levels.
     pub(crate) fn check(&self, part: &str) -> Result<(), Fault> {
-        let pairs = [("mu", self.mu_s, self.mu_k), ("preload", self.preload_s, self.preload_k)];
-        for (name, breakaway, kinetic) in pairs {
+        for (name, breakaway, kinetic) in self.pairs() {
             if breakaway < kinetic {
                 return Err(Fault::new(format_args!(
                     "{part}{name}_s = {breakaway}: must be >= {part}{name}_k = {kinetic}"
@@ -77,6 +77,19 @@ impl Levels {
         }
         Ok(())
     }
+
+    /// Static levels and kinetic ones, by what their names begin with.
+    fn pairs(&self) -> [(&'static str, f64, f64); 2] {
+        [("mu", self.mu_s, self.mu_k), ("preload", self.preload_s, self.preload_k)]
+    }
+}
+
+/// What a contact lacks in order to be passive.
+pub(crate) struct Shortfall {
+    /// Coefficient of a viscous friction; infinite if none would do.
+    pub coefficient: f64,
+    /// The parameter, and the value with which it would be.
+    pub said: Fault,
 }
 
 /// Motion and load of a contact at an instant.
@@ -302,6 +315,30 @@ impl FrictionLaw {
         self.chosen().and_then(|law| law.warning(&self.law))
     }
 
+    /// What lets a contact give back more energy than it took under some load. The levels under any load are a mean of those
+    /// of the preload and of the coefficients: the ratio of static and kinetic level is at most the larger one of these. The
+    /// level itself is least without load.
+    pub(crate) fn passivity(&self, part: &str, levels: &Levels) -> Option<Shortfall> {
+        let law = self.chosen()?;
+        if FrictionSwitch::of(self.switch) != FrictionSwitch::On || self.scale == 0.0 {
+            return None;
+        }
+        let loaded = levels.pairs().into_iter().filter(|(_, _, kinetic)| *kinetic > 0.0);
+        let mu_s = loaded.map(|(_, breakaway, kinetic)| breakaway / kinetic).fold(1.0, f64::max);
+        let normal_force = self.scale * (1.0 - self.asymmetry.abs()) * levels.preload_k;
+        let given = Given { mu_k: 1.0, mu_s, normal_force, ..self.given(levels, &self.loaded_at_rest()) };
+        if let GivesBack::Damping { viscous_coefficient, least } = law.gives_back(&given, &self.law)? {
+            let name = memory::text(format_args!("friction.{}", law.viscous_path()?));
+            let said = passivity::damping(&name, viscous_coefficient, least);
+            return Some(Shortfall { coefficient: least - viscous_coefficient, said });
+        }
+        let (name, breakaway, kinetic) =
+            levels.pairs().into_iter().find(|(_, breakaway, kinetic)| breakaway > kinetic)?;
+        let names = ["s", "k"].map(|level| memory::text(format_args!("{part}{name}_{level}")));
+        let said = passivity::level([&names[0], &names[1]], [breakaway, kinetic]);
+        Some(Shortfall { coefficient: f64::INFINITY, said })
+    }
+
     /// Refuses a law that is for co-simulation only.
     pub(crate) fn check_model_exchange(&self, levels: &Levels) -> Result<(), Fault> {
         self.chosen()
@@ -408,6 +445,18 @@ crate::model! {
     /// motion at once, and a reversal of `velocity` passes through zero torque. The law sees the normal force
     /// $f_C / mu_k$, the load plus a load that represents the preload. Without levels ($f_C = 0$) only the viscous part
     /// remains. `external_force`, `acceleration` and `friction.mass` are used only by the laws that have them.
+    ///
+    /// The damping of bristles can give back more energy than the contact took, unless the viscous coefficient is large
+    /// enough: `LuGre`, `ElastoPlastic`, `Leuven` and `CylinderFriction` say how large on their pages, by the ratio of
+    /// static and kinetic level. Here it lies between those of preload and coefficients, whatever the load:
+    ///
+    /// ```text
+    /// f_s / f_C = (F_s + mu_s f_n) / (F_k + mu_k f_n) <= max(F_s / F_k, mu_s / mu_k)
+    /// ```
+    ///
+    /// With the larger one, and damping that fades beside the level without load, a value follows that suffices under every
+    /// load, also one that changes: bristles that slip as it falls lose their energy. A warning names it. `Gonthier` and
+    /// `MaxwellSlip` need equal levels, those of the preload and the coefficients, and a constant load.
     ///
     /// # Source
     /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
@@ -518,6 +567,10 @@ impl Model for GuideContact {
 
     fn warning(&self) -> Option<Fault> {
         self.friction.warning()
+    }
+
+    fn passivity(&self) -> Option<GivesBack> {
+        self.friction.passivity("levels.", &self.levels).map(|lacking| GivesBack::Said(lacking.said))
     }
 
     fn step(&mut self, dt: f64) {

@@ -271,6 +271,12 @@ impl Hydraulics {
         }
     }
 
+    /// Coefficient with which it resists at least to every motion; 0 if its resistance is not proportional to the velocity.
+    pub(crate) fn least_coefficient(&self) -> f64 {
+        let is_proportional = DamperMode::of(self.mode) == DamperMode::Linear && !self.has_series();
+        if self.enabled != 0.0 && is_proportional { self.scale * self.c_comp.min(self.c_reb) } else { 0.0 }
+    }
+
     fn check_fluid(&self) -> Result<(), Fault> {
         if self.k_series > 0.0 {
             let why = "must be 0 with damper.mode = MagnetorheologicalDamper, which has its own dashpot in series";

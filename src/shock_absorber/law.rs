@@ -4,7 +4,7 @@
 //! law can be chosen here without any further code.
 
 pub use crate::model::Evaluate;
-use crate::model::{Columns, Fault, Path, Table};
+use crate::model::{Columns, Fault, GivesBack, Path, Table};
 use crate::number::{Mask, Scalar};
 use crate::shock_absorber::law_list::{COUNT, GIVENS, LAWS, WIDEST};
 use crate::shock_absorber::law_parameters::LawParameters;
@@ -244,6 +244,19 @@ impl ChosenLaw {
         let law = self.0.model.name;
         let text = format_args!("has no effect on friction.model = {law}: set friction.{law}.{name}");
         Some(Fault::new(format_args!("friction.{name} = {value} {text}")))
+    }
+
+    /// What lets the law give back more energy than it took.
+    pub(crate) fn gives_back(self, given: &Given<f64>, parameters: &LawParameters) -> Option<GivesBack> {
+        self.on_row(|row| {
+            self.fill(row, given, parameters, &self.start());
+            self.0.model.gives_back(row)
+        })
+    }
+
+    /// Path of its viscous coefficient, if the law has one.
+    pub(crate) fn viscous_path(self) -> Option<Path> {
+        self.0.viscous.map(|place| PARAMETERS.at(place).path)
     }
 
     /// Refuses a law, or parameters, that are for co-simulation only.

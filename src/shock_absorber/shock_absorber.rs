@@ -2,7 +2,7 @@ use std::mem::offset_of;
 use std::ops::Range;
 
 use crate::model::ramp;
-use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, Width, boolean, real};
+use crate::model::{Derivatives, Fault, GivesBack, Law, Meaning, Model, ModelExchange, Preset, Width, boolean, real};
 use crate::number::Mask;
 use crate::shock_absorber::fluid_state::FluidState;
 use crate::shock_absorber::guide_contact::Touch;
@@ -145,6 +145,12 @@ crate::model! {
     /// constant of 1 ms: at a reversal the force lags. A warning is logged if the host steps the strut at every
     /// evaluation of its integrator, several times per step: the distance travelled by `velocity` is then more than
     /// twice that by `length`.
+    ///
+    /// With laws that are not passive the contacts can give back more energy than they took. A warning names the
+    /// parameter and a value with which they do not, under any load: see GuideContact. There is none where the damper takes
+    /// that energy: if it is linear, without series stiffness and heating, and the smaller one of `damper.c_comp` and
+    /// `damper.c_reb`, with `damper.scale`, makes up for the viscous coefficients that both contacts lack. It resists along
+    /// the axis only, not the spin of a rod.
     ///
     /// A mount moves along the axis only. The strut does not know how its eyes accelerate in space: the inertia of the rod
     /// is that against its eye. `force_without_friction`, `dforce_dlength` and `dforce_dvelocity` are those of a rod that is
@@ -507,6 +513,15 @@ impl Model for ShockAbsorber {
             return Some(Fault::new(text));
         }
         setting.thermal.warning(setting.temperature_ambient).or_else(|| setting.friction.warning())
+    }
+
+    fn passivity(&self) -> Option<GivesBack> {
+        let Setting { friction, c1, c2, thermal, damper, .. } = &self.setting;
+        let damping = if thermal.enabled == 0.0 { damper.least_coefficient() } else { 0.0 };
+        let contacts = [friction.passivity("c1.", c1), friction.passivity("c2.", c2)];
+        let lacking = contacts.iter().flatten().map(|contact| contact.coefficient).sum::<f64>();
+        let worst = contacts.into_iter().flatten().max_by(|a, b| a.coefficient.total_cmp(&b.coefficient));
+        worst.filter(|_| lacking > damping).map(|contact| GivesBack::Said(contact.said))
     }
 
     fn check_motion(&self) -> Result<(), Fault> {

@@ -15,6 +15,7 @@ mod guide_contact;
 mod magnetorheological;
 mod mount;
 mod parts;
+mod passivity;
 mod refusals;
 mod side_loads;
 mod strut_setup;
