@@ -54,9 +54,14 @@ impl GasChamber {
         Ok(())
     }
 
+    /// Compression at which the rod fills the whole volume.
+    pub(crate) fn largest_compression(&self) -> f64 {
+        self.V0 / self.rod_area()
+    }
+
     /// Refuses a compression at which the rod fills the whole volume.
     pub(crate) fn check_compression(&self, compression: f64) -> Result<(), Fault> {
-        let most = self.V0 / self.rod_area();
+        let most = self.largest_compression();
         if self.enabled != 0.0 && compression >= most {
             let (compression, most) = (Brief(compression), Brief(most));
             return Err(Fault::new(format_args!(

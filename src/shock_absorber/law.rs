@@ -84,12 +84,16 @@ impl ChosenLaw {
     /// Refuses a law that needs more than the motion and the load of its contact.
     pub(crate) fn check_mounted(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
         let holds_by_event = self.asks_for(EXTERNAL_FORCE) && self.check_without_events(given, parameters).is_err();
-        if self.asks_for(ACCELERATION) || holds_by_event {
-            let why =
-                "must be a law that holds no mass by an event and follows no acceleration if mount.enabled is true";
-            return Err(Fault::new(format_args!("friction.model = {}: {why}", self.0.model.name)));
-        }
-        Ok(())
+        let why = if self.asks_for(ACCELERATION) {
+            "must be a law that follows no acceleration if mount.enabled is true: the host gives that of the eyes, not that \
+             of the rod"
+        } else if holds_by_event {
+            "must be a law that holds no mass by an event if mount.enabled is true: its force at rest follows from \
+             external_force, which does not know the rod"
+        } else {
+            return Ok(());
+        };
+        Err(Fault::new(format_args!("friction.model = {}: {why}", self.0.model.name)))
     }
 
     /// Number of places that it uses of a memory, from the first.

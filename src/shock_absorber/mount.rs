@@ -1,8 +1,9 @@
 //! The top mount of a strut: rubber between the rod and its eye, with the mass that it carries.
 
 use crate::component::{Rubber, RubberMount, RubberState};
-use crate::model::{Derivatives, Fault, Law, Model, boolean, real};
+use crate::model::{Brief, Derivatives, Fault, Law, Model, boolean, real};
 use crate::number::Real;
+use crate::shock_absorber::gas_spring::GasChamber;
 
 crate::part! {
     /// Rubber mount between the rod and its eye.
@@ -88,6 +89,18 @@ impl Mount {
             ));
         }
         Ok(())
+    }
+
+    /// Refuses a preload that displaces the rod until no gas volume is left.
+    pub(super) fn check_carried(&self, gas: &GasChamber) -> Result<(), Fault> {
+        if gas.enabled == 0.0 {
+            return Ok(());
+        }
+        let [preload, most] = [self.preload, gas.largest_compression()].map(Brief);
+        Err(Fault::new(format_args!(
+            "mount.preload = {preload} N: must be a force that the strut carries with compression < {most} m, where the rod \
+             fills the volume gas.V0"
+        )))
     }
 
     /// Refuses rubber that turns at events.

@@ -121,14 +121,17 @@ crate::model! {
     ///
     /// Behind a mount the rod moves at a constant velocity in each internal step, at the end of which the forces on it are
     /// in balance: of first order in `num.h_max`, and stable however stiff the mount and light the rod is. The mount starts
-    /// at rest, displaced until it carries spring, gas and stops, unless `init.friction_state` = Value gives its state.
+    /// at rest, displaced until it carries spring, gas and stops, unless `init.friction_state` = Value gives its state. Until
+    /// the first step `mount.displacement` shows the start value of that state; `compression` contains the displacement.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; static levels below kinetic ones; tables that are not strictly
     /// ascending; a gas volume that the rod fills; `adapter.length_gain` = 0; a stroke of at least half the length if
     /// the guidance is derived; whatever the chosen law refuses; in Model Exchange, a law that does not support it; behind
-    /// a mount a law that holds a mass at events or follows the acceleration, `friction.mass`, and `mount.k_e` = 0.
-    /// Parameters of laws and modes that are not chosen are ignored.
+    /// a mount a law that holds a mass at events (`Coulomb`, `CoulombStiction`, `CoulombViscous`, `Stribeck`, `Karnopp`,
+    /// `FrictionalLag`: its force at rest follows from `external_force`, which does not know the rod) or follows the
+    /// acceleration (`NonReversible`, `Wojewoda`: the host gives that of the eyes), `friction.mass`, `mount.k_e` = 0, and a
+    /// `mount.preload` that the gas cannot carry. Parameters of laws and modes that are not chosen are ignored.
     ///
     /// # Limits
     /// The eyes cannot coincide: a strut of length 0, as with an input that is not set yet, is computed at full
@@ -526,8 +529,11 @@ impl Model for ShockAbsorber {
 
     fn check_motion(&self) -> Result<(), Fault> {
         let (setting, motion) = (&self.setting, self.motion());
+        let is_displaced = setting.has_mount() && !motion.length.is_finite();
+        let motion = if is_displaced { setting.motion() } else { motion };
         setting.gas.check_compression(setting.compression(&motion))?;
-        setting.geom.guidance().check_overlap(motion.length)
+        setting.geom.guidance().check_overlap(motion.length)?;
+        if is_displaced { setting.mount.check_carried(&setting.gas) } else { Ok(()) }
     }
 
     fn check_model_exchange(&self) -> Result<(), Fault> {

@@ -203,12 +203,33 @@ fn laws_that_need_other_forces_are_refused() {
     assert_eq!(refused, expected);
     for (set, text) in [
         (&[MOUNTED, law("Coulomb")][..], "friction.model = Coulomb: must be a law that holds no mass by an event"),
+        (&[MOUNTED, law("Wojewoda")], "friction.model = Wojewoda: must be a law that follows no acceleration"),
         (&[MOUNTED, law("Threlfall"), ("friction.mass", 5.0)], "friction.mass = 5: must be 0 if mount.enabled is true"),
         (&[MOUNTED, ("mount.k_e", 0.0)], "mount.k_e = 0: must be > 0 if mount.enabled is true"),
     ] {
         let fault = strut(set).instance.check().unwrap_err().to_string();
         assert!(fault.starts_with(text), "{fault}");
     }
+}
+
+/// A preload that pushes the rod until no gas volume is left is named; that of the gas alone is the reason where the eyes
+/// are too close.
+#[test]
+fn a_preload_that_nothing_carries_is_named() {
+    let refused = |set: &[(&str, f64)]| {
+        let mut strut = strut(set);
+        [strut.instance.refresh().unwrap_err().to_string(), strut.instance.step(1e-3).unwrap_err().to_string()]
+    };
+    for text in refused(&[MOUNTED, ("mount.preload", 1e6)]) {
+        assert!(
+            text.contains("mount.preload = 1000000 N: must be a force that the strut carries with compression < "),
+            "{text}"
+        );
+    }
+    for text in refused(&[MOUNTED, ("mount.preload", 1e6), ("gas.V0", 1e-5), ("length", 0.12)]) {
+        assert!(text.contains("m: must be < 0.06496") && !text.contains("mount.preload"), "{text}");
+    }
+    strut(&[MOUNTED, ("mount.preload", 1e4)]).instance.refresh().unwrap();
 }
 
 /// Exact derivatives against central differences, before the run and within it.
