@@ -60,6 +60,7 @@ impl Method {
                 3 => Piecewise<Rodas5P<3>, 3>,
                 4 => Piecewise<Rodas5P<4>, 4>,
                 6 => Piecewise<Rodas5P<6>, 6>,
+                8 => Rodas5P<8>,
                 16 => Rodas5P<16>,
                 72 => Rodas5P<72>,
             },
