@@ -422,7 +422,10 @@ impl Model for MaxwellSlip {
 
     const EVENT_INDICATORS: usize = EVENTS_OF_ELEMENTS;
 
-    const PIECEWISE_LINEAR: bool = true;
+    /// Elements that slip follow a level that is curved, if its ends differ.
+    fn is_linear(&self) -> bool {
+        Phase::of(self.slip).direction().is_none() || self.mu_s == self.mu_k
+    }
 
     fn passivity(&self) -> Option<GivesBack> {
         crate::laws::passivity::equal_levels(self.mu_s, self.mu_k)
@@ -647,6 +650,19 @@ mod tests {
         law.output();
         assert_abs_diff_eq!(law.friction_force, 0.981, epsilon = 1e-15);
         assert_eq!(law.sticking, 1.0);
+    }
+
+    /// Springs that stick are linear; those that slip follow a level that depends on the velocity, if its ends differ.
+    #[test]
+    fn elements_that_slip_are_linear_at_equal_levels_only() {
+        let mut law = MaxwellSlip { velocity: 0.1, slip: Phase::Held.number(), ..one_element() };
+        law.at_event();
+        assert!(law.is_linear() && law.element[0].block.slipping == 0.0);
+        law.element[0].block.force = 1.0;
+        law.at_event();
+        assert!(!law.is_linear() && law.element[0].block.slipping == 1.0);
+        law.mu_s = law.mu_k;
+        assert!(law.is_linear());
     }
 
     /// The energy against the trapezoidal sum of the power over many small steps.
