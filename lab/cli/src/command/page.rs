@@ -1,6 +1,6 @@
 //! `stribeck page`: the page for a browser.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use stribeck_solve::system::Fault;
@@ -15,11 +15,14 @@ pub struct Arguments {
     out: PathBuf,
 }
 
+/// Where the project has the page. A released program does not hold the path of its sources.
+const OF_PROJECT: Option<&str> =
+    if cfg!(debug_assertions) { Some(concat!(env!("CARGO_MANIFEST_DIR"), "/../../dist/page.html")) } else { None };
+
 /// Writes the page for a browser: that beside the program or that in the folder of the project, since only Node builds it.
 pub fn page(arguments: &Arguments) -> Result<Verdict, Failure> {
     let beside = std::env::current_exe().ok().and_then(|program| Some(program.parent()?.join("page.html")));
-    let made = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../dist/page.html");
-    let candidates: Vec<PathBuf> = beside.into_iter().chain([made]).collect();
+    let candidates: Vec<PathBuf> = beside.into_iter().chain(OF_PROJECT.map(PathBuf::from)).collect();
     write(&arguments.out, read(&candidates)?)?;
     println!("{}: opens in a browser, from here or from a server", arguments.out.display());
     Ok(Verdict::Done)
