@@ -62,6 +62,10 @@ enum Task {
     Damper(damper::Arguments),
     /// Converts a tyre property file (.tir) into a parameter set of DoubleTrackCar, or fits one to a tyre test.
     Tyre(tyre::Arguments),
+    /// Prints a script with which a shell completes commands, options and choices.
+    Completions(command::CompletionsArguments),
+    /// Writes the manual pages, one of each command.
+    Manual(command::ManualArguments),
 }
 
 /// The command line. A negative number after an option is its value, not an option: errors then name the bound.
@@ -89,6 +93,8 @@ fn main() -> ExitCode {
         Task::Page(arguments) => ended(command::page(&arguments)),
         Task::Damper(arguments) => ended(damper::run(&arguments).map(|()| command::Verdict::Done)),
         Task::Tyre(arguments) => ended(tyre::run(&arguments).map(|()| command::Verdict::Done)),
+        Task::Completions(arguments) => command::completions(&arguments, command_line()).into(),
+        Task::Manual(arguments) => ended(command::manual(&arguments, command_line())),
     }
 }
 

@@ -554,3 +554,34 @@ fn a_tyre_test_may_have_several_files() {
     let refused = refusal(&["tyre", &side, "b.tir"]);
     assert_eq!(refused, "stribeck: b.tir: a tyre property file stands alone, without other files");
 }
+
+/// Every command and option that `--help` of the program and of its commands shows is completed and has its page.
+#[test]
+fn shells_and_manuals_know_every_command_and_option() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let printed = |arguments: &[&str]| String::from_utf8(stribeck(arguments).stdout).expect("text");
+    let out = folder.path().join("new").join("man");
+    assert!(stribeck(&["manual", "--out", out.to_str().expect("a path")]).status.success());
+    let scripts = ["bash", "zsh", "fish", "powershell", "elvish"].map(|shell| printed(&["completions", shell]));
+    let help = printed(&["--help"]);
+    let listed = help.split("Commands:\n").nth(1).expect("commands").split("\n\n").next().expect("their list");
+    let commands: Vec<&str> = listed.lines().filter_map(|line| line.strip_prefix("  ")?.split(' ').next()).collect();
+    let commands: Vec<&str> = commands.into_iter().filter(|name| !["", "help"].contains(name)).collect();
+    assert!(commands.contains(&"identify") && commands.contains(&"manual"), "{commands:?}");
+    for command in commands {
+        // In roff a hyphen that is none of a word has a backslash before it.
+        let page = text(&out.join(format!("stribeck-{command}.1"))).replace("\\-", "-");
+        let help = printed(&[command, "--help"]);
+        let words = help.split_whitespace().filter(|word| word.starts_with("--") && word.len() > 4);
+        let options: Vec<&str> =
+            words.map(|word| word.trim_end_matches([',', '.', ';', ':', ')', '`', '\''])).collect();
+        for option in options.iter().map(|option| option.split(['=', '`']).next().unwrap_or(option)) {
+            assert!(page.contains(option), "the page of {command} has no {option}");
+            assert!(scripts.iter().all(|script| script.contains(&option[2..])), "{command} {option}");
+        }
+    }
+    assert_eq!(stribeck(&["completions", "tcl"]).status.code(), Some(2));
+    let file = folder.path().join("file");
+    std::fs::write(&file, "").expect("a file");
+    assert!(refusal(&["manual", "--out", file.to_str().expect("a path")]).contains("file: "));
+}

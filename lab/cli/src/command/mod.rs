@@ -9,6 +9,7 @@ mod identify;
 mod one;
 mod page;
 mod rig;
+mod shell;
 mod step;
 mod study;
 mod watch;
@@ -30,6 +31,7 @@ pub use identify::{Arguments as IdentifyArguments, identify};
 pub use one::run;
 pub use page::{Arguments as PageArguments, page};
 pub use rig::{Arguments as RigArguments, rig};
+pub use shell::{CompletionsArguments, ManualArguments, completions, manual};
 pub use study::{Arguments as StudyArguments, study};
 
 /// Why a command did not do its work.
