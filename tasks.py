@@ -48,7 +48,7 @@ LINTED = {"RUSTC_WORKSPACE_WRAPPER": "clippy-driver", "CLIPPY_ARGS": "--deny__CL
 # The parts of the library that contain code.
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
 RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "python", "ssp", "web", "examples"]
-PYTHON_FOLDERS = ["tasks.py", "benches", "examples", "fuzz", "python", "tests", "web/tests", "web/write_types.py"]
+PYTHON_FOLDERS = ["tasks.py", "benches", "docs", "examples", "fuzz", "python", "tests", "web"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/multibody", "tests/c", "tests/platforms", "benches"]
 # Rust's names of the platforms of `fmu-build pack --platform all`.
 TARGETS = [
@@ -405,6 +405,18 @@ def page() -> None:
     )
 
 
+@task("3 to 6 minutes, then about 1")
+def site() -> None:
+    """Writes the documentation site into dist/site/, with the page if it is built, and tests it."""
+    need_rust()
+    setup()
+    run(PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", "requirements-site.txt")
+    run("cargo", "build", "--package", "fmu-build", "--package", "stribeck-python")
+    package(fmus=False)
+    run(PYTHON, "docs/site/build.py", debug_folder() / "fmu-build", PYTHONPATH=str(ROOT / "out" / "package"))
+    run(PYTHON, "-m", "pytest", "-rP", "tests/site")
+
+
 @task("6 to 9 minutes, then about 2")
 def demo() -> None:
     """Shows a law, packs the FMUs and runs each in Python, draws laws on the thesis' belt, and identifies a law."""
@@ -556,7 +568,7 @@ def formats() -> None:
 @task("many hours")
 def trust() -> None:
     """Everything in docs/trust.md, one task after another, with the figures at the end."""
-    first = [wheel, wheels, page, faults, platforms, fuzz, coverage]
+    first = [wheel, wheels, page, site, faults, platforms, fuzz, coverage]
     then = [broken, newcomer, mutants, tolerances, identified, formats, supply]
     summarise([[sys.executable, "tasks.py", part.__name__] for part in first + then])
 
