@@ -1,6 +1,6 @@
 /** Drawings of systems: a block on its ground, and the section of a strut. */
 
-import { short } from "./format";
+import { tickText } from "./drawing";
 import type { Pen } from "./pen";
 import type { Instant, Paint } from "./scene";
 
@@ -38,6 +38,15 @@ function arrow(pen: Pen, from: Point, to: Point, colour: string): void {
   }
 }
 
+/** Size of the numbers. */
+const SIZE = 14;
+
+/** A number with the decimals that tell hundredths of its range apart: its digits stay in their places while it changes. */
+function steady(value: number, [low, high]: [number, number]): string {
+  const order = Math.floor(Math.log10(Math.max(Math.abs(low), Math.abs(high)) || 1));
+  return tickText(value, Math.max(0, 2 - order));
+}
+
 /** Position of a value between two positions. */
 function placed(value: number, [low, high]: [number, number], [from, to]: [number, number]): number {
   return high > low ? from + ((value - low) / (high - low)) * (to - from) : 0.5 * (from + to);
@@ -72,7 +81,7 @@ export function block(isHeld: boolean): Paint {
     const length = (0.16 * width * force) / large;
     // The block feels the negative of the friction force.
     arrow(pen, [middle, top - 10], [middle - length, top - 10], colours.laws[0]!);
-    pen.text([middle, top - 20], `friction ${short(force)} N`, colours.ink, "middle");
+    pen.text([middle, top - 20], `friction ${steady(force, [low, most])} N`, colours.ink, "middle", false, SIZE);
   };
 }
 
@@ -116,6 +125,10 @@ function bristles(pen: Pen, { colours, now, span }: Instant, middle: number, wid
   }
 }
 
+/** Half the width of the tube, and distance of the rows of numbers, in pixels (chosen). */
+const TUBE = 28;
+const ROW = 19;
+
 /** The section of a strut between its eyes, with the forces at guide and piston. */
 export const strut: Paint = (pen, instant) => {
   const { width, height, colours, now, span, value } = instant;
@@ -123,46 +136,46 @@ export const strut: Paint = (pen, instant) => {
   const [guide, piston] = [value("strut.geom.d_i"), value("strut.geom.d_j")];
   const length = extended - now("displacement");
   const scale = (width - 60) / extended;
-  const [left, axis] = [30, 0.42 * height];
-  const x = (metres: number) => left + metres * scale;
+  const axis = 68;
+  const x = (metres: number) => 30 + metres * scale;
   // The radii are drawn to scale with each other, not with the length.
-  const tube = 0.15 * height;
-  const rod = Math.min(0.8 * tube, (tube * value("strut.geom.r_1")) / value("strut.geom.r_2") || 0);
+  const rod = Math.min(0.8 * TUBE, (TUBE * value("strut.geom.r_1")) / value("strut.geom.r_2") || 0);
   const end = x(guide);
   // Tube with its eye, rod with its eye and piston.
-  outline(pen, [[end, axis - rod - 3], [end, axis - tube], [x(0) + 14, axis - tube], [x(0) + 14, axis + tube], [end, axis + tube], [end, axis + rod + 3]], colours.ink, 2.5);
+  outline(pen, [[end, axis - rod - 3], [end, axis - TUBE], [x(0) + 14, axis - TUBE], [x(0) + 14, axis + TUBE], [end, axis + TUBE], [end, axis + rod + 3]], colours.ink, 2.5);
   pen.line([x(0), axis], [x(0) + 14, axis], colours.ink, 5);
   const eye = x(length);
   const crown = x(length - piston);
   box(pen, [crown, axis - rod], [eye, axis + rod], colours.ink, 2);
-  box(pen, [crown - 7, axis - tube + 3], [crown + 3, axis + tube - 3], colours.ink, 3);
+  box(pen, [crown - 7, axis - TUBE + 3], [crown + 3, axis + TUBE - 3], colours.ink, 3);
   for (const place of [x(0), eye]) pen.disc([place, axis], 6, colours.ink);
-  coils(pen, [x(0) + 20, axis - tube - 16], [eye - 10, axis - tube - 16], 9, 26, colours.axis);
-  pen.line([x(0) + 20, axis - tube - 28], [x(0) + 20, axis - tube], colours.axis, 2);
-  outline(pen, [[eye - 10, axis - tube - 28], [eye - 10, axis - rod]], colours.axis, 2);
-  // Labels of contacts that are close to each other stand on either side.
-  const isTight = end - crown < 130;
-  contact(pen, instant, [end, axis + tube], "1", "guide", span("normal_1"), isTight ? "start" : "middle");
-  contact(pen, instant, [crown - 2, axis + tube], "2", "piston", span("normal_2"), isTight ? "end" : "middle");
-  const force = now("force");
-  pen.text([left, height - 10], `force ${short(force)} N, compression ${short(now("displacement") * 1000)} mm`, colours.ink, "start");
+  coils(pen, [x(0) + 20, axis - TUBE - 16], [eye - 10, axis - TUBE - 16], 9, 26, colours.axis);
+  pen.line([x(0) + 20, axis - TUBE - 28], [x(0) + 20, axis - TUBE], colours.axis, 2);
+  outline(pen, [[eye - 10, axis - TUBE - 28], [eye - 10, axis - rod]], colours.axis, 2);
+  // Names of contacts that are close to each other stand on either side.
+  const isTight = end - crown < 60;
+  contact(pen, instant, [end, axis + TUBE], "1", isTight ? "start" : "middle");
+  contact(pen, instant, [crown - 2, axis + TUBE], "2", isTight ? "end" : "middle");
+  const row = (number: number, text: string) => pen.text([10, height - 9 - (2 - number) * ROW], text, colours.ink, "start", false, SIZE);
+  const millimetres = span("displacement").map((end) => 1000 * end) as [number, number];
+  row(0, `force ${steady(now("force"), span("force"))} N, compression ${steady(1000 * now("displacement"), millimetres)} mm`);
+  Object.entries(CONTACTS).forEach(([number, name]) => {
+    const newtons = (quantity: string) => `${steady(now(`${quantity}_${number}`), span(`${quantity}_${number}`))} N`;
+    row(Number(number), `${name}: friction ${newtons("friction")}, normal force ${newtons("normal")}`);
+  });
 };
 
-function contact(
-  pen: Pen,
-  { colours, now }: Instant,
-  [x, y]: Point,
-  number: string,
-  name: string,
-  [, most]: [number, number],
-  anchor: "start" | "middle" | "end",
-): void {
+/** Contacts of rod and tube by their numbers. */
+const CONTACTS = { 1: "guide", 2: "piston" };
+
+function contact(pen: Pen, { colours, now, span }: Instant, [x, y]: Point, number: "1" | "2", anchor: "start" | "middle" | "end"): void {
   const [normal, friction] = [now(`normal_${number}`), now(`friction_${number}`)];
+  const [, most] = span(`normal_${number}`);
   const up = most > 0 ? (30 * normal) / most : 0;
   const colour = colours.laws[Number(number) - 1]!;
   arrow(pen, [x, y + 4 + up], [x, y + 4], colour);
   // The rod feels the negative of the friction force.
   const along = -28 * Math.sign(friction) * Math.min(1, Math.abs(friction) / 25);
   arrow(pen, [x, y + 38], [x + along, y + 38], colour);
-  pen.text([x, y + 56], `${name}: ${short(friction)} N`, colours.ink, anchor);
+  pen.text([x, y + 56], CONTACTS[number], colours.ink, anchor, false, SIZE);
 }

@@ -8,7 +8,7 @@ export interface Pen {
   /** A curve inside a rectangle; points that are not numbers interrupt it. */
   curve(points: Points, clip: [number, number, number, number], colour: string, dash: string, width: number): void;
   disc(at: [number, number], radius: number, colour: string): void;
-  text(at: [number, number], text: string, colour: string, anchor: Anchor, upright?: boolean): void;
+  text(at: [number, number], text: string, colour: string, anchor: Anchor, upright?: boolean, size?: number): void;
   fill(colour: string): void;
 }
 
@@ -74,10 +74,10 @@ export class CanvasPen implements Pen {
     this.context.fill();
   }
 
-  text(at: [number, number], text: string, colour: string, anchor: Anchor, upright = false): void {
+  text(at: [number, number], text: string, colour: string, anchor: Anchor, upright = false, size = FONT): void {
     const { context } = this;
     context.save();
-    context.font = `${FONT}px ${FAMILY}`;
+    context.font = `${size}px ${FAMILY}`;
     context.fillStyle = colour;
     context.textAlign = anchor === "middle" ? "center" : anchor;
     context.translate(...at);
@@ -135,10 +135,11 @@ export class SvgPen implements Pen {
     this.parts.push(`<circle cx="${place(at[0])}" cy="${place(at[1])}" r="${radius}" fill="${colour}"/>`);
   }
 
-  text(at: [number, number], text: string, colour: string, anchor: Anchor, upright = false): void {
+  text(at: [number, number], text: string, colour: string, anchor: Anchor, upright = false, size = FONT): void {
     const [x, y] = at.map(place);
     const turned = upright ? ` transform="rotate(-90 ${x} ${y})"` : "";
-    this.parts.push(`<text x="${x}" y="${y}" fill="${colour}" text-anchor="${anchor}"${turned}>${escaped(text)}</text>`);
+    const sized = size === FONT ? "" : ` font-size="${size}"`;
+    this.parts.push(`<text x="${x}" y="${y}" fill="${colour}" text-anchor="${anchor}"${turned}${sized}>${escaped(text)}</text>`);
   }
 
   /** The picture as a file. */
