@@ -127,7 +127,7 @@ fn a_saved_state_continues_in_another_thread() {
 }
 
 /// FNV-1a of 64 bits, as in RFC 9923: it ends every serialised state.
-fn seal(bytes: &mut [u8]) {
+pub fn seal(bytes: &mut [u8]) {
     let (body, checksum) = bytes.split_at_mut(bytes.len() - 8);
     let mut hash: u64 = 14_695_981_039_346_656_037;
     for byte in body {

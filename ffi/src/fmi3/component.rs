@@ -130,6 +130,10 @@ impl Version for Fmi3 {
 
     fn check_saved(component: &Component, state: State) -> Outcome {
         let purpose = component.purpose;
+        // None is saved there, and nothing would lead out of it.
+        if state == State::IntermediateUpdateMode {
+            return refuse(format_args!("FMUState is in state {state:?}, which only a step enters"));
+        }
         if !state.is_for(purpose) {
             return refuse(format_args!("FMUState is in state {state:?}, which {purpose:?} does not have"));
         }

@@ -138,3 +138,27 @@ fn states_of_others_are_rejected() {
         owner.free(state);
     }
 }
+
+/// Bytes of a state that only the callback within a step sees: an instance would never leave it.
+#[test]
+fn a_state_within_a_step_is_rejected() {
+    let importer = Importer::ready("LuGre");
+    let saved = importer.save();
+    let mut bytes = importer.bytes(saved);
+    importer.free(saved);
+    // The fourth number after the head; that of the callback's state is the next one.
+    let place = 50 + 8 * 3..50 + 8 * 4;
+    assert_eq!(bytes[place.clone()], 21f64.to_le_bytes());
+    bytes[place].copy_from_slice(&22f64.to_le_bytes());
+    crate::saved_states::seal(&mut bytes);
+    let mut read = null_mut();
+    // SAFETY: bytes and a state of this test.
+    unsafe {
+        assert_eq!(fmi3DeserializeFMUState(importer.instance, bytes.as_ptr(), bytes.len(), &mut read), fmi3OK);
+        assert_eq!(fmi3SetFMUState(importer.instance, read), fmi3Error);
+    }
+    assert!(
+        importer.one_message().2.ends_with("FMUState is in state IntermediateUpdateMode, which only a step enters")
+    );
+    importer.free(read);
+}
