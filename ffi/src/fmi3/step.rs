@@ -83,6 +83,7 @@ impl Step {
 /// the step, or an event indicator another sign; with `earlyReturnAllowed` the step ends there, at `lastSuccessfulTime`.
 /// The importer's callback is called at four points, the last one the end of the step, and may end the step at one of the
 /// others.
+/// If it throws, the instance stays within the step: the next call is an error, after which a reset helps.
 ///
 /// # Safety
 /// `instance` as for every call on an instance; the pointers must be NULL or writable.
