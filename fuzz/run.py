@@ -44,6 +44,7 @@ SANITIZER = {"RUSTC_BOOTSTRAP": "1", "RUSTFLAGS": " ".join([*COVERAGE, "-Zsaniti
 # New inputs of a short run, and the longest input in bytes.
 TARGETS = {
     "fmi": (3_000, 512),
+    "fmi3": (3_000, 512),
     "c_api": (3_000, 512),
     "saved_state": (3_000, 512),
     "tyre_file": (10_000, 16384),

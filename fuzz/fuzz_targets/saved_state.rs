@@ -5,18 +5,16 @@ use std::ptr::null_mut;
 
 use arbitrary::Arbitrary;
 use fuzz::argument::{Column, Number, Step, column, model};
-use fuzz::fmi::{Slave, state};
-use fuzz::saved::{self, CHECKSUM, HEAD};
+use fuzz::fmi2::Fmi2;
+use fuzz::fmi3::{self, Fmi3};
+use fuzz::saved::{self, CHECKSUM, HEAD, STATE};
+use fuzz::slave::{Slave, all_finite};
+use fuzz::version::{Answer, Version};
 use libfuzzer_sys::fuzz_target;
-use stribeck::model::{Kind, ModelType};
+use stribeck::model::ModelType;
 use stribeck_ffi::c::stribeck_status::*;
 use stribeck_ffi::c::*;
-use stribeck_ffi::fmi2::lifecycle::{Purpose, State};
-use stribeck_ffi::fmi2::snapshot::*;
-use stribeck_ffi::fmi2::step::fmi2DoStep;
-use stribeck_ffi::fmi2::types::fmi2Status::*;
-use stribeck_ffi::fmi2::types::*;
-use stribeck_ffi::fmi2::values::fmi2GetReal;
+use stribeck_ffi::fmi2::lifecycle::Purpose;
 
 fuzz_target!(|input: Input| input.run());
 
@@ -50,20 +48,28 @@ enum Edit {
 
 impl Input {
     fn run(self) {
+        // Numbers of states, one of which does not exist.
+        self.run_with::<Fmi2>(f64::from(self.lifecycle % 8));
+        self.run_with::<Fmi3>(f64::from(16 + self.lifecycle % 10));
+    }
+
+    fn run_with<V: Version>(&self, state: f64) {
         let model = model(self.model);
-        let bytes = self.bytes(model);
+        let bytes = self.bytes::<V>(model, state);
         let is_readable = read_by_c(model, &bytes);
         for exchange in [false, true] {
-            let slave = Slave::new(model, exchange);
+            let slave = Slave::<V>::new(model, exchange, V::Choice::default());
             let is_read = read_by_fmi(&slave, &bytes, self.step.length());
-            let may_be_refused = || saved::needs_events(model, &saved::numbers(&bytes));
-            assert!(is_readable || !is_read || may_be_refused(), "read by FMI, rejected by C");
+            // The sizes of arrays are none of C's.
+            let is_for_fmi_only =
+                || saved::needs_events(model, &saved::numbers(&bytes)) || !fmi3::sizes_of(model).is_empty();
+            assert!(is_readable || !is_read || is_for_fmi_only(), "read by FMI, rejected by C");
         }
     }
 
     /// The bytes of a valid state of the model, changed by the edits.
-    fn bytes(&self, model: &'static ModelType) -> Vec<u8> {
-        let slave = Slave::new(model, false);
+    fn bytes<V: Version>(&self, model: &'static ModelType, state: f64) -> Vec<u8> {
+        let slave = Slave::<V>::new(model, false, V::Choice::default());
         let mut bytes = slave.bytes();
         for (wanted, number) in &self.values {
             let Some(column) = column(model, wanted.of(model)) else { continue };
@@ -72,7 +78,7 @@ impl Input {
                 put(&mut bytes, place, number.of(variable));
             }
         }
-        put(&mut bytes, saved::STATE, f64::from(self.lifecycle % 8));
+        put(&mut bytes, STATE, state);
         for edit in &self.edits {
             edit.apply(&mut bytes);
         }
@@ -143,52 +149,51 @@ fn read_by_c(model: &'static ModelType, bytes: &[u8]) -> bool {
 }
 
 /// Whether it is a state of the model for the FMI layer. If so, everything that can be done with it follows the rules.
-fn read_by_fmi(slave: &Slave, bytes: &[u8], length: f64) -> bool {
-    let (c, before) = (slave.c, slave.bytes());
+fn read_by_fmi<V: Version>(slave: &Slave<V>, bytes: &[u8], length: f64) -> bool {
+    let (c, before) = (slave.c, slave.numbers());
     let mut read = null_mut();
-    // SAFETY: a live instance, as many bytes as given, and a state that is freed once.
+    // SAFETY: a live instance, and a state that is freed once.
     unsafe {
-        let status = fmi2DeSerializeFMUstate(c, bytes.as_ptr().cast(), bytes.len(), &mut read);
-        assert_eq!(status == fmi2OK, !read.is_null());
-        if status != fmi2OK {
-            let (before, after) = (saved::numbers(&before), saved::numbers(&slave.bytes()));
-            assert!(status == fmi2Error && saved::is_unchanged(slave.model, &before, &after, true));
+        let status = V::read(c, bytes, &mut read);
+        assert_eq!(status == Answer::Ok, !read.is_null());
+        if status != Answer::Ok {
+            let is_unchanged = saved::is_unchanged(slave.model, &before, &slave.numbers(), true);
+            assert!(status == Answer::Error && is_unchanged);
             return false;
         }
         assert_eq!(slave.bytes_of(read), bytes, "the written state differs from the one read");
         let numbers = saved::numbers(bytes);
         assert!(saved::is_finite(&numbers), "{numbers:?}");
-        let status = fmi2SetFMUstate(c, read);
+        let status = V::restore(c, read);
         let is_event_missing = slave.purpose == Purpose::CoSimulation && saved::needs_events(slave.model, &numbers);
-        assert_eq!(status == fmi2OK, state(&numbers).is_for(slave.purpose) && !is_event_missing);
-        if status == fmi2OK {
+        let can_be = V::can_be(V::state(numbers[STATE]), (slave.purpose, slave.choice));
+        assert_eq!(status == Answer::Ok, can_be && !is_event_missing);
+        if status == Answer::Ok {
             assert_eq!(slave.bytes(), bytes, "the restored state differs from the one read");
             go_on(slave, length);
         }
-        assert_eq!(fmi2FreeFMUstate(c, &mut read), fmi2OK);
+        assert_eq!(V::free(c, &mut read), Answer::Ok);
     }
     true
 }
 
 /// Reads everything and makes a step, if the instance is in a state for that.
-fn go_on(slave: &Slave, length: f64) {
-    let reals = slave.model.table.iter().enumerate().filter(|(_, variable)| matches!(variable.kind, Kind::Real(_)));
-    let references: Vec<u32> = reals.map(|(column, _)| slave.model.reference(column)).collect();
-    let mut values = vec![0.0; references.len()];
-    // SAFETY: a live instance, and arrays of that length.
+fn go_on<V: Version>(slave: &Slave<V>, length: f64) {
+    // SAFETY: a live instance.
     unsafe {
-        let status = fmi2GetReal(slave.c, references.as_ptr(), references.len(), values.as_mut_ptr());
-        assert!(status != fmi2OK || values.iter().all(|value| value.is_finite()));
+        let (status, values) = V::read_all(slave.c, slave.model, &slave.numbers());
+        assert!(status != Answer::Ok || all_finite(&values));
         // A fault that a solver may correct.
         let is_between = slave.purpose == Purpose::ModelExchange;
-        assert!(matches!(status, fmi2OK | fmi2Error) || (status == fmi2Discard && is_between));
-        let before = saved::numbers(&slave.bytes());
-        let status = fmi2DoStep(slave.c, before[saved::TIME], length, fmi2True);
-        let after = saved::numbers(&slave.bytes());
+        assert!(status != Answer::Discard || is_between);
+        let before = slave.numbers();
+        let status = V::step(slave.c, &slave.ears, before[saved::TIME], length);
+        let after = slave.numbers();
         assert!(saved::is_finite(&after));
+        let [from, to] = [&before, &after].map(|numbers| V::state(numbers[STATE]));
         match status {
-            fmi2OK => assert_eq!((state(&before), state(&after)), (State::StepComplete, State::StepComplete)),
-            _ => assert!(status == fmi2Error && saved::is_unchanged(slave.model, &before, &after, true)),
+            Answer::Ok => assert!(V::can_step(from) && from == to && slave.purpose == Purpose::CoSimulation),
+            _ => assert!(status == Answer::Error && saved::is_unchanged(slave.model, &before, &after, true)),
         }
     }
 }

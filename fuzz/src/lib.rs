@@ -6,6 +6,11 @@
 //! `run.py` builds and runs the targets.
 
 pub mod argument;
-pub mod fmi;
+pub mod fmi2;
+pub mod fmi3;
 pub mod misuse;
+pub mod misuse3;
 pub mod saved;
+pub mod slave;
+pub mod version;
+pub mod world;

@@ -12,10 +12,11 @@ use stribeck_ffi::fmi2::types::*;
 use stribeck_ffi::fmi2::values::*;
 
 use crate::argument::model;
-use crate::fmi::Slave;
+use crate::fmi2::Fmi2;
+use crate::slave::Slave;
 
 /// One of 24 calls with a NULL, and its status. Only the first one is without an instance.
-pub fn with_null(slave: &Slave, which: u8) -> (Call, fmi2Status) {
+pub fn with_null(slave: &Slave<Fmi2>, which: u8) -> (Call, fmi2Status) {
     let c = slave.c;
     let (one, mut value) = (1u32, 0.0);
     let (none, no_value, no_flag) = (null::<u32>(), null_mut::<f64>(), null_mut::<i32>());
