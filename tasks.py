@@ -48,7 +48,7 @@ LINTED = {"RUSTC_WORKSPACE_WRAPPER": "clippy-driver", "CLIPPY_ARGS": "--deny__CL
 # The parts of the library that contain code.
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
 RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "python", "ssp", "web", "examples"]
-PYTHON_FOLDERS = ["tasks.py", "benches", "docs", "examples", "fuzz", "python", "tests", "web"]
+PYTHON_FOLDERS = ["tasks.py", "benches", "docs", "examples", "fuzz", "python", "release", "tests", "web"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/multibody", "tests/c", "tests/platforms", "benches"]
 # Rust's names of the platforms of `fmu-build pack --platform all`.
 TARGETS = [
@@ -277,16 +277,6 @@ def platforms() -> None:
     with ThreadPoolExecutor() as both:
         list(both.map(pack_for_all, [ROOT, copy], [out / "fmus", out / "fmus-of-copy"]))
     run(PYTHON, "-m", "pytest", "-rP", "tests/platforms")
-    test_registers_of_arm()
-
-
-def test_registers_of_arm() -> None:
-    """Runs laws side by side in the registers of ARM, under qemu."""
-    target = "aarch64-unknown-linux-gnu"
-    variable = "CARGO_TARGET_" + target.upper().replace("-", "_")
-    linker, runner = "aarch64-linux-gnu-gcc", "qemu-aarch64-static -L /usr/aarch64-linux-gnu"
-    settings = {f"{variable}_LINKER": linker, f"{variable}_RUNNER": runner}
-    run("cargo", "test", "--package", "stribeck", "--test", "batch", "--target", target, **settings)
 
 
 @task("1 to 2 minutes")
@@ -334,8 +324,16 @@ def wheels() -> None:
     need_rust()
     setup_platforms()
     shutil.rmtree(ROOT / "dist" / "wheels", ignore_errors=True)
-    run(PYTHON, "python/wheels.py", "dist/wheels")
+    run(PYTHON, "-m", "release.wheels", "dist/wheels")
     run(PYTHON, "-m", "pytest", "-rP", "tests/wheels")
+
+
+@task("20 to 60 minutes")
+def release() -> None:
+    """Writes all that a user takes away to dist/release/, for the platforms whose tools are here, and tests it."""
+    need_rust()
+    setup()
+    run(PYTHON, "-m", "release")
 
 
 def setup_wasm() -> None:
@@ -568,7 +566,7 @@ def formats() -> None:
 @task("many hours")
 def trust() -> None:
     """Everything in docs/trust.md, one task after another, with the figures at the end."""
-    first = [wheel, wheels, page, site, faults, platforms, fuzz, coverage]
+    first = [wheel, wheels, page, site, faults, platforms, release, fuzz, coverage]
     then = [broken, newcomer, mutants, tolerances, identified, formats, supply]
     summarise([[sys.executable, "tasks.py", part.__name__] for part in first + then])
 

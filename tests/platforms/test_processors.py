@@ -1,5 +1,7 @@
-"""C sources of a law on other processors, under qemu: the same bits as the library here."""
+"""C sources of a law on other processors, under qemu: the same bits as the library here; laws in registers of ARM."""
 
+import os
+import subprocess
 import sys
 
 import pytest
@@ -51,3 +53,12 @@ def test_sources_have_the_bits_of_the_library_on(processor, optimised, header, l
     program = c_sources.compiled(header, words, f"_{processor}{optimised}".replace(" ", "_"))
     answer = c_sources.answer([*machine, str(program)], c_sources.question(MODEL, rows))
     assert answer == c_sources.of_library(MODEL, rows, library)
+
+
+def test_laws_side_by_side_in_the_registers_of_arm():
+    target = "aarch64-unknown-linux-gnu"
+    variable = "CARGO_TARGET_" + target.upper().replace("-", "_")
+    linker, runner = "aarch64-linux-gnu-gcc", "qemu-aarch64-static -L /usr/aarch64-linux-gnu"
+    settings = {**os.environ, f"{variable}_LINKER": linker, f"{variable}_RUNNER": runner}
+    command = ["cargo", "test", "--package", "stribeck", "--test", "batch", "--target", target]
+    subprocess.run(command, cwd=PROJECT, env=settings, check=True)

@@ -8,7 +8,7 @@ from page import PROJECT
 
 LONGEST_FILE = 700
 LONGEST_FUNCTION = 45
-FOLDERS = ["python", "docs", "examples", "tests", "benches", "fuzz", "web/page", "web/tests"]
+FOLDERS = ["python", "release", "docs", "examples", "tests", "benches", "fuzz", "web/page", "web/tests"]
 # The head of a function or method of TypeScript that has a body of lines.
 WORDS = r"(?:export |private |protected |static |async |function |get |set )*"
 HEAD = re.compile(rf"^( *){WORDS}(\w+) *(?:<[^>]*>)?\(.*\{{$")

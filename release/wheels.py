@@ -1,18 +1,14 @@
 #!/usr/bin/env python3
 """Builds the Python package for Linux, Windows and macOS on one Linux machine, each with the FMUs of its platform.
 
-python3 python/wheels.py FOLDER [PLATFORM ...]
+python3 -m release.wheels FOLDER [PLATFORM ...]
 """
 
 import os
-import subprocess
 import sys
 from pathlib import Path
 
-import fmus
-
-PROJECT = Path(__file__).resolve().parents[1]
-TARGET = Path(os.environ.get("CARGO_TARGET_DIR", PROJECT / "target"))
+from release.making import FMU_BUILD, PROJECT, TARGET, flags, run
 
 # Linked by Zig, which knows the functions of old versions of glibc and those of macOS.
 MANYLINUX = ["--zig", "--compatibility", "manylinux2014"]
@@ -23,28 +19,16 @@ PLATFORMS = {
     "win64": (".", {"x86_64-pc-windows-gnu": []}),
     "aarch64-linux": ("aarch64-linux", {"aarch64-unknown-linux-gnu": MANYLINUX}),
     "darwin64": (".", {"aarch64-apple-darwin": ["--zig"], "x86_64-apple-darwin": ["--zig"]}),
+    # This machine, with its own tools: not for older systems.
+    "host": (".", {"": []}),
 }
 OLDEST_MACOS = "11.0"
 
 
-def run(*command: str | Path, **environment: str) -> None:
-    """Runs a command in the project's folder; a failure ends the program."""
-    words = [str(word) for word in command]
-    print("\n>", *words, flush=True)
-    subprocess.run(words, cwd=PROJECT, env={**os.environ, **environment}, check=True)
-
-
-def flags() -> str:
-    """Flags for rustc, in cargo's encoding: no wheel holds a path of this machine."""
-    home = Path(os.environ.get("CARGO_HOME", Path.home() / ".cargo"))
-    names = {home / "registry" / "src": "/crates", PROJECT: "/stribeck"}
-    return "\x1f".join(f"--remap-path-prefix={path}={name}" for path, name in names.items())
-
-
 def build(target: str, linked: list[str], out: Path) -> None:
-    """Builds the wheel for a target."""
+    """Builds the wheel for a target; for this machine if it has no name."""
     run(
-        *(sys.executable, "-m", "maturin", "build", "--release", "--target", target, *linked),
+        *(sys.executable, "-m", "maturin", "build", "--release", *(["--target", target] if target else []), *linked),
         *("--manifest-path", "python/Cargo.toml", "--out", out),
         # Other flags would build everything again each time.
         CARGO_TARGET_DIR=str(TARGET / "wheels"),
@@ -56,13 +40,12 @@ def build(target: str, linked: list[str], out: Path) -> None:
 
 
 def main(out: Path, *platforms: str) -> None:
-    """Builds the wheels for these platforms, or for all."""
-    for platform in platforms or PLATFORMS:
+    """Builds the wheels for these platforms, or for all but this machine."""
+    for platform in platforms or (name for name in PLATFORMS if name != "host"):
         below, targets = PLATFORMS[platform]
         packed = PROJECT / "out" / "wheels" / platform
-        fmu_build = ["cargo", "run", "--package", "fmu-build", "--"]
-        run(*fmu_build, "pack", "--platform", platform, "--strict", "--out", packed)
-        fmus.main(packed / below, PROJECT / "python" / "stribeck" / "fmus")
+        run(*FMU_BUILD, "pack", "--platform", platform, "--strict", "--out", packed)
+        run(sys.executable, "python/fmus.py", packed / below, "python/stribeck/fmus")
         for target, linked in targets.items():
             build(target, linked, out)
 

@@ -1,0 +1,333 @@
+"""Tests of a release as a user gets it: from its files alone, in empty folders with a space in their names, and with an
+empty search path where no compiler is needed."""
+
+import hashlib
+import json
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+import tarfile
+import tempfile
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+from cyclonedx.schema import SchemaVersion
+from cyclonedx.validation.json import JsonStrictValidator
+
+from release import made
+from release.making import PROJECT, VERSION, Release
+
+
+class NotChecked(Exception):
+    """This machine cannot do a check; the text says why."""
+
+
+class Failed(Exception):
+    """An artefact does not do its job."""
+
+
+def call(*command: str | Path, folder: Path, **environment: str) -> str:
+    """Runs a command as a user with an empty search path would. Returns what it prints."""
+    words = [str(word) for word in command]
+    settings = {"PATH": "", "HOME": str(folder), "LANG": "C.UTF-8", **environment}
+    done = subprocess.run(words, cwd=folder, env=settings, capture_output=True, encoding="utf-8", errors="replace")
+    if done.returncode != 0:
+        raise Failed(f"exit code {done.returncode}: {shlex.join(words)}\n{done.stdout[-4000:]}{done.stderr[-4000:]}")
+    return done.stdout
+
+
+def expect(text: str, wanted: str) -> None:
+    """Fails unless the text contains the wanted one."""
+    if wanted not in text:
+        raise Failed(f"should contain {wanted!r}: {text[-2000:]}")
+
+
+def unpacked(archive: Path, folder: Path) -> Path:
+    """Unpacks an archive; returns its only folder."""
+    if archive.suffix == ".zip":
+        zipfile.ZipFile(archive).extractall(folder)
+    else:
+        with tarfile.open(archive) as packed:
+            packed.extractall(folder, filter="data")
+    return folder / archive.name.removesuffix(".zip").removesuffix(".tar.gz").removesuffix(".crate")
+
+
+def only(release: Path, pattern: str) -> Path:
+    """The file for this machine that has such a name."""
+    found = sorted(release.glob(pattern))
+    if not found:
+        raise NotChecked(f"the release has no {pattern}")
+    return found[0]
+
+
+def program_path(*names: str) -> dict[str, str]:
+    """A search path with compilers, if these programs are here."""
+    for name in names:
+        if shutil.which(name) is None:
+            raise NotChecked(f"{name} not found")
+    return {"PATH": os.environ["PATH"]}
+
+
+def sums(release: Path, _: Path) -> str:
+    """Every file has its checksum and its line in the list."""
+    page = (release / "index.html").read_text(encoding="utf-8")
+    lines = (release / "SHA256SUMS").read_text(encoding="utf-8").splitlines()
+    named = dict(reversed(line.split("  ", 1)) for line in lines)
+    files = {path.relative_to(release).as_posix() for path in release.rglob("*") if path.is_file()} - {"SHA256SUMS"}
+    if set(named) != files:
+        raise Failed(f"with a checksum or there, not both: {sorted(set(named) ^ files)}")
+    for name, wanted in named.items():
+        if hashlib.sha256((release / name).read_bytes()).hexdigest() != wanted:
+            raise Failed(f"{name} has another checksum")
+        if name != "index.html" and f'href="{name}"' not in page:
+            raise Failed(f"index.html does not list {name}")
+    return f"{len(files)} files"
+
+
+def places(release: Path, _: Path) -> str:
+    """No file, also within archives, names a folder of the machine that built it."""
+    foreign = [str(path).encode() for path in (PROJECT, Path.home() / ".cargo", Path.home() / ".rustup")]
+    count = 0
+    for path in sorted(release.rglob("*")):
+        for name, content in made.within(path.name, path.read_bytes()) if path.is_file() else ():
+            count += 1
+            for folder in foreign:
+                if folder in content:
+                    raise Failed(f"{path.name}: {name} contains {folder.decode()}")
+    return f"{count} files, those within archives included"
+
+
+FMPY = """
+import sys, tempfile, zipfile
+import fmpy
+for kind in sys.argv[1:]:
+    folder = tempfile.mkdtemp()
+    zipfile.ZipFile(kind).extractall(folder)
+    name = next(path for path in __import__("pathlib").Path(folder).rglob("Coulomb.fmu"))
+    asked = {"output": ["friction_force"], "start_values": {"velocity": 0.1, "normal_force": 20.0, "mu_k": 0.3}}
+    result = fmpy.simulate_fmu(str(name), stop_time=0.01, step_size=1e-3, **asked)
+    # The level of sliding: mu_k times the normal force.
+    assert abs(result["friction_force"][-1] - 0.3 * 20.0) < 1e-12, result["friction_force"][-1]
+    print("done", name.stem)
+"""
+
+
+def fmus(release: Path, folder: Path) -> str:
+    """A law in fmpy, of both versions of FMI, from the archives."""
+    archives = [only(release, f"stribeck-*-{kind}.zip") for kind in ("fmi2", "fmi3")]
+    text = call(sys.executable, "-I", "-c", FMPY, *archives, folder=folder, TMPDIR=str(folder))
+    if text.count("done Coulomb") != len(archives):
+        raise Failed(text)
+    return "Coulomb of FMI 2.0 and 3.0 in fmpy"
+
+
+def c_sources(release: Path, folder: Path) -> str:
+    """A law as C for controllers is compiled with all warnings."""
+    path = program_path("cc")
+    sources = unpacked(only(release, "stribeck-*-c-sources.zip"), folder)
+    flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-c"]
+    for source in sorted(sources.glob("*.c"))[:3]:
+        call("cc", *flags, source.name, "-o", source.stem + ".o", folder=sources, **path)
+    return "three laws compiled as C99"
+
+
+def kit(release: Path) -> Path:
+    """The kit for this machine."""
+    names = {"linux": "linux64", "darwin": "darwin64", "win32": "win64"}
+    return only(release, f"sdk/stribeck-*-sdk-{names.get(sys.platform, sys.platform)}.*")
+
+
+def cmake(release: Path, folder: Path) -> str:
+    """The examples by find_package, with the shared and the static library."""
+    cmake = Path(sys.executable).parent / "cmake"
+    path = program_path("cc", "c++", "make")
+    if not cmake.exists() and shutil.which("cmake") is None:
+        raise NotChecked("cmake not found")
+    program = cmake if cmake.exists() else Path(shutil.which("cmake"))
+    sdk = unpacked(kit(release), folder)
+    examples = shutil.copytree(sdk / "share" / "stribeck" / "examples", folder / "my programs")
+    text = (examples / "CMakeLists.txt").read_text(encoding="utf-8")
+    # As a user's own project would have it: the place comes from the command line.
+    own = text.replace(' PATHS "${CMAKE_CURRENT_LIST_DIR}/../../.." NO_DEFAULT_PATH', "")
+    (examples / "CMakeLists.txt").write_text(own, encoding="utf-8")
+    call(program, "-S", examples, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={sdk}", folder=folder, **path)
+    call(program, "--build", folder / "build", folder=folder, **path)
+    for linked in ("stribeck", "static"):
+        expect(call(folder / "build" / f"belt_{linked}", folder=folder), "identical to the last bit")
+        expect(call(folder / "build" / f"fmu_master_{linked}", folder=folder), "slips 5 times")
+        call(folder / "build" / f"hysteresis_{linked}", "loop.csv", folder=folder)
+    wanted = VERSION.split(".")
+    for version in (f"{wanted[0]}.{int(wanted[1]) + 1}", "99"):
+        asked = text.replace(f"find_package(stribeck {VERSION}", f"find_package(stribeck {version}")
+        (examples / "CMakeLists.txt").write_text(asked, encoding="utf-8")
+        try:
+            call(program, "-S", examples, "-B", folder / version, f"-DCMAKE_PREFIX_PATH={sdk}", folder=folder, **path)
+        except Failed:
+            continue
+        raise Failed(f"find_package takes {VERSION} for {version}")
+    return "seven programs in C and C++, shared and static; later versions refused"
+
+
+def pkg_config(release: Path, folder: Path) -> str:
+    """Programs in C and C++ by pkg-config."""
+    path = program_path("pkg-config", "cc", "c++")
+    sdk = unpacked(kit(release), folder)
+    path["PKG_CONFIG_PATH"] = str(sdk / "lib" / "pkgconfig")
+    examples = sdk / "share" / "stribeck" / "examples"
+    version = call("pkg-config", "--modversion", "stribeck", folder=folder, **path).strip()
+    if version != VERSION:
+        raise Failed(f"pkg-config says version {version}")
+    flags = shlex.split(call("pkg-config", "--cflags", "--libs", "stribeck", folder=folder, **path))
+    static = shlex.split(
+        call("pkg-config", "--cflags", "--libs-only-other", "--static", "stribeck", folder=folder, **path)
+    )
+    private = shlex.split(call("pkg-config", "--libs-only-l", "--static", "stribeck", folder=folder, **path))
+    private = [flag for flag in private if flag != "-lstribeck"]
+    search = [f"-Wl,-rpath,{sdk / 'lib'}", "-lm"]
+    for name, compiler in {"belt.c": ["cc", "-std=c99"], "hysteresis.cpp": ["c++", "-std=c++17"]}.items():
+        call(*compiler, examples / name, "-o", folder / "shared", *flags, *search, folder=folder, **path)
+        library = sdk / "lib" / "libstribeck.a"
+        call(*compiler, examples / name, "-o", folder / "static", *static, library, *private, folder=folder, **path)
+        arguments = ["loop.csv"] if name.endswith("cpp") else []
+        both = [call(folder / linked, *arguments, folder=folder) for linked in ("shared", "static")]
+        if both[0] != both[1] or not both[0]:
+            raise Failed(f"{name}: the shared and the static library print different results")
+    return "a program in C and one in C++, shared and static"
+
+
+def program(release: Path, folder: Path) -> str:
+    """The program's first run, without anything else on the machine; page, completions and manual."""
+    machine = {"linux": "x86_64-unknown-linux-musl"}.get(sys.platform, "*")
+    place = unpacked(only(release, f"program/stribeck-*-{machine}.*"), folder)
+    stribeck = place / "stribeck"
+    expect(call(stribeck, "--version", folder=folder), VERSION)
+    expect(call(stribeck, "models", folder=folder), "LuGre")
+    call(stribeck, "run", "--system", "belt", "--law", "CoulombStiction", "--out", "belt.csv", folder=folder)
+    rows = (folder / "belt.csv").read_text(encoding="utf-8").splitlines()
+    if len(rows) < 4000:
+        raise Failed(f"belt.csv has {len(rows)} rows, and 40 s every 10 ms were asked for")
+    if (place / "page.html").is_file():
+        call(stribeck, "page", "--out", "page.html", folder=folder)
+    for name in ("completions/stribeck.bash", "man/man1/stribeck.1", "man/man1/stribeck-identify.1"):
+        expect((place / name).read_text(encoding="utf-8"), "identify")
+    script = place / "completions" / "stribeck.bash"
+    if shutil.which("bash") is not None:
+        ask = "COMP_WORDS=(stribeck ide); COMP_CWORD=1; _stribeck stribeck ide stribeck; echo ${COMPREPLY[@]}"
+        expect(call(shutil.which("bash"), "-c", f"source {shlex.quote(str(script))}; {ask}", folder=folder), "identify")
+    return "models and a run; completions of bash; manual pages"
+
+
+def environment(folder: Path) -> Path:
+    """A virtual environment of Python; its Python."""
+    call(sys.executable, "-m", "venv", folder / "my python", folder=folder, PATH=os.environ["PATH"])
+    return folder / "my python" / ("Scripts" if os.name == "nt" else "bin") / "python"
+
+
+TOUR = """
+import numpy, stribeck
+assert len(stribeck.laws()) > 30
+force = stribeck.force("Coulomb", numpy.array([-0.1, 0.1]), 20.0, mu_k=0.3)
+assert numpy.allclose(force, [-6.0, 6.0]), force
+print(stribeck.solve("belt", "CoulombStiction", until=12.0).events[0])
+print(stribeck.fmu("LuGre", version=3))
+"""
+
+
+def wheel(release: Path, folder: Path) -> str:
+    """pip install, and what the package's page shows first."""
+    tags = {"linux": "*linux*x86_64", "darwin": "macosx*", "win32": "win_amd64"}
+    packed = only(release, f"python/stribeck-*-{tags.get(sys.platform, '*')}.whl")
+    python = environment(folder)
+    pip = [python, "-m", "pip", "--disable-pip-version-check", "--quiet", "install"]
+    subprocess.run([*map(str, pip), str(packed)], cwd=folder, check=True)
+    text = call(python, "-I", "-c", TOUR, folder=folder, STRIBECK_CACHE=str(folder / "cache"))
+    expect(text, "LuGre.fmu")
+    return f"{packed.name} in a new environment of Python {sys.version.split()[0]}"
+
+
+def sdist(release: Path, folder: Path) -> str:
+    """The sources of the package become a wheel, without the repository; not optimised, which would take long."""
+    program_path("cargo", "cc")
+    packed = only(release, "python/stribeck-*.tar.gz")
+    cheap = {"LTO": "off", "OPT_LEVEL": "0", "CODEGEN_UNITS": "16", "STRIP": "none"}
+    settings = {f"CARGO_PROFILE_RELEASE_{name}": value for name, value in cheap.items()}
+    settings |= {**os.environ, "CARGO_TARGET_DIR": str(folder / "target"), "TMPDIR": str(folder)}
+    python = environment(folder)
+    pip = [python, "-m", "pip", "--disable-pip-version-check", "--quiet", "install", packed]
+    done = subprocess.run([*map(str, pip)], cwd=folder, env=settings, capture_output=True, encoding="utf-8")
+    if done.returncode != 0:
+        raise Failed(done.stderr[-4000:])
+    text = call(python, "-I", "-c", "import stribeck; print(len(stribeck.laws()))", folder=folder)
+    return f"built by maturin, {text.strip()} laws"
+
+
+def crates(release: Path, folder: Path) -> str:
+    """The core, unpacked, compiles by itself; the others ask for crates that no registry has yet."""
+    program_path("cargo", "cc")
+    packed = only(release, "crates/stribeck-[0-9]*.crate")
+    place = unpacked(packed, folder)
+    cargo = ["cargo", "check", "--quiet", "--target-dir", folder / "target"]
+    done = subprocess.run([*map(str, cargo)], cwd=place, capture_output=True, encoding="utf-8")
+    if done.returncode != 0:
+        raise Failed(done.stderr[-4000:])
+    return f"{packed.name} compiles alone"
+
+
+def page(release: Path, folder: Path) -> str:
+    """The page draws its first curves in Chromium."""
+    file = only(release, "page.html")
+    chromium = shutil.which("chromium")
+    if chromium is None:
+        raise NotChecked("chromium not found")
+    flags = ["--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=60000", "--dump-dom"]
+    text = call(chromium, *flags, file.as_uri(), folder=folder, PATH=os.environ["PATH"])
+    expect(text, 'data-kind="force-over-time"')
+    return "opened as a file in Chromium"
+
+
+def components(release: Path, _: Path) -> str:
+    """The lists of components conform to CycloneDX 1.5, and every component has a licence."""
+    validator = JsonStrictValidator(SchemaVersion.V1_5)
+    texts = {}
+    for path in sorted(release.rglob("*")):
+        if path.name == "sbom.cdx.json" or path.suffix in (".zip", ".gz", ".fmu", ".ssp"):
+            found = made.within(path.name, path.read_bytes())
+            texts |= {f"{path.name}: {name}": content for name, content in found if name.endswith("sbom.cdx.json")}
+    for name, content in texts.items():
+        fault = validator.validate_str(content.decode())
+        bare = [
+            one["name"] for one in json.loads(content)["components"] if one["type"] == "library" and not one["licenses"]
+        ]
+        if fault is not None or bare:
+            raise Failed(f"{name}: {fault}; without a licence: {bare}")
+    if "sbom.cdx.json: sbom.cdx.json" not in texts:
+        raise NotChecked("the release has no sbom.cdx.json")
+    return f"{len(texts)} lists"
+
+
+CHECKS: list[Callable[[Path, Path], str]] = [
+    *(sums, places, fmus, c_sources, cmake, pkg_config, program, wheel, sdist, crates, page, components),
+]
+
+
+def main(release: Release) -> int:
+    """Runs all checks; says what was not checked. Returns an exit code."""
+    failed = 0
+    for check in CHECKS:
+        with tempfile.TemporaryDirectory(prefix="a user of it ") as folder:
+            try:
+                print(f"figure: {check.__name__}: {check(release.folder.resolve(), Path(folder))}", flush=True)
+            except NotChecked as reason:
+                print(f"figure: {check.__name__}: NOT CHECKED: {reason}", flush=True)
+            except Failed as fault:
+                failed += 1
+                print(f"figure: {check.__name__}: FAILED: {fault}", flush=True)
+    others = [name for name in release.platforms if name not in ("host", "linux64")]
+    for name in others:
+        print(
+            f"figure: kit, program and wheel for {name}: NOT CHECKED here; `tasks.py platforms` and `wheels` run them"
+        )
+    return 1 if failed else 0
