@@ -7,6 +7,7 @@ import { h, save, swatch } from "./dom";
 import type { Curve, Diagram, Label, Range } from "./drawing";
 import { Lane, Superseded } from "./engine";
 import { short, unitText } from "./format";
+import { intro } from "./intros";
 import { type State, toHash, type View } from "./link";
 import { Cursor, LoopPlot, type Plot, TimePlot } from "./plot";
 import { type Outcome, Runs } from "./runs";
@@ -61,6 +62,7 @@ export class Bench {
   private readonly plots: [Picture, Plot][];
   private readonly runs: Runs;
   private readonly stage: Stage;
+  private readonly take: TakeAway;
   private readonly questions = new Lane();
   private readonly systems: SystemEntry[];
   private readonly defaults = new Map<string, Parts>();
@@ -102,16 +104,18 @@ export class Bench {
       this.stage.draw();
     });
     this.cursor.on(() => this.showLegend());
+    this.take = this.takeAway();
     const side = h("section", { class: "side", "aria-label": "Settings" }, this.picker.root, this.choices.root, this.sliders.root);
     const main = h(
       "section",
       { class: "main", "aria-label": "Results" },
+      intro(view),
       this.legend,
       this.runs.root,
       this.stage.root,
       h("div", { class: "plots" }, ...this.plots.map(([, plot]) => plot.root)),
       this.costs,
-      this.takeAway().root,
+      this.take.root,
       layout.below?.(page),
     );
     this.root = h("div", { class: "view", id: view, "data-drawn": 0, "data-running": 1 }, side, main);
@@ -245,6 +249,7 @@ export class Bench {
     this.showScene();
     this.showLegend();
     this.showCosts();
+    this.take.heed();
     this.root.dataset.drawn = String(Number(this.root.dataset.drawn ?? 0) + 1);
     this.root.dataset.running = String(this.runs.count);
   }
@@ -367,14 +372,15 @@ export class Bench {
   private takeAway(): TakeAway {
     const { state } = this;
     const { view } = this.layout;
+    const isReady = () => this.shown().length > 0;
     const items = (take: TakeAway) => [
       { text: "Copy link", id: "copy-link", does: () => take.copy("Link", location.href.split("#")[0] + toHash({ view, state })) },
-      { text: "Copy as Python", id: "copy-python", does: () => take.copyOf("python", this.job()) },
-      { text: "Copy as command line", id: "copy-command", does: () => take.copyOf("command", this.job()) },
-      { text: "Copy as C", id: "copy-c", does: async () => take.copy("C", await this.asC()) },
-      { text: "Save CSV", id: "save-csv", does: () => this.saveCsv() },
-      { text: "Save TOML", id: "save-toml", does: () => this.saveToml() },
-      { text: "Save SSV", id: "save-ssv", does: () => this.saveSsv() },
+      { text: "Copy as Python", id: "copy-python", does: () => take.copyOf("python", this.job()), isReady },
+      { text: "Copy as command line", id: "copy-command", does: () => take.copyOf("command", this.job()), isReady },
+      { text: "Copy as C", id: "copy-c", does: async () => take.copy("C", await this.asC()), isReady },
+      { text: "Save CSV", id: "save-csv", does: () => this.saveCsv(), isReady },
+      { text: "Save TOML", id: "save-toml", does: () => this.saveToml(), isReady },
+      { text: "Save SSV", id: "save-ssv", does: () => this.saveSsv(), isReady },
     ];
     return new TakeAway(view, items, this.page.fault);
   }

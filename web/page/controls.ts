@@ -50,6 +50,8 @@ export interface Setting {
   start: number;
   /** Laws that have the variable, if not all do. */
   laws?: string[];
+  /** Its symbol in the equations. */
+  symbol?: Element;
 }
 
 /** The text of a value: the name of a choice, true or false, or a number. */
@@ -75,13 +77,16 @@ export function refusal(variable: Variable, text: string): string | undefined {
  * slider moves.
  */
 export function control(
-  { name, variable, start, laws }: Setting,
+  { name, variable, start, laws, symbol }: Setting,
   text: string | undefined,
   change: (text: string | undefined, isLast: boolean) => void,
 ): HTMLElement {
   const id = `set-${name.replace(/[^\w-]/g, "_")}`;
   const help = `${variable.help} ${variable.bound ? `Must be ${variable.bound}.` : ""}`;
   const label = h("label", { for: id, title: help }, variable.name.split(".").at(-1) ?? "");
+  // The name of the field says it already.
+  const sign = symbol && h("span", { class: "symbol", "aria-hidden": "true" }, symbol.cloneNode(true));
+  const meaning = h("p", { class: "meaning", id: `${id}-meaning` }, variable.help.replace(/\.$/, ""));
   const of = laws && h("small", { class: "of" }, laws.join(", "));
   const give = (given: string, isLast: boolean) => change(given === spelled(variable, start) ? undefined : given, isLast);
   const now = text ?? spelled(variable, start);
@@ -89,14 +94,16 @@ export function control(
   const undo = h("button", { type: "button", class: "small undo", onclick: () => change(undefined, true) }, "\u21ba");
   undo.setAttribute("aria-label", `${variable.name}: back to ${spelled(variable, start)}`);
   undo.hidden = text === undefined;
-  row.append(h("div", { class: "name" }, label, of, undo));
+  row.append(h("div", { class: "name" }, label, sign, of, undo), meaning);
   if (variable.kind === "choice" || variable.kind === "boolean") {
     row.append(choice(id, variable, now, help, give));
   } else {
     row.append(number(id, variable, scaleOf(variable, start), now, help, give));
   }
+  row.querySelector(`[id="${id}"]`)!.setAttribute("aria-describedby", meaning.id);
   return row;
 }
+
 /** A slider, and a field for values beyond its ends. */
 function number(
   id: string,

@@ -8,6 +8,7 @@ import { h, save } from "./dom";
 import type { Curve, Diagram } from "./drawing";
 import { Lane, Superseded } from "./engine";
 import { short, unitText } from "./format";
+import { intro } from "./intros";
 import { type State, toHash } from "./link";
 import { Cursor, LoopPlot, type Plot, TimePlot } from "./plot";
 import { TakeAway } from "./take";
@@ -60,12 +61,15 @@ export class FitView {
   private readonly file = h("input", { type: "file", id: "record", multiple: true, accept: ".csv,.tsv,.txt,text/csv" });
   private readonly worth = h("div", { class: "worth" });
   private readonly progress = h("div", { class: "progress", role: "status" });
-  private readonly start = h("button", { type: "button", id: "start-fit", onclick: () => this.fit() }, "Fit");
+  private readonly start = h("button", { type: "button", id: "start-fit", onclick: () => this.again(() => this.fit()) }, "Fit");
   private readonly cancel = h("button", { type: "button", id: "cancel-fit", onclick: () => this.end() }, "Cancel");
   private readonly outcome = h("div", { class: "outcome" });
   private readonly plots: ["time" | "velocity" | "displacement", Plot][];
+  private readonly take: TakeAway;
   private readonly questions = new Lane();
   private readonly worker = new Lane();
+  /** Whether there is, or was, something to fit. */
+  private isBegun = false;
   private isEnding = false;
   private data: Data | undefined;
   private measured: Measured | undefined;
@@ -100,15 +104,17 @@ export class FitView {
       h("div", { class: "buttons" }, this.start, this.cancel),
       this.form,
     );
+    this.take = this.takeAway();
     const plots = h("div", { class: "plots" }, ...this.plots.map(([, plot]) => plot.root));
     const main = h(
       "section",
       { class: "main", "aria-label": "Results" },
+      intro("fit"),
       this.worth,
       this.progress,
       this.outcome,
       plots,
-      this.takeAway().root,
+      this.take.root,
     );
     this.root = h("div", { class: "view", id: "fit", "data-drawn": 0, "data-running": 0 }, side, main);
     for (const [, plot] of this.plots) plot.root.hidden = true;
@@ -138,25 +144,41 @@ export class FitView {
     if (text === "" || text === "false") delete this.state.set[`fit.${name}`];
     else this.state.set[`fit.${name}`] = text;
     this.page.changed(true);
-    void this.measure();
+    this.again(() => this.measure());
   }
 
-  /** Reports what the state has and this view does not. */
-  private checkState(): void {
+  /** Does something, without the message on what was done before. */
+  private again(does: () => Promise<void>): void {
+    this.page.fault("");
+    void does();
+  }
+
+  /** Reports what the state has and this view does not; returns whether there is nothing. */
+  private checkState(): boolean {
     const names = [...Object.keys(RIG).map((name) => `rig.${name}`), ...IDENTIFICATION.map(({ name }) => `fit.${name}`)];
     const unknown = Object.keys(this.state.set).find((name) => !names.includes(name));
-    if (unknown !== undefined) this.page.fault(`'${unknown}' is unknown`);
     const stranger = this.state.laws.find((law) => !this.page.catalogue.fitted.includes(law));
-    if (stranger !== undefined) this.page.fault(`friction law '${stranger}' does not exist, or cannot be fitted`);
     try {
+      if (unknown !== undefined) throw new RangeError(`'${unknown}' is unknown`);
+      if (stranger !== undefined) throw new RangeError(`friction law '${stranger}' does not exist, or cannot be fitted`);
       checkLaws(this.state.laws, dashes().length);
+      return true;
     } catch (fault) {
       this.page.fault(faultText(fault));
+      return false;
     }
   }
 
+  /** A record to begin with, from the virtual rig, and its fit; several laws take long, and wait for the button. */
+  private async first(): Promise<void> {
+    this.root.dataset.running = "1";
+    await this.virtual();
+    if (this.measured && this.data?.truth && !this.fitted && this.state.laws.length === 1) await this.fit();
+    else if (!this.data) this.mark(false);
+  }
+
   async show(): Promise<void> {
-    this.checkState();
+    const isGood = this.checkState();
     this.picker.show();
     this.showKnown();
     this.options.replaceChildren(
@@ -176,16 +198,20 @@ export class FitView {
         this.number("Length", "duration", "s"),
         this.number("Seed", "seed", ""),
         h("div", { class: "law" }, faults, h("label", { for: "rig-faults" }, "hysteresis, ripple, drift, and a camera with its own clock")),
-        h("button", { type: "button", id: "measure-rig", onclick: () => this.virtual() }, "Measure on the virtual rig"),
+        h("button", { type: "button", id: "measure-rig", onclick: () => this.again(() => this.virtual()) }, "Measure on the virtual rig"),
       ),
     );
+    if (isGood && !this.isBegun) {
+      this.isBegun = true;
+      void this.first();
+    }
   }
 
   /** Fields for what is known of the rig. */
   private showKnown(): void {
     const unit = this.measured?.quality.labels.force.unit ?? "N";
     const turns = unit !== "N";
-    const again = () => void this.measure();
+    const again = () => this.data && this.again(() => this.measure());
     this.knownOf = this.knownNow();
     this.known.replaceChildren(
       this.number(turns ? "Moment of inertia" : "Mass", "mass", turns ? "kg.m2" : "kg", again),
@@ -256,7 +282,7 @@ export class FitView {
       }
       const [record, motion] = files.map(({ name }, at) => ({ file: name, text: texts[at]! }));
       if (record!.file === motion?.file) throw new RangeError(`two files are called ${record!.file}: rename one`);
-      await this.take({ name: record!.file, record: record!, ...(motion ? { motion } : {}) });
+      await this.open({ name: record!.file, record: record!, ...(motion ? { motion } : {}) });
     } catch (fault) {
       this.page.fault(faultText(fault));
     }
@@ -269,14 +295,15 @@ export class FitView {
       const { answer } = await this.questions.ask<Files>({ ask: "rig", rig });
       const motion = answer.camera === null ? {} : { motion: { file: "motion.csv", text: answer.camera } };
       const record = { file: "force.csv", text: answer.force };
-      await this.take({ name: `virtual rig with ${this.value("law")}`, record, truth: answer.truth, ...motion });
+      await this.open({ name: `virtual rig with ${this.value("law")}`, record, truth: answer.truth, ...motion });
     } catch (fault) {
       if (!(fault instanceof Superseded)) this.page.fault(faultText(fault));
     }
   }
 
-  private async take(data: Data): Promise<void> {
+  private async open(data: Data): Promise<void> {
     this.data = data;
+    this.isBegun = true;
     this.measured = undefined;
     await this.measure();
   }
@@ -294,7 +321,7 @@ export class FitView {
     const { data } = this;
     if (!data) return;
     this.stop();
-    this.page.fault("");
+    this.root.dataset.running = "1";
     this.fitted = undefined;
     try {
       const { answer, arrays } = await this.questions.ask<Quality>({ ask: "quality", fit: this.asked(data), files: files(data) });
@@ -331,6 +358,7 @@ export class FitView {
     const { dataset } = this.root;
     dataset.running = isRunning ? "1" : "0";
     dataset.drawn = String(Number(dataset.drawn) + 1);
+    this.take.heed();
     this.start.disabled = isRunning || !this.measured;
     this.cancel.disabled = !isRunning;
     this.isEnding = false;
@@ -340,7 +368,6 @@ export class FitView {
   private async fit(): Promise<void> {
     const { data, state } = this;
     if (!data || !this.measured) return;
-    this.page.fault("");
     try {
       checkLaws(state.laws, dashes().length);
     } catch (fault) {
@@ -449,15 +476,13 @@ export class FitView {
   }
 
   private estimates({ estimates }: FittedLaw, truth: Record<string, number> | undefined): HTMLElement {
-    const head = ["Parameter", "Value", "95 % interval", "Bootstrap interval", ...(truth ? ["Truth"] : []), "Verdict"];
-    const ends = (pair: [number, number] | null) => (pair ? `${short(pair[0])} to ${short(pair[1])}` : "");
-    const row = ({ name, unit, value, interval, repeated, verdict, difference_of }: FittedLaw["estimates"][number]) => {
-      const of = unitText(unit);
+    const head = ["Parameter", "Value \u00b1 95 %", "Unit", "Bootstrap interval", ...(truth ? ["Truth"] : []), "Verdict"];
+    const row = ({ name, unit, verdict, difference_of, readable }: FittedLaw["estimates"][number]) => {
       const known = truth && (difference_of ? truth[difference_of[0]]! - truth[difference_of[1]]! : truth[name]);
       const cells = [
-        value === null ? "" : `${short(value)} ${of}`,
-        ends(interval),
-        ends(repeated),
+        readable?.value ?? "",
+        unitText(unit),
+        readable?.repeated ?? "",
         ...(truth ? [known === undefined ? "" : short(known)] : []),
         verdict,
       ];
@@ -475,34 +500,27 @@ export class FitView {
 
   private takeAway(): TakeAway {
     const { state } = this;
-    const best = () => {
-      if (!this.fitted) throw new RangeError("nothing is fitted yet");
-      return this.fitted.answer;
-    };
+    const best = () => this.fitted!.answer;
+    const [hasData, isFitted] = [() => this.data !== undefined, () => this.fitted !== undefined];
     const items = (take: TakeAway) => [
       { text: "Copy link", id: "copy-link", does: () => take.copy("Link", location.href.split("#")[0] + toHash({ view: "fit", state })) },
-      { text: "Copy as Python", id: "copy-python", does: () => take.copyOf("python", this.job()) },
-      { text: "Copy as command line", id: "copy-command", does: () => take.copyOf("command", this.job()) },
-      { text: "Save record", id: "save-csv", does: () => this.saveRecord() },
-      { text: "Save TOML", id: "save-toml", does: () => save(`${best().best}.toml`, best().toml, "application/toml") },
-      { text: "Save SSV", id: "save-ssv", does: () => save(`${best().best}.ssv`, best().ssv, "application/xml") },
-      { text: "Show the fitted law", id: "to-law", does: () => this.toLaw(best()) },
+      { text: "Copy as Python", id: "copy-python", does: () => take.copyOf("python", this.job()), isReady: hasData },
+      { text: "Copy as command line", id: "copy-command", does: () => take.copyOf("command", this.job()), isReady: hasData },
+      { text: "Save record", id: "save-csv", does: () => this.saveRecord(), isReady: hasData },
+      { text: "Save TOML", id: "save-toml", does: () => save(`${best().best}.toml`, best().toml, "application/toml"), isReady: isFitted },
+      { text: "Save SSV", id: "save-ssv", does: () => save(`${best().best}.ssv`, best().ssv, "application/xml"), isReady: isFitted },
+      { text: "Show the fitted law", id: "to-law", does: () => this.toLaw(best()), isReady: isFitted },
     ];
     return new TakeAway("fit", items, this.page.fault);
   }
 
   /** The tables, for a fit elsewhere. */
   private saveRecord(): void {
-    for (const [name, text] of Object.entries(files(this.given()))) save(name, text, "text/csv");
-  }
-
-  private given(): Data {
-    if (!this.data) throw new RangeError("there is no record yet");
-    return this.data;
+    for (const [name, text] of Object.entries(files(this.data!))) save(name, text, "text/csv");
   }
 
   private job(): { fit: Fit } {
-    return { fit: this.asked(this.given()) };
+    return { fit: this.asked(this.data!) };
   }
 
   private toLaw({ ranking }: Fitted): void {

@@ -8,6 +8,7 @@ import { h, save } from "./dom";
 import type { Diagram, Label } from "./drawing";
 import { Lane, Refused, Superseded } from "./engine";
 import { parsed, short } from "./format";
+import { intro } from "./intros";
 import { type State, toHash, value } from "./link";
 import { Cursor, LoopPlot } from "./plot";
 import { type Group, Sliders } from "./sliders";
@@ -24,6 +25,14 @@ const LONG = 0.25;
 const FORCE: Label = { name: "Friction force", unit: "N" };
 const VELOCITY: Label = { name: "Velocity", unit: "m/s" };
 
+/** Strokes as they are drawn and saved. */
+interface Loops {
+  every: number;
+  way: Float64Array;
+  speed: Float64Array;
+  force: Float64Array;
+}
+
 export class LawView {
   readonly root: HTMLElement;
   private readonly chooser = h("div", {});
@@ -34,10 +43,11 @@ export class LawView {
   private readonly warning = h("p", { class: "findings", id: "passivity" });
   private readonly plots: Record<"steady" | "way" | "speed", LoopPlot>;
   private readonly lanes = { steady: new Lane(), loop: new Lane() };
+  private readonly take: TakeAway;
   private readonly questions = new Lane();
   private text: Text | undefined;
   private now: Strokes | undefined;
-  private loop: { every: number; way: Float64Array; speed: Float64Array; force: Float64Array } | undefined;
+  private loop: Loops | undefined;
   private running = 0;
 
   constructor(
@@ -59,16 +69,18 @@ export class LawView {
       speed: new LoopPlot("strokes-over-velocity", strokes),
     };
     onTheme(() => Object.values(this.plots).forEach((plot) => plot.theme()));
+    this.take = this.takeAway();
     const side = h("section", { class: "side", "aria-label": "Settings" }, this.chooser, this.sliders.root);
     const main = h(
       "section",
       { class: "main", "aria-label": "Results" },
+      intro("law"),
       this.title,
       this.note,
       this.warning,
       h("div", { class: "plots" }, ...Object.values(this.plots).map((plot) => plot.root)),
       this.article,
-      this.takeAway().root,
+      this.take.root,
     );
     this.root = h("div", { class: "view", id: "law", "data-drawn": 0, "data-running": 1 }, side, main);
   }
@@ -100,6 +112,7 @@ export class LawView {
     const text = textOf(law);
     if (!text) return;
     this.text = text;
+    if (this.now?.model !== law) this.now = this.loop = undefined;
     this.title.textContent = `${law}: ${model.summary}`;
     this.article.innerHTML = text.html;
     [...this.article.querySelectorAll("table")].forEach(wrap);
@@ -165,6 +178,7 @@ export class LawView {
       this.now = this.strokes(model, text);
     } catch (fault) {
       this.page.fault(faultText(fault));
+      this.now = this.loop = undefined;
       this.running = 0;
       this.mark();
       return;
@@ -201,6 +215,7 @@ export class LawView {
 
   private mark(): void {
     const { dataset } = this.root;
+    this.take.heed();
     dataset.running = String(this.running);
     dataset.drawn = String(Number(dataset.drawn) + 1);
   }
@@ -228,17 +243,15 @@ export class LawView {
 
   private takeAway(): TakeAway {
     const { state } = this;
-    const now = () => {
-      if (!this.now) throw new RangeError("there is no law yet");
-      return this.now;
-    };
+    const now = () => this.now!;
+    const [isKnown, isDrawn] = [() => this.now !== undefined, () => this.loop !== undefined];
     const items = (take: TakeAway) => [
       { text: "Copy link", id: "copy-link", does: () => take.copy("Link", location.href.split("#")[0] + toHash({ view: "law", state })) },
-      { text: "Copy as Python", id: "copy-python", does: () => take.copyOf("python", { strokes: now() }) },
-      { text: "Copy as C", id: "copy-c", does: async () => take.copy("C", await this.asC(now())) },
-      { text: "Save CSV", id: "save-csv", does: () => this.saveCsv() },
-      { text: "Save SSV", id: "save-ssv", does: () => this.saveSsv() },
-      { text: "Try it on the bench", id: "to-bench", does: () => this.toBench() },
+      { text: "Copy as Python", id: "copy-python", does: () => take.copyOf("python", { strokes: now() }), isReady: isKnown },
+      { text: "Copy as C", id: "copy-c", does: async () => take.copy("C", await this.asC(now())), isReady: isKnown },
+      { text: "Save CSV", id: "save-csv", does: () => this.saveCsv(this.loop!), isReady: isDrawn },
+      { text: "Save SSV", id: "save-ssv", does: () => this.saveSsv(), isReady: isKnown },
+      { text: "Try it on the bench", id: "to-bench", does: () => this.toBench(), isReady: isKnown },
     ];
     return new TakeAway("law", items, this.page.fault);
   }
@@ -248,9 +261,7 @@ export class LawView {
     return answer.text;
   }
 
-  private saveCsv(): void {
-    if (!this.loop) return;
-    const { every, way, speed, force } = this.loop;
+  private saveCsv({ every, way, speed, force }: Loops): void {
     const rows = Array.from(force, (f, at) => [at * every, way[at]!, speed[at]!, f].map(written).join());
     const heading = "time [s],displacement [m],velocity [m/s],friction_force [N]";
     save(`${this.state.laws[0]}.csv`, `${heading}\n${rows.join("\n")}\n`, "text/csv");

@@ -4,6 +4,7 @@ import { control, type Setting } from "./controls";
 import { h } from "./dom";
 import { words } from "./format";
 import type { State } from "./link";
+import { symbolsOf } from "./texts";
 import type { Model, Variable } from "./types";
 
 /** Settings of a part, perhaps with presets for them. */
@@ -40,7 +41,8 @@ export class Sliders {
 
   /** Start values and choices come last, and many parameters only on demand, by the first word of their names. */
   private group({ part, settings, models = [] }: Group): HTMLElement {
-    const row = (setting: Setting) => this.row(setting);
+    const symbol = (name: string) => models.map((model) => symbolsOf(model.name).get(name)).find(Boolean);
+    const row = (setting: Setting) => this.row({ ...setting, symbol: symbol(setting.variable.name) });
     const first = settings.filter(({ variable }) => !isStart(variable) && variable.kind === "real");
     const rest = settings.filter((setting) => !first.includes(setting));
     const isSet = ({ name }: Setting) => this.state.set[name] !== undefined;

@@ -11,6 +11,8 @@ export interface Item {
   text: string;
   id: string;
   does: () => unknown;
+  /** Whether there is something to export; always without it. */
+  isReady?: () => boolean;
 }
 
 /** A row of buttons, with a field for text that cannot be copied. */
@@ -18,6 +20,7 @@ export class TakeAway {
   readonly root: HTMLElement;
   private readonly output: HTMLOutputElement;
   private readonly questions = new Lane();
+  private readonly buttons: [HTMLButtonElement, Item][];
 
   constructor(
     view: string,
@@ -25,15 +28,23 @@ export class TakeAway {
     private readonly fault: (text: string) => void,
   ) {
     this.output = h("output", { id: `copied-${view}`, class: "copied" });
-    const button = ({ text, id, does }: Item) =>
-      h("button", { type: "button", id: `${view}-${id}`, onclick: () => this.run(does) }, text);
+    this.buttons = items(this).map((item) => [
+      h("button", { type: "button", id: `${view}-${item.id}`, onclick: () => this.run(item.does) }, item.text),
+      item,
+    ]);
     this.root = h(
       "section",
       { class: "take", "aria-label": "Export" },
       h("h2", {}, "Export"),
-      h("div", { class: "buttons" }, ...items(this).map(button)),
+      h("div", { class: "buttons" }, ...this.buttons.map(([button]) => button)),
       this.output,
     );
+    this.heed();
+  }
+
+  /** Turns buttons off that have nothing to export. */
+  heed(): void {
+    for (const [button, { isReady }] of this.buttons) button.disabled = isReady !== undefined && !isReady();
   }
 
   private run(does: () => unknown): void {

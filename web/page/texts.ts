@@ -23,3 +23,20 @@ export function textOf(law: string): Text | undefined {
   known ??= JSON.parse(new TextDecoder().decode(unpacked("texts"))) as Record<string, Text>;
   return known[law];
 }
+
+const symbols = new Map<string, Map<string, Element>>();
+
+/** The symbols of a law by the names of its variables, from the tables of its text; without those that share a row. */
+export function symbolsOf(law: string): Map<string, Element> {
+  let found = symbols.get(law);
+  if (found) return found;
+  found = new Map();
+  const text = new DOMParser().parseFromString(textOf(law)?.html ?? "", "text/html");
+  for (const row of text.querySelectorAll("tr")) {
+    const symbol = row.cells[0]?.querySelector("math");
+    const names = row.cells[1]?.querySelectorAll("code") ?? [];
+    if (symbol && names.length === 1) found.set(names[0]!.textContent, symbol);
+  }
+  symbols.set(law, found);
+  return found;
+}

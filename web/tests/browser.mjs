@@ -47,12 +47,12 @@ export async function reopened(page, hash) {
   await computed(page);
 }
 
-/** Waits until nothing is computed, and something has been drawn so many times. */
+/** Waits until nothing is computed, which a fit may take a while for, and something has been drawn so many times. */
 export const computed = (page, least = 0) =>
   page.waitForFunction((least) => {
     const { drawn, running } = document.querySelector(".view")?.dataset ?? {};
     return Number(drawn ?? -1) >= least && running === "0";
-  }, least);
+  }, least, { timeout: 240_000 });
 
 export const drawn = (page) => page.evaluate(() => Number(document.querySelector(".view").dataset.drawn));
 

@@ -143,10 +143,7 @@ test("a fit is the same on the command line and in Python, with a camera too", {
   for (const faults of [false, true]) {
     const link = `#v=1&view=fit&law=Coulomb&rig.law=CoulombViscous&fit.budget=200&fit.repetitions=2&rig.duration=2&rig.faults=${faults}`;
     const { page, close } = await opened(link);
-    await page.locator("#measure-rig").click();
-    await page.waitForFunction(() => !document.querySelector("#start-fit").disabled);
-    await page.locator("#start-fit").click();
-    await page.locator(".outcome table").first().waitFor({ timeout: 240_000 });
+    await page.locator(".outcome table").first().waitFor();
     const toml = values((await saved(page, () => page.locator("#fit-save-toml").click())).toString());
     assert.ok(toml.mu_k > 0.01, JSON.stringify(toml));
     const downloads = [];
