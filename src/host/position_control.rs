@@ -1,7 +1,7 @@
 use crate::contact::conditions::not_below;
 use crate::host::oscillator::undamped;
 use crate::laws::stribeck;
-use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, boolean, integrate, ramp, real};
+use crate::model::{Brief, Derivatives, Fault, Law, Meaning, Model, ModelExchange, boolean, integrate, ramp, real};
 use crate::number::elementary::pow;
 use crate::number::{Real, choose};
 use crate::numerics::exponential::exp_m1;
@@ -396,6 +396,16 @@ const MOST_SAMPLES: f64 = 1e7;
 const EARLY: f64 = 1e-9;
 
 impl Model for PositionControl {
+    fn check_motion(&self) -> Result<(), Fault> {
+        if self.sample_time == 0.0 {
+            return Ok(());
+        }
+        let [sample_time, longest] = [self.sample_time, MOST_SAMPLES * self.sample_time].map(Brief);
+        Err(Fault::new(format_args!(
+            "sample_time = {sample_time} s: a step must be <= {longest} s, in which the controller samples 10 million times"
+        )))
+    }
+
     const EVENT_INDICATORS: usize = 1;
     const PIECEWISE_LINEAR: bool = true;
 

@@ -341,3 +341,13 @@ fn samples_are_for_steps_alone() {
     endless.step(1e3);
     assert!(endless.position.is_nan());
 }
+
+#[test]
+fn a_step_of_too_many_samples_names_the_sample_time() {
+    let mut control = sampled(1e-6);
+    control.step(10.001);
+    assert!(control.position.is_nan());
+    let text = control.check_motion().unwrap_err().0;
+    assert_eq!(text, "sample_time = 1e-6 s: a step must be <= 10 s, in which the controller samples 10 million times");
+    assert_eq!(PositionControl::default().check_motion(), Ok(()));
+}
