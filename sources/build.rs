@@ -1,16 +1,22 @@
 //! Names the only model of this library: that of the environment variable `STRIBECK_MODEL`, such as `friction::LuGre`;
-//! `STRIBECK_STACK` is the size of its stack. Both concern this crate only: the others are built once for all models.
+//! `STRIBECK_STACK` is the size of its stack, and `STRIBECK_SLOPES` is 0 if its inputs never have slopes. They concern this
+//! crate only: the others are built once for all models.
 
 use std::path::PathBuf;
 use std::{env, fs};
 
 fn main() {
-    println!("cargo:rerun-if-env-changed=STRIBECK_MODEL");
-    println!("cargo:rerun-if-env-changed=STRIBECK_STACK");
+    for name in ["STRIBECK_MODEL", "STRIBECK_STACK", "STRIBECK_SLOPES"] {
+        println!("cargo:rerun-if-env-changed={name}");
+    }
     println!("cargo:rerun-if-changed=build.rs");
     let model = env::var("STRIBECK_MODEL").unwrap_or("friction::LuGre".into());
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo names a folder"));
-    let text = format!("/// The model.\npub type Chosen = stribeck::{model};\n");
+    let has_slopes = env::var("STRIBECK_SLOPES").as_deref() != Ok("0");
+    let text = format!(
+        "/// The model.\npub type Chosen = stribeck::{model};\n\n/// Whether inputs can have slopes.\npub const HAS_SLOPES: bool = \
+         {has_slopes};\n"
+    );
     fs::write(out.join("model.rs"), text).expect("the folder can be written");
     if env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|architecture| architecture == "wasm32") {
         let stack = env::var("STRIBECK_STACK").unwrap_or("65536".into());

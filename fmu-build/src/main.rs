@@ -34,7 +34,7 @@ use crate::pack::package::{self, Contents, Form, Packing};
 use crate::pack::sbom::{self, Product};
 use crate::pack::{licenses, sdk};
 use crate::page::{html, texts};
-use crate::sources::Purpose;
+use crate::sources::{Library as SourceLibrary, Purpose};
 
 /// Generates files from the tables of Stribeck's models, and packs the FMUs.
 #[derive(Parser)]
@@ -140,7 +140,7 @@ enum Command {
         /// by number.
         #[arg(long)]
         plain: bool,
-        /// Pack C sources in place of libraries, for targets that compile them: FMI 2.0, for co-simulation.
+        /// Pack C sources in place of libraries, for targets that compile them: for co-simulation.
         #[arg(long, conflicts_with_all = ["platform", "strict", "plain"])]
         sources: bool,
     },
@@ -262,7 +262,7 @@ fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: 
 /// Writes the sources of models for controllers. Their headers come from the tables, not from generated files.
 fn sources(root: &Path, models: &[String], out: &Path) -> Result<()> {
     for entry in with_sources(models)? {
-        for (name, text) in sources::of(root, &entry, Purpose::Controller)?.files {
+        for (name, text) in SourceLibrary::of(root, &entry, Purpose::Controller)?.controller()?.files {
             let size = package::save(out, &name, text.as_bytes())?;
             println!("{:<28} {size:>9} bytes", out.join(&name).display());
         }
@@ -288,11 +288,14 @@ fn pack_sources(root: &Path, models: &[String], out: &Path) -> Result<()> {
     let archiver = Archiver::new(date)?;
     let packing = Packing::of_sources(root, date, &archiver)?;
     for entry in &entries {
-        let sources = sources::of(root, entry, Purpose::Fmu)?;
-        let size = packing.write_sources(&Contents::of(entry)?, &sources, out)?;
-        println!("{:<20} {size:>9} bytes", format!("{}.fmu", entry.model.name));
+        let (library, contents) = (SourceLibrary::of(root, entry, Purpose::Fmu)?, Contents::of(entry)?);
+        for form in [Form::Two(Choices::Named), Form::Three] {
+            let folder = out.join(form.subfolder());
+            let size = packing.write_sources(&contents, form, &library.fmu(form.version())?, &folder)?;
+            println!("{:<28} {size:>9} bytes", folder.join(format!("{}.fmu", entry.model.name)).display());
+        }
     }
-    println!("{} FMUs with C sources in {}", entries.len(), out.display());
+    println!("{} models as FMUs with C sources in {}", entries.len(), out.display());
     Ok(())
 }
 

@@ -1,11 +1,12 @@
 //! The functions of the module.
 
 use stribeck::instance::Phase;
-use stribeck::model::{BaseType, Computed, Fault, Role};
+use stribeck::memory;
+use stribeck::model::{BaseType, Computed, Fault, Kind, Role};
 use stribeck::reference::{Place, Reference};
 use stribeck::serial;
 
-use crate::model::{COLUMNS, MODEL};
+use crate::model::{COLUMNS, HAS_SLOPES, MODEL};
 use crate::state::{self, Module, Outcome, Refusal, Status, enter, fault, refuse, refused};
 
 /// Makes the instance, at its start values and at time 0.
@@ -314,37 +315,39 @@ pub extern "C" fn model_time_derivative(reference: Reference, order: i32) -> Sta
     })
 }
 
-/// Number of bytes of a state.
-#[unsafe(no_mangle)]
-pub extern "C" fn model_state_size() -> usize {
-    serial::size(&MODEL)
-}
-
 /// Address of the bytes of a state, for [`model_save`] and [`model_read`].
 #[unsafe(no_mangle)]
 pub extern "C" fn model_state() -> usize {
     state::module().map_or(0, |module| module.bytes.as_ptr().addr())
 }
 
-/// Writes the state, with four numbers that C adds.
+/// Writes the state, with four numbers that C adds, and the first sizes of arrays.
 #[unsafe(no_mangle)]
-pub extern "C" fn model_save(a: f64, b: f64, c: f64, d: f64) -> Status {
+pub extern "C" fn model_save(a: f64, b: f64, c: f64, d: f64, sizes: usize) -> Status {
     enter(|module| {
+        let (Some(further), size) = (module.sizes.get(..sizes), serial::size_with(&MODEL, sizes)) else {
+            return refuse(Status::Internal, "too many sizes");
+        };
         let snapshot = module.instance.try_save()?;
-        serial::write(&MODEL, &snapshot, [a, b, c, d], &mut module.bytes);
+        let bytes = &mut module.bytes[..size];
+        serial::write_with(&MODEL, &snapshot, [a, b, c, d], further.iter().copied(), bytes);
         Ok(())
     })
 }
 
-/// Reads a state of so many bytes, and continues with it if `is_final`.
+/// Reads a state of so many bytes with so many sizes of arrays, and continues with it if `is_final`.
 #[unsafe(no_mangle)]
-pub extern "C" fn model_read(size: usize, is_final: bool) -> Status {
+pub extern "C" fn model_read(size: usize, sizes: usize, is_final: bool) -> Status {
     enter(|module| {
-        let Some(bytes) = module.bytes.get(..size) else {
-            let text = format_args!("{size} bytes, {} are expected", module.bytes.len());
+        let (Some(bytes), Some(further)) = (module.bytes.get(..size), module.sizes.get_mut(..sizes)) else {
+            let text = format_args!("{size} bytes, {} are expected", serial::size_with(&MODEL, sizes));
             return refuse(Status::BadBuffer, format_args!("serialised state of {}: {text}", MODEL.name));
         };
-        let (snapshot, owners) = serial::read(&MODEL, bytes).map_err(fault(Status::BadBuffer))?;
+        let (snapshot, owners) = serial::read_with(&MODEL, further, bytes).map_err(fault(Status::BadBuffer))?;
+        if !HAS_SLOPES && snapshot.slopes_are_new {
+            let text = format_args!("serialised state of {}: slopes of inputs are not available here", MODEL.name);
+            return refuse(Status::BadBuffer, text);
+        }
         module.owners = owners;
         if is_final {
             module.instance.check_without_events(&snapshot).map_err(fault(Status::BadBuffer))?;
@@ -358,4 +361,58 @@ pub extern "C" fn model_read(size: usize, is_final: bool) -> Status {
 #[unsafe(no_mangle)]
 pub extern "C" fn model_owner(index: u32) -> f64 {
     state::module().and_then(|module| module.owners.get(index as usize).copied()).unwrap_or(f64::NAN)
+}
+
+/// Sets the size of an array, which belongs to the state.
+#[unsafe(no_mangle)]
+pub extern "C" fn model_resize(index: u32, size: f64) -> Status {
+    enter(|module| match module.sizes.get_mut(index as usize) {
+        Some(place) => {
+            *place = size;
+            Ok(())
+        }
+        None => refuse(Status::UnknownVariable, "too many sizes"),
+    })
+}
+
+/// The size of an array in the state that was read.
+#[unsafe(no_mangle)]
+pub extern "C" fn model_size(index: u32) -> f64 {
+    state::module().and_then(|module| module.sizes.get(index as usize).copied()).unwrap_or(f64::NAN)
+}
+
+/// Type of a variable in FMI 3.0: 1 Float64, 2 Int32, 3 Int64, 4 Boolean; 5 the derivative of a state, 6 time; 0 if there is
+/// none.
+#[unsafe(no_mangle)]
+pub extern "C" fn model_type(reference: Reference) -> u32 {
+    match MODEL.place(reference) {
+        Some(Place::Column(column)) => match MODEL.table.at(column).kind {
+            Kind::Real(_) => 1,
+            Kind::Integer => 2,
+            Kind::Enumeration(_) => 3,
+            Kind::Boolean => 4,
+        },
+        Some(Place::Derivative(_)) if MODEL.model_exchange => 5,
+        Some(Place::Time) => 6,
+        _ => 0,
+    }
+}
+
+/// Names a variable, or the array to which it belongs: [`model_text`].
+#[unsafe(no_mangle)]
+pub extern "C" fn model_name(reference: Reference) -> Status {
+    enter(|_| {
+        let path = |column: usize| {
+            let path = MODEL.table.at(column).path;
+            path.without_index().map_or(path, |(path, _)| path)
+        };
+        let name = match MODEL.place(reference) {
+            Some(Place::Column(column)) => memory::text(path(column)),
+            Some(Place::Derivative(state)) => memory::text(format_args!("der({})", path(state))),
+            Some(Place::Time) => memory::text("time"),
+            None => return is_no_variable(reference),
+        };
+        state::text().say(&name);
+        Ok(())
+    })
 }

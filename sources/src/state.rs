@@ -86,6 +86,9 @@ impl Write for Text {
     }
 }
 
+/// Most sizes of arrays that a model has.
+const SIZES: usize = 4;
+
 /// The instance, with the arguments and results that are no numbers.
 pub struct Module {
     pub instance: Instance,
@@ -95,6 +98,8 @@ pub struct Module {
     pub bytes: Box<[u8]>,
     /// Numbers that C adds to a state.
     pub owners: [f64; serial::OWNERS],
+    /// Sizes of arrays, which C adds as well.
+    pub sizes: [f64; SIZES],
     /// Direction of a derivative, by column.
     pub direction: Box<[f64]>,
     /// The slopes of the columns, then those of their rates.
@@ -106,8 +111,9 @@ impl Module {
         Ok(Module {
             instance: Instance::try_new(&MODEL)?,
             value: 0.0,
-            bytes: memory::filled(0, serial::size(&MODEL))?,
+            bytes: memory::filled(0, serial::size_with(&MODEL, SIZES))?,
             owners: [0.0; serial::OWNERS],
+            sizes: [0.0; SIZES],
             direction: memory::filled(0.0, COLUMNS)?,
             slopes: memory::filled(0.0, 2 * COLUMNS)?,
         })

@@ -145,6 +145,11 @@ impl ModelType {
         }
     }
 
+    /// As [`ModelType::of_steps`], for instances whose inputs never have slopes.
+    pub const fn of_held_steps<M: Model>() -> ModelType {
+        ModelType { try_advance_ramp: |_, _, _, _, _| false, ..ModelType::of_steps::<M>() }
+    }
+
     /// The guid that ties modelDescription.xml to this library.
     pub fn guid(&self) -> &str {
         // The fingerprint is spelled with ASCII digits only.

@@ -7,8 +7,11 @@ import struct
 import subprocess
 import sys
 from pathlib import Path
+from unittest import mock
 
-from fmpy import read_model_description
+import pytest
+from fmpy import extract, read_model_description
+from fmpy.build import build_platform_binary
 
 ROOT = Path(__file__).resolve().parents[2]
 DRIVER = ROOT / "tests" / "sources" / "drive.c"
@@ -19,6 +22,13 @@ NAMES = {"win32": "stribeck.dll", "darwin": "libstribeck.dylib"}
 # variable that is not read are in what is generated.
 WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-Wno-unused-label", "-Wno-unused-function"]
 WARNINGS += ["-Wno-unused-but-set-variable", "-ffp-contract=off"]
+
+
+LIBRARY = ["rustc", "--print", "target-libdir", "--target", "wasm32-unknown-unknown"]
+FOLDER = Path(subprocess.run(LIBRARY, capture_output=True, text=True).stdout.strip())
+needs_wasm = pytest.mark.skipif(
+    not any(FOLDER.glob("libstd-*.rlib")), reason="C sources need `rustup target add wasm32-unknown-unknown`"
+)
 
 
 def make(*arguments: str | Path) -> None:
@@ -118,3 +128,15 @@ def answer(command: list[str], text: str) -> list[list[str]]:
     done = subprocess.run(command, input=text, capture_output=True, text=True, timeout=600)
     assert done.returncode == 0, f"{command}: exit code {done.returncode}"
     return [line.split() for line in done.stdout.splitlines()]
+
+
+def built(fmu: Path, folder: Path) -> Path:
+    """The files of an FMU in a folder, with a library that fmpy has compiled of its sources."""
+    extract(str(fmu), str(folder))
+    work = folder / "build"
+    work.mkdir()
+    # fmpy calls cmake, which is beside this Python.
+    programs = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    with mock.patch.dict(os.environ, PATH=programs):
+        build_platform_binary(folder, build_dir=work)
+    return folder

@@ -3,9 +3,6 @@
 import os
 import shutil
 import subprocess
-import sys
-from pathlib import Path
-from unittest import mock
 
 import pytest
 from c_sources import (
@@ -13,26 +10,23 @@ from c_sources import (
     ROOT,
     WARNINGS,
     answer,
+    built,
     compiled,
     headers,
     make,
     motion,
+    needs_wasm,
     of_library,
     question,
     variables,
     with_sources,
 )
 from fmpy import extract, instantiate_fmu, read_model_description
-from fmpy.build import build_platform_binary
 from fmpy.validation import validate_fmu
 
 from examples.fmpy import coupling
 
-LIBRARY = ["rustc", "--print", "target-libdir", "--target", "wasm32-unknown-unknown"]
-FOLDER = Path(subprocess.run(LIBRARY, capture_output=True, text=True).stdout.strip())
-pytestmark = pytest.mark.skipif(
-    not any(FOLDER.glob("libstd-*.rlib")), reason="C sources need `rustup target add wasm32-unknown-unknown`"
-)
+pytestmark = needs_wasm
 
 COMPILERS = [name for name in ("gcc", "clang", "cc") if shutil.which(name)][:1]
 # Otherwise a bristle, a law with its own memory, and one that sticks.
@@ -80,8 +74,7 @@ LOGGERS = []
 class Fmu:
     """An FMU with a logger."""
 
-    def __init__(self, path, folder):
-        extract(str(path), str(folder))
+    def __init__(self, folder):
         self.description = read_model_description(str(folder))
         self.folder, self.said = folder, []
 
@@ -106,14 +99,9 @@ def both(tmp_path_factory):
     folder = tmp_path_factory.mktemp("fmus")
     make("pack", "LuGre", "--sources", "--out", folder)
     assert (folder / "LuGre.fmu").stat().st_size < 400_000
-    sources = Fmu(folder / "LuGre.fmu", folder / "sources")
-    (folder / "build").mkdir()
-    # fmpy calls cmake, which is beside this Python.
-    programs = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
-    with mock.patch.dict(os.environ, PATH=programs):
-        build_platform_binary(folder / "sources", build_dir=folder / "build")
     assert validate_fmu(str(folder / "LuGre.fmu")) == []
-    yield Fmu(ROOT / "dist" / "LuGre.fmu", folder / "library"), sources
+    library = extract(str(ROOT / "dist" / "LuGre.fmu"), str(folder / "library"))
+    yield Fmu(library), Fmu(built(folder / "LuGre.fmu", folder / "sources"))
     # fmpy's formatting library passes all messages of the process to the last logger: to that of the other tests again.
     LOGGERS.append(coupling._callbacks())
 

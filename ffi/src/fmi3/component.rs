@@ -1,7 +1,7 @@
 //! Instances of FMI 3.0.
 
 use super::layout::{Elements, Layout, Name};
-use super::lifecycle::{Call, STATES, State};
+use super::lifecycle::{Call, FIRST_NUMBER, STATES, State};
 use super::log::Messages;
 use super::types::{
     fmi3Instance, fmi3InstanceEnvironment, fmi3IntermediateUpdateCallback, fmi3Status, fmi3ValueReference,
@@ -156,11 +156,8 @@ impl Version for Fmi3 {
     }
 }
 
-/// Number of the first state in bytes: those of FMI 2.0 have smaller ones.
-const FIRST: usize = 16;
-
 impl Lifecycle for State {
-    const ALL: &'static [(State, f64)] = &component::numbered(STATES, FIRST);
+    const ALL: &'static [(State, f64)] = &component::numbered(STATES, FIRST_NUMBER);
     const INSTANTIATED: State = State::Instantiated;
     const FAILED: State = State::Error;
     const EVENT_MODE: State = State::EventMode;

@@ -42,6 +42,9 @@ pub const STATES: [State; 9] = [
     State::Error,
 ];
 
+/// Number of the first state in bytes: those of FMI 2.0 have smaller ones.
+pub const FIRST_NUMBER: usize = 16;
+
 impl State {
     /// Whether an instance of this interface type can be in this state.
     pub const fn is_for(self, purpose: Purpose) -> bool {

@@ -14,9 +14,9 @@ const TRIPLE: &str = "wasm32-unknown-unknown";
 /// The package that is built.
 const PACKAGE: &str = "stribeck-sources";
 
-/// Builds the library of the model with this path in the crate, such as `friction::LuGre`, with a stack of so many bytes.
-/// Its bytes depend only on the sources and the tools, not on their location.
-pub fn build(root: &Path, model: &str, stack: usize) -> Result<Vec<u8>> {
+/// Builds the library of the model with this path in the crate, such as `friction::LuGre`, with a stack of so many bytes,
+/// for inputs with slopes or without. Its bytes depend only on the sources and the tools, not on their location.
+pub fn build(root: &Path, model: &str, stack: usize, has_slopes: bool) -> Result<Vec<u8>> {
     ensure!(has_standard_library(TRIPLE)?, "Rust's standard library for it is missing: rustup target add {TRIPLE}");
     let folder = library::target_folder(root);
     let mut paths = library::remapped_paths(root)?;
@@ -28,6 +28,7 @@ pub fn build(root: &Path, model: &str, stack: usize) -> Result<Vec<u8>> {
         .current_dir(root)
         .env("STRIBECK_MODEL", model)
         .env("STRIBECK_STACK", stack.to_string())
+        .env("STRIBECK_SLOPES", u8::from(has_slopes).to_string())
         .env_remove("RUSTFLAGS")
         .env("CARGO_ENCODED_RUSTFLAGS", library::flags(Default::default(), &[], &paths));
     toolchain::stdout(&mut cargo).with_context(|| format!("cannot build the library of {model}"))?;

@@ -63,15 +63,49 @@ fn has_jumping_results(model: &ModelType) -> bool {
     model.table.iter().any(|variable| variable.role.is_computed() && variable.jumps)
 }
 
+/// Those of C sources, which have no events and show nothing within a step.
+fn capabilities_of_sources(model: &ModelType) -> [(&'static str, &'static str); 13] {
+    let without = [
+        "providesIntermediateUpdate",
+        "mightReturnEarlyFromDoStep",
+        "canReturnEarlyAfterIntermediateUpdate",
+        "hasEventMode",
+    ];
+    capabilities(model).map(|(name, value)| (name, if without.contains(&name) { "false" } else { value }))
+}
+
 /// The text of modelDescription.xml.
 pub fn model_description(model: &ModelType, date: Timestamp) -> Result<String> {
-    let variables = Variables::of(model)?;
+    describe(model, date, false)
+}
+
+/// The same for an FMU with C sources in place of libraries, for co-simulation.
+pub fn source_description(model: &ModelType, date: Timestamp) -> Result<String> {
+    describe(model, date, true)
+}
+
+/// The text of sources/buildDescription.xml, for sources in these files.
+pub fn build_description(model: &ModelType, files: &[&str]) -> Result<String> {
+    let attributes = vec![("fmiVersion", VERSION.to_owned())];
+    document("fmiBuildDescription", attributes, |xml| {
+        let configuration = vec![("modelIdentifier", model.name.to_owned())];
+        parent(xml, "BuildConfiguration", configuration, |xml| {
+            parent(xml, "SourceFileSet", vec![("language", "C99".to_owned())], |xml| {
+                files.iter().try_for_each(|file| leaf(xml, "SourceFile", vec![("name", (*file).to_owned())]))
+            })
+        })
+    })
+}
+
+fn describe(model: &ModelType, date: Timestamp, is_of_sources: bool) -> Result<String> {
+    let variables = Variables::of(model, is_of_sources)?;
     let attributes = root_attributes(model, date, VERSION, "instantiationToken");
     document("fmiModelDescription", attributes, |xml| {
-        if model.model_exchange {
+        if model.model_exchange && !is_of_sources {
             interface(xml, "ModelExchange", model, &exchange_capabilities(model))?;
         }
-        interface(xml, "CoSimulation", model, &capabilities(model))?;
+        let capabilities = if is_of_sources { capabilities_of_sources(model) } else { capabilities(model) };
+        interface(xml, "CoSimulation", model, &capabilities)?;
         unit_definitions(xml, model)?;
         type_definitions(xml, model)?;
         log_categories(xml)?;
@@ -133,17 +167,18 @@ fn element(
 /// The variables of a description.
 struct Variables<'a> {
     model: &'a ModelType,
+    is_of_sources: bool,
     arrays: Box<[Array]>,
     /// Places of the arrays by their columns.
     owners: BTreeMap<usize, usize>,
 }
 
 impl Variables<'_> {
-    fn of(model: &ModelType) -> Result<Variables<'_>> {
+    fn of(model: &ModelType, is_of_sources: bool) -> Result<Variables<'_>> {
         let arrays = arrays::of(model).ok().context("out of memory")?;
         let owned = |(at, array): (usize, &Array)| array.columns.iter().map(move |column| (*column, at)).collect();
         let owners: Vec<Vec<(usize, usize)>> = arrays.iter().enumerate().map(owned).collect();
-        Ok(Variables { model, owners: owners.into_iter().flatten().collect(), arrays })
+        Ok(Variables { model, is_of_sources, owners: owners.into_iter().flatten().collect(), arrays })
     }
 
     /// The array of a column.
@@ -205,7 +240,7 @@ impl Variables<'_> {
         let starts: Vec<String> = columns.iter().map(|column| start(&self.model.table.at(*column))).collect();
         let (tag, type_attributes) = element_of(variable.kind);
         let mut attributes = variable_attributes(name, self.reference(column), variable.help, causality(variable));
-        if is_for_intermediate_update(variable) {
+        if is_for_intermediate_update(variable) && !self.is_of_sources {
             attributes.push(("intermediateUpdate", "true".into()));
         }
         attributes.extend(type_attributes);
@@ -225,7 +260,7 @@ impl Variables<'_> {
     }
 
     fn event_indicators(&self) -> usize {
-        if self.model.model_exchange { self.model.event_indicators } else { 0 }
+        if self.model.model_exchange && !self.is_of_sources { self.model.event_indicators } else { 0 }
     }
 
     fn write_event_indicators(&self, xml: &mut Xml) -> io::Result<()> {
@@ -498,5 +533,37 @@ mod tests {
         assert!(capabilities(of("LuGre")).contains(&("mightReturnEarlyFromDoStep", "true")));
         assert!(capabilities(of("BeltRig")).contains(&("mightReturnEarlyFromDoStep", "false")));
         assert!(exchange_capabilities(of("BeltRig")).contains(&("needsCompletedIntegratorStep", "false")));
+    }
+
+    /// Otherwise their description is that of the FMU with a library.
+    #[test]
+    fn sources_declare_neither_events_nor_what_needs_them() {
+        on_every_description(|model, new, _| {
+            let text = source_description(model, release_date()).unwrap();
+            let sources = Document::parse(&text).unwrap();
+            assert!(!text.contains("<ModelExchange") && !text.contains("ntermediateUpdate=\"true\""), "{}", model.name);
+            let interface = sources.descendants().find(|node| node.has_tag_name("CoSimulation")).unwrap();
+            for (name, value) in capabilities(model) {
+                let is_less =
+                    name.contains("arly") || name.contains("EventMode") || name.contains("IntermediateUpdate");
+                assert_eq!(interface.attribute(name), Some(if is_less { "false" } else { value }), "{name}");
+            }
+            let names = |document: &Document| -> Vec<String> {
+                let variables = children(document, "ModelVariables").into_iter();
+                let names = variables.map(|node| node.attribute("name").unwrap_or_default().to_owned());
+                names.filter(|name| name != "event_indicators").collect()
+            };
+            assert_eq!(names(&sources), names(new));
+        });
+    }
+
+    #[test]
+    fn the_build_description_lists_the_files() {
+        let text = build_description(&SPECIMEN, &["a.c", "b.c"]).unwrap();
+        let document = Document::parse(&text).unwrap();
+        let files: Vec<_> = document.descendants().filter(|node| node.has_tag_name("SourceFile")).collect();
+        assert_eq!(files.iter().map(|node| node.attribute("name").unwrap()).collect::<Vec<_>>(), ["a.c", "b.c"]);
+        let configuration = files[0].ancestors().nth(2).unwrap();
+        assert_eq!(configuration.attribute("modelIdentifier"), Some(SPECIMEN.name));
     }
 }

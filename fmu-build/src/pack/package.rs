@@ -128,12 +128,18 @@ impl Packing<'_> {
         save(folder, &format!("{}.fmu", contents.entry.model.name), &self.fmu(contents, form)?)
     }
 
-    /// Writes an FMU of FMI 2.0 that has C sources in place of libraries, and returns its size in bytes.
-    pub fn write_sources(&self, contents: &Contents, sources: &Sources, folder: &Path) -> Result<usize> {
+    /// Writes an FMU that has C sources in place of libraries, and returns its size in bytes.
+    pub fn write_sources(&self, contents: &Contents, form: Form, sources: &Sources, folder: &Path) -> Result<usize> {
         let model = contents.entry.model;
         let names: Vec<&str> = sources.files.keys().map(String::as_str).collect();
-        let description = fmi2::source_description(model, self.date, &names)?;
-        let mut files = self.files(contents, Form::Two(Choices::Named))?;
+        let mut files = self.files(contents, form)?;
+        let description = match form.version() {
+            Version::Two => fmi2::source_description(model, self.date, &names)?,
+            Version::Three => {
+                files.insert("sources/buildDescription.xml".into(), fmi3::build_description(model, &names)?.into());
+                fmi3::source_description(model, self.date)?
+            }
+        };
         files.insert("modelDescription.xml".into(), description.into());
         let texts = sources.files.iter().map(|(name, text)| (format!("sources/{name}"), text.clone().into()));
         files.extend(texts);

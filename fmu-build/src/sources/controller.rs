@@ -14,13 +14,23 @@ use crate::project::VERSION;
 const HEADER: &str = include_str!("law.h");
 const FUNCTIONS: &str = include_str!("law.c");
 
-/// Bytes of an instance beside the memory of the model: where a call is left that cannot go on. The largest `jmp_buf`
-/// known has 656 (64-bit PowerPC with glibc).
-const BESIDE: u32 = 1024;
+/// Most bytes of an instance beside the memory of the model: whether it is broken, globals, and what aligns the memory.
+const BESIDE: u32 = 32;
+
+/// What the header says about the stack, unless a function calls itself, as a quadrature does: then no bound is known.
+const STACK: &str = "\
+/** Bytes of the program's own stack that a call needs, estimated from the longest chain of calls: more than gcc takes. */
+#define LAW_STACK BYTESu
+
+";
+
+/// The stack is an estimate, in multiples of so many bytes.
+const STACK_UNIT: u32 = 256;
 
 /// The files of a model by name.
 pub fn files(model: &ModelType, name: &str, origin: &str, library: &[u8]) -> Result<BTreeMap<String, String>> {
-    let Program { text, memory } = program::of(library, &called(FUNCTIONS), false)?;
+    let Program { text, memory, stack } = program::of(library, &called(FUNCTIONS), false)?;
+    let stack = stack.map(|bytes| STACK.replace("BYTES", &bytes.next_multiple_of(STACK_UNIT).to_string()));
     let constant = |wanted: fn(&Variable) -> bool| {
         let found = model.table.iter().find(|variable| !variable.is_hidden && wanted(variable));
         found.map(|variable| header::constant(&variable))
@@ -35,6 +45,7 @@ pub fn files(model: &ModelType, name: &str, origin: &str, library: &[u8]) -> Res
         .replace("ORIGIN", origin)
         .replace("VERSION_TEXT", VERSION)
         .replace("MEMORY_BYTES", &(memory + BESIDE).to_string())
+        .replace("STACK\n", &stack.unwrap_or_default())
         .replace("STATE_BYTES", &serial::size(model).to_string())
         .replace("FIRST_INPUT", &format!("LAW_{input}"))
         .replace("FIRST_OUTPUT", &format!("LAW_{output}"));
@@ -93,7 +104,8 @@ mod tests {
                 None => assert!(name == "OTHERARITHMETIC" && !library.values().any(|taken| taken == number), "{name}"),
             }
         }
-        let refused = format!("enum {{ OK, REFUSED_VALUE = {} }};", library["REFUSEDVALUE"]);
-        assert!(include_str!("fmi2.c").contains(&refused));
+        let [refused, internal] = ["REFUSEDVALUE", "INTERNAL"].map(|name| library[name]);
+        let of_fmus = format!("enum {{ OK, REFUSED_VALUE = {refused}, INTERNAL = {internal} }};");
+        assert!(include_str!("fmi.c").contains(&of_fmus));
     }
 }

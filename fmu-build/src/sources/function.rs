@@ -1,6 +1,7 @@
 //! A function of WebAssembly as a function of C.
 //!
-//! Blocks become labels, and branches jumps to them. What a block leaves is in the variable of its place.
+//! Blocks become labels, and branches jumps to them. What a block leaves is in the variable of its place. A trap marks the
+//! instance as broken and returns; whoever has called a function that may trap looks, and returns too.
 
 use std::collections::BTreeSet;
 
@@ -23,24 +24,67 @@ struct Block {
     is_target: bool,
 }
 
+/// Facts about all functions of a program, which decide what a function must check.
+#[derive(Default)]
+pub struct Rules {
+    /// Functions that may trap.
+    pub traps: BTreeSet<u32>,
+    /// Functions that never return: a call of one is a trap.
+    pub endless: BTreeSet<u32>,
+    /// Whether the stack is large enough for every chain of calls.
+    pub has_stack_for_all: bool,
+}
+
 /// A function as it is written.
 pub struct Function<'a> {
     module: &'a Module<'a>,
+    rules: &'a Rules,
     stack: Stack,
     locals: Vec<Kind>,
     blocks: Vec<Block>,
     labels: usize,
     /// Number of blocks within code that is never reached, if we are there.
     skipped: Option<usize>,
+    /// What it does after a trap.
+    exit: &'static str,
+    pub facts: Facts,
+}
+
+/// What a function does, as far as its callers need to know.
+#[derive(Default)]
+pub struct Facts {
     /// Functions that it calls.
-    pub calls: Vec<u32>,
+    pub calls: BTreeSet<u32>,
     /// Types of the functions that it calls by number.
-    pub calls_by_number: BTreeSet<u32>,
+    pub kinds: BTreeSet<u32>,
+    /// Whether it traps by itself, the stack apart.
+    pub traps: bool,
+    /// Whether it ever returns.
+    pub returns: bool,
+    /// Bytes of the stack that it takes.
+    pub frame: Frame,
+    /// Number of its variables in C.
+    pub variables: usize,
+}
+
+/// Bytes of the stack that a function takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Frame {
+    #[default]
+    None,
+    Bytes(u32),
+    /// It is not known.
+    Unknown,
 }
 
 /// Name of a function in C.
 pub fn name(function: u32) -> String {
     format!("f{function}")
+}
+
+/// Name of the C function that calls a function of this type by its number.
+pub fn name_of_kind(kind: u32) -> String {
+    format!("by_number{kind}")
 }
 
 /// Result and arguments of a function, with names for the arguments if it is defined.
@@ -57,19 +101,20 @@ pub fn signature(module: &Module, function: u32, with_names: bool) -> Result<Str
 
 impl<'a> Function<'a> {
     /// Translates a function.
-    pub fn of(module: &'a Module<'a>, function: u32) -> Result<(Function<'a>, String)> {
+    pub fn of(module: &'a Module<'a>, function: u32, rules: &'a Rules) -> Result<(Facts, String)> {
         let mut this = Function {
             module,
+            rules,
             stack: Stack::default(),
             locals: Vec::new(),
             blocks: Vec::new(),
             labels: 0,
             skipped: None,
-            calls: Vec::new(),
-            calls_by_number: BTreeSet::new(),
+            exit: "return;",
+            facts: Facts::default(),
         };
         let text = this.translate(function).with_context(|| format!("function {function}"))?;
-        Ok((this, text))
+        Ok((this.facts, text))
     }
 
     fn translate(&mut self, function: u32) -> Result<String> {
@@ -84,10 +129,18 @@ impl<'a> Function<'a> {
             let (count, kind) = local?;
             self.locals.extend(std::iter::repeat_n(Kind::of(kind)?, count as usize));
         }
-        self.open(false, false, result);
-        for operator in body.get_operators_reader()? {
-            self.add(&operator?)?;
+        if result.is_some() {
+            self.exit = "return 0;";
         }
+        self.open(false, false, result);
+        let mut before = [const { None }; 2];
+        for operator in body.get_operators_reader()? {
+            let operator = operator?;
+            self.facts.frame = frame(self.facts.frame, &before, &operator);
+            self.add(&operator)?;
+            before = [before[1].take(), Some(operator)];
+        }
+        self.facts.variables = self.locals.len() + self.stack.variables.len();
         let mut text = format!("static {} {{\n", signature(module, function, true)?);
         for (at, kind) in self.locals.iter().enumerate().skip(arguments) {
             text.push_str(&format!("  {} l{at} = 0;\n", kind.c()));
@@ -115,17 +168,19 @@ impl<'a> Function<'a> {
         if let Some((operands, kind, text)) = division(operator) {
             self.compute(operands, kind, text)?;
             self.stack.settle();
+            self.facts.traps = true;
+            self.return_if_broken();
             return Ok(());
         }
         if let Some((kind, function, offset)) = load(operator) {
             let address = self.stack.pop().text;
-            self.stack.push(Operand::open(kind, format!("{function}(m, {})", sum(&address, offset))));
+            self.stack.push(Operand::open(kind, format!("{function}(m, {address}, {offset}u)")));
             return Ok(());
         }
         if let Some((_, function, offset)) = store(operator) {
             let (address, value) = self.stack.pop_two();
             self.stack.settle();
-            self.stack.line(format!("{function}(m, {}, {});", sum(&address.text, offset), value.text));
+            self.stack.line(format!("{function}(m, {}, {offset}u, {});", address.text, value.text));
             return Ok(());
         }
         self.add_other(operator)
@@ -181,7 +236,10 @@ impl<'a> Function<'a> {
             Operator::GlobalSet { global_index } => {
                 let value = self.stack.pop();
                 self.stack.settle();
-                self.stack.line(format!("m->g{global_index} = within_stack(m, {});", value.text));
+                if !self.rules.has_stack_for_all {
+                    self.stack.line(format!("if (!is_within_stack(m, {})) {}", value.text, self.exit));
+                }
+                self.stack.line(format!("m->g{global_index} = {};", value.text));
             }
             Operator::Drop => drop(self.stack.pop()),
             Operator::Select | Operator::TypedSelect { .. } => self.select(),
@@ -228,23 +286,41 @@ impl<'a> Function<'a> {
     }
 
     fn call(&mut self, function: u32) -> Result<()> {
-        self.calls.push(function);
         let kind = self.module.type_of(function);
         let arguments = self.arguments(kind.params().len());
-        self.finish_call(format!("{}({arguments})", name(function)), kind.results())
+        if self.rules.endless.contains(&function) {
+            self.trap();
+            return Ok(());
+        }
+        self.facts.calls.insert(function);
+        self.finish_call(format!("{}({arguments})", name(function)), kind.results())?;
+        if self.rules.traps.contains(&function) {
+            self.return_if_broken();
+        }
+        Ok(())
     }
 
     fn call_by_number(&mut self, kind: u32) -> Result<()> {
         let kind = self.module.kind_of(kind);
-        self.calls_by_number.insert(kind);
-        let number = self.stack.pop().text;
+        self.facts.kinds.insert(kind);
+        self.facts.traps = true;
+        let number = self.stack.pop();
         let function = &self.module.types[kind as usize];
         let arguments = self.arguments(function.params().len());
-        let result = function.results().first().map_or(Ok("void"), |kind| Kind::of(*kind).map(Kind::c))?;
-        let kinds = function.params().iter().map(|kind| Kind::of(*kind).map(Kind::c)).collect::<Result<Vec<_>>>()?;
-        let kinds: String = kinds.iter().map(|kind| format!(", {kind}")).collect();
-        let pointer = format!("({result} (*)(struct module *{kinds}))");
-        self.finish_call(format!("({pointer}by_number(m, {number}, {kind}u))({arguments})"), function.results())
+        self.finish_call(format!("{}({arguments}, {})", name_of_kind(kind), number.text), function.results())?;
+        self.return_if_broken();
+        Ok(())
+    }
+
+    fn trap(&mut self) {
+        self.facts.traps = true;
+        self.stack.line("trap(m);");
+        self.stack.line(self.exit);
+        self.skipped = Some(0);
+    }
+
+    fn return_if_broken(&mut self) {
+        self.stack.line(format!("if (m->is_broken) {}", self.exit));
     }
 
     fn finish_call(&mut self, call: String, results: &[wasmparser::ValType]) -> Result<()> {
@@ -260,10 +336,7 @@ impl<'a> Function<'a> {
     fn control(&mut self, operator: &Operator) -> Result<()> {
         match operator {
             Operator::Nop => {}
-            Operator::Unreachable => {
-                self.stack.line("trap(m);");
-                self.skipped = Some(0);
-            }
+            Operator::Unreachable => self.trap(),
             Operator::Block { blockty } => {
                 self.stack.settle();
                 self.open(false, false, Kind::of_block(*blockty)?);
@@ -316,12 +389,13 @@ impl<'a> Function<'a> {
         if is_target && !is_loop {
             self.stack.line(format!("L{label}:;"));
         }
+        self.facts.returns = self.blocks.is_empty() && (is_reached || is_target);
         if let Some(kind) = result {
             let variable = self.stack.variable(kind, height);
-            if self.blocks.is_empty() {
-                self.stack.line(format!("return {variable};"));
-            } else {
+            if !self.blocks.is_empty() {
                 self.stack.push(Operand::open(kind, variable));
+            } else if self.facts.returns {
+                self.stack.line(format!("return {variable};"));
             }
         }
         Ok(())
@@ -394,8 +468,18 @@ impl<'a> Function<'a> {
     }
 }
 
-fn sum(address: &str, offset: u64) -> String {
-    if offset == 0 { address.to_owned() } else { format!("{address} + {offset}u") }
+/// The stack of a function that has one more operator. A function moves the end of the stack once, by a constant.
+fn frame(known: Frame, before: &[Option<Operator>; 2], operator: &Operator) -> Frame {
+    match (before, operator) {
+        ([Some(Operator::GlobalGet { .. }), Some(Operator::I32Const { value })], Operator::I32Sub)
+            if known == Frame::Unknown && *value >= 0 =>
+        {
+            Frame::Bytes(*value as u32)
+        }
+        // Until the next two operators say by how much.
+        (_, Operator::GlobalGet { .. }) => Frame::Unknown,
+        _ => known,
+    }
 }
 
 /// A number in C, exactly: in hexadecimal digits, or by its bits if it is not finite.
@@ -408,4 +492,32 @@ pub fn double(value: f64) -> String {
     let (lead, power) = if exponent == 0 { (0, -1022) } else { (1, exponent as i64 - 1023) };
     let text = if mantissa == 0 && lead == 0 { "0.0".to_owned() } else { format!("0x{lead}.{mantissa:013x}p{power}") };
     if sign == 1 { format!("(-{text})") } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn frame_of(operators: &[Operator]) -> Frame {
+        let mut before = [const { None }; 2];
+        let mut found = Frame::None;
+        for operator in operators {
+            found = frame(found, &before, operator);
+            before = [before[1].take(), Some(operator.clone())];
+        }
+        found
+    }
+
+    #[test]
+    fn a_frame_is_known_if_the_stack_moves_once_by_a_constant() {
+        let (end, size, minus) =
+            (Operator::GlobalGet { global_index: 0 }, Operator::I32Const { value: 48 }, Operator::I32Sub);
+        let once = [end.clone(), size.clone(), minus.clone()];
+        assert_eq!(frame_of(&[]), Frame::None);
+        assert_eq!(frame_of(&once), Frame::Bytes(48));
+        assert_eq!(frame_of(&[once.clone(), once.clone()].concat()), Frame::Unknown);
+        let aligned = [end.clone(), Operator::LocalTee { local_index: 1 }, size, minus];
+        assert_eq!(frame_of(&aligned), Frame::Unknown);
+        assert_eq!(frame_of(&[Operator::Nop, end]), Frame::Unknown);
+    }
 }

@@ -10,9 +10,9 @@
  *
  * Sign: As in the documentation of the model. SI units throughout; Booleans are 0 or 1, choices numbers from 1.
  *
- * Compiler: C99, and its library: memcpy, memmove, memset, setjmp, longjmp, and sqrt, floor and the like. double is
- * computed as IEC 60559 says, and a * b + c is rounded twice: -ffp-contract=off for gcc and clang, never -ffast-math.
- * law_create finds out. Then every result has the bits of the library of stribeck.
+ * Compiler: C99, and its library: memcpy, memmove, memset, and sqrt, floor and the like. double is computed as IEC
+ * 60559 says, and a * b + c is rounded twice: -ffp-contract=off for gcc and clang, never -ffast-math. law_create finds
+ * out. Then every result has the bits of the library of stribeck.
  *
  * Example, without status checks:
  *
@@ -41,6 +41,7 @@ extern "C" {
 /** Bytes of an instance. */
 #define LAW_MEMORY MEMORY_BYTESu
 
+STACK
 /** Bytes of a state, as law_save writes them. */
 #define LAW_STATE STATE_BYTESu
 

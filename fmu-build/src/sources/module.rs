@@ -9,7 +9,7 @@ use wasmparser::{
 };
 
 /// Largest alignment in the memory of a module.
-const ALIGNMENT: u32 = 16;
+pub const ALIGNMENT: u32 = 16;
 
 /// Start of the heap, as the linker names it: from here on nothing is used, because the module has its own room.
 const END: &str = "__heap_base";
@@ -33,8 +33,6 @@ pub struct Module<'a> {
     pub writer: Option<u32>,
     /// Functions that only that one calls, by number: those that format a value.
     pub formatters: BTreeSet<u32>,
-    /// Functions that panic, and never return.
-    pub panics: BTreeSet<u32>,
     /// Exported functions by name.
     pub exports: BTreeMap<String, u32>,
     end: Option<u32>,
@@ -122,10 +120,7 @@ impl<'a> Module<'a> {
                     if function.name.ends_with("4core3fmt5write") {
                         self.writer = Some(function.index);
                     }
-                    if function.name.contains("4core9panicking") {
-                        self.panics.insert(function.index);
-                    }
-                    let is_trait = ["3fmt7Display", "3fmt5Debug", "3fmt8LowerExp", "core..fmt.."];
+                    let is_trait = ["3fmt7Display", "3fmt5Debug", "3fmt8LowerExp", "core..fmt..", "4core3fmt"];
                     let is_method = ["3fmt", "3fmt17h", "3fmtB"].iter().any(|end| {
                         let name = function.name.rsplit_once(end);
                         name.is_some_and(|(_, hash)| hash.len() <= 18)

@@ -1,12 +1,14 @@
 //! The functions of a module that some of its exports need, as C.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use anyhow::{Context, Result};
 
 use super::function::{self, Function};
-use super::module::Module;
+use super::graph::Graph;
+use super::kind::Kind;
+use super::module::{ALIGNMENT, Module};
 
 /// The runtime, in C.
 const RUNTIME: &str = include_str!("runtime.c");
@@ -20,6 +22,8 @@ pub struct Program {
     pub text: String,
     /// Bytes of the module's memory.
     pub memory: u32,
+    /// Bytes of C's stack that a call needs at most, estimated; none if functions call themselves.
+    pub stack: Option<u32>,
 }
 
 /// The functions that a module exports under these names, and those that they need.
@@ -29,113 +33,119 @@ pub fn of(bytes: &[u8], exports: &[String], with_texts: bool) -> Result<Program>
     for name in exports {
         roots.push(*module.exports.get(name).with_context(|| format!("the module does not export {name}"))?);
     }
-    let functions = needed(&module, &roots, with_texts)?;
-    let memory = module.memory()?;
-    let mut text = structure(&module, memory)?;
+    let graph = Graph::of(&module, &roots, with_texts)?;
+    let layout = Layout::of(&module, graph.stack(&roots))?;
+    let mut text = layout.text(&module)?;
     text.push_str(RUNTIME);
     text.push('\n');
-    for (at, _) in &functions {
-        // Within a function that calls setjmp every variable would be kept in memory.
-        let apart = if roots.contains(at) { "APART " } else { "" };
-        writeln!(text, "{apart}static {};", function::signature(&module, *at, false)?)?;
+    for function in graph.functions.keys() {
+        writeln!(text, "static {};", function::signature(&module, *function, false)?)?;
     }
-    text.push_str(&table(&module, &functions)?);
-    for (_, body) in &functions {
+    for (kind, functions) in graph.by_number() {
+        text.push_str(&by_number(&module, kind, &functions)?);
+    }
+    let rules = graph.rules(layout.is_bounded);
+    for function in graph.functions.keys() {
         text.push('\n');
-        text.push_str(body);
+        text.push_str(&match graph.end_of(*function) {
+            Some(end) => cut_short(&module, *function, end)?,
+            None => Function::of(&module, *function, &rules)?.1,
+        });
     }
-    text.push_str(&creation(&module)?);
-    for (name, at) in exports.iter().zip(roots) {
-        writeln!(text, "#define {name} {}", function::name(at))?;
+    text.push_str(&creation(&module, &layout)?);
+    for (name, at) in exports.iter().zip(&roots) {
+        writeln!(text, "#define {name} {}", function::name(*at))?;
     }
-    Ok(Program { text, memory })
+    Ok(Program { text, memory: layout.size(), stack: graph.stack_of_c(&roots) })
 }
 
-/// The translated functions that these need: those that they call, and those of the types that are called by number. Without
-/// texts the function that writes them writes nothing, and its callers take that for success. Nobody reads what a panic
-/// says.
-fn needed(module: &Module, roots: &[u32], with_texts: bool) -> Result<Vec<(u32, String)>> {
-    let (mut found, mut kinds, mut waiting) = (BTreeSet::new(), BTreeSet::new(), roots.to_vec());
-    let silent = if with_texts { None } else { Some(module.writer.context("no function writes texts")?) };
-    let mut functions = Vec::new();
-    while let Some(at) = waiting.pop() {
-        if !found.insert(at) {
-            continue;
-        }
-        if silent == Some(at) || module.panics.contains(&at) {
-            let end = if silent == Some(at) { "return 0" } else { "trap(m)" };
-            functions.push((at, cut_short(module, at, end)?));
-            continue;
-        }
-        let (function, text) = Function::of(module, at)?;
-        waiting.extend(&function.calls);
-        for kind in function.calls_by_number {
-            if kinds.insert(kind) {
-                let is_of = |at: &&u32| {
-                    let is_silent = silent.is_some() && module.formatters.contains(*at);
-                    !is_silent && module.kind_of(module.functions[**at as usize]) == kind
-                };
-                waiting.extend(module.table.values().filter(is_of));
-            }
-        }
-        functions.push((at, text));
-    }
-    functions.sort_by_key(|(at, _)| *at);
-    Ok(functions)
+/// What keeps compilers from saying that arguments are not used.
+fn ignored(arguments: usize) -> String {
+    (0..arguments).map(|at| format!("  (void)l{at};\n")).collect()
 }
 
 /// A function that ends at once.
 fn cut_short(module: &Module, at: u32, end: &str) -> Result<String> {
-    let arguments = module.type_of(at).params().len();
-    let ignored: String = (0..arguments).map(|at| format!("  (void)l{at};\n")).collect();
-    Ok(format!("static {} {{\n  (void)m;\n{ignored}  {end};\n}}\n", function::signature(module, at, true)?))
+    let ignored = ignored(module.type_of(at).params().len());
+    Ok(format!("static {} {{\n  (void)m;\n{ignored}  {end}\n}}\n", function::signature(module, at, true)?))
 }
 
-fn structure(module: &Module, memory: u32) -> Result<String> {
-    let stack = module.globals.first().context("the module has no stack")?;
-    let mut text = format!(
-        "/* Bytes of the memory, and of the stack at its beginning. */\n#define MEMORY_SIZE {memory}u\n\
-         #define STACK_SIZE {stack}u\n\n/* An instance of the model. */\nstruct module {{\n  jmp_buf way_out;\n  \
-         int is_broken;\n"
-    );
-    for at in 0..module.globals.len() {
-        writeln!(text, "  uint32_t g{at};")?;
+/// The memory of an instance: the end of the stack, as far as it is needed, and the data behind it.
+struct Layout {
+    /// Bytes of the stack.
+    stack: u32,
+    /// Bytes of it that are needed.
+    needed: u32,
+    /// Whether no chain of calls needs more.
+    is_bounded: bool,
+    /// End of the data.
+    end: u32,
+}
+
+impl Layout {
+    fn of(module: &Module, needed: Option<u32>) -> Result<Layout> {
+        let stack = *module.globals.first().context("the module has no stack")?;
+        let is_bounded = needed.is_some_and(|needed| needed <= stack);
+        let needed = needed.unwrap_or(stack).min(stack).next_multiple_of(ALIGNMENT);
+        Ok(Layout { stack, needed, is_bounded, end: module.memory()? })
     }
-    text.push_str("  /* It aligns what follows. */\n  double alignment;\n  uint8_t memory[MEMORY_SIZE];\n};\n\n");
-    Ok(text)
-}
 
-/// The functions that are called by number, with the numbers of their types.
-fn table(module: &Module, functions: &[(u32, String)]) -> Result<String> {
-    let is_there = |function: &u32| functions.binary_search_by_key(function, |(at, _)| *at).is_ok();
-    let last = module.table.iter().filter(|(_, function)| is_there(function)).map(|(number, _)| *number).max();
-    let mut text = String::from(
-        "\ntypedef void (*function)(void);\n\nstatic const struct {\n  function call;\n  u32 kind;\n} functions[] = {\n",
-    );
-    for number in 0..=last.unwrap_or(0) {
-        match module.table.get(&number).filter(|function| is_there(function)) {
-            Some(at) => {
-                let kind = module.kind_of(module.functions[*at as usize]);
-                writeln!(text, "  {{(function){}, {kind}u}},", function::name(*at))?;
-            }
-            None => text.push_str("  {NULL, 0u},\n"),
+    /// Bytes of the memory.
+    fn size(&self) -> u32 {
+        self.end - self.unused()
+    }
+
+    /// Bytes at the beginning of the stack that are never used.
+    fn unused(&self) -> u32 {
+        self.stack - self.needed
+    }
+
+    fn text(&self, module: &Module) -> Result<String> {
+        let (size, stack, unused) = (self.size(), self.stack, self.unused());
+        let mut text = format!(
+            "/* Bytes of the memory, and address of its first byte; the stack ends at {stack}. */\n\
+             #define MEMORY_SIZE {size}u\n#define MEMORY_BEGIN {unused}u\n#define STACK_END {stack}u\n\n\
+             /* An instance of the model. */\nstruct module {{\n  int is_broken;\n"
+        );
+        for at in 0..module.globals.len() {
+            writeln!(text, "  uint32_t g{at};")?;
         }
+        text.push_str("  /* It aligns what follows. */\n  double alignment;\n  uint8_t memory[MEMORY_SIZE];\n};\n\n");
+        Ok(text)
     }
-    text.push_str(
-        "};\n\n/* The function with this number, if it has this type. */\n\
-         static inline function by_number(struct module *m, u32 number, u32 kind) {\n  \
-         if (number >= sizeof functions / sizeof functions[0] || functions[number].call == NULL ||\n      \
-         functions[number].kind != kind)\n    trap(m);\n  return functions[number].call;\n}\n",
-    );
+}
+
+/// The C function that calls a function of a type by its number.
+fn by_number(module: &Module, kind: u32, functions: &BTreeMap<u32, u32>) -> Result<String> {
+    let function = &module.types[kind as usize];
+    let result = function.results().first().map_or(Ok("void"), |kind| Kind::of(*kind).map(Kind::c))?;
+    let (mut arguments, mut passed) = (String::from("struct module *m"), String::from("m"));
+    for (at, kind) in function.params().iter().enumerate() {
+        write!(arguments, ", {} l{at}", Kind::of(*kind)?.c())?;
+        write!(passed, ", l{at}")?;
+    }
+    let name = function::name_of_kind(kind);
+    let mut text = format!("\nstatic {result} {name}({arguments}, u32 number) {{\n");
+    text.push_str(&ignored(function.params().len()));
+    text.push_str("  switch (number) {\n");
+    for (number, function) in functions {
+        let call = format!("{}({passed})", function::name(*function));
+        let call = if result == "void" { format!("{call};\n    return") } else { format!("return {call}") };
+        writeln!(text, "  case {number}:\n    {call};")?;
+    }
+    let end = if result == "void" { "return" } else { "return 0" };
+    writeln!(text, "  default:\n    trap(m);\n    {end};\n  }}\n}}")?;
     Ok(text)
 }
 
 /// The memory as it is at first.
-fn creation(module: &Module) -> Result<String> {
+fn creation(module: &Module, layout: &Layout) -> Result<String> {
     let mut text = String::new();
     for (at, (_, data)) in module.data.iter().enumerate() {
         write!(text, "\nstatic const u8 data{at}[] = {{")?;
-        for line in data.chunks(LINE) {
+        // The rest of the memory is zero.
+        let end = data.iter().rposition(|byte| *byte != 0).map_or(1, |last| last + 1);
+        for line in data[..end].chunks(LINE) {
             let bytes: Vec<String> = line.iter().map(u8::to_string).collect();
             write!(text, "\n  {},", bytes.join(","))?;
         }
@@ -146,7 +156,8 @@ fn creation(module: &Module) -> Result<String> {
         writeln!(text, "  m->g{at} = {value}u;")?;
     }
     for (at, (address, _)) in module.data.iter().enumerate() {
-        writeln!(text, "  memcpy(m->memory + {address}u, data{at}, sizeof data{at});")?;
+        let place = address.checked_sub(layout.unused()).context("data before the stack")?;
+        writeln!(text, "  memcpy(m->memory + {place}u, data{at}, sizeof data{at});")?;
     }
     text.push_str("}\n\n");
     Ok(text)

@@ -12,13 +12,9 @@
 #endif
 
 #if defined(__GNUC__)
-#define NEVER_RETURNS __attribute__((noreturn))
 #define SELDOM __attribute__((cold, noinline))
-#define APART __attribute__((noinline))
 #else
-#define NEVER_RETURNS
 #define SELDOM
-#define APART
 #endif
 
 typedef uint8_t u8;
@@ -30,17 +26,18 @@ typedef int16_t s16;
 typedef int32_t s32;
 typedef int64_t s64;
 
-/* Ends the present call, whose result is that of an internal error. */
-NEVER_RETURNS SELDOM static void trap(struct module *m) {
+/* Marks the instance as broken: every function returns then, and the call has the result of an internal error. */
+SELDOM static void trap(struct module *m) {
     m->is_broken = 1;
-    longjmp(m->way_out, 1);
 }
 
-/* A new end of the stack, which is at the beginning of the memory: a stack that is too small becomes huge. */
-static inline u32 within_stack(struct module *m, u32 end) {
-    if (end > STACK_SIZE)
-        trap(m);
-    return end;
+/* Whether this can be a new end of the stack, which is at the beginning of the memory: a stack that is too small
+ * becomes huge. */
+static inline int is_within_stack(struct module *m, u32 end) {
+    if (end <= STACK_END)
+        return 1;
+    trap(m);
+    return 0;
 }
 
 /* Numbers in the memory are little-endian, wherever it is. */
@@ -50,17 +47,14 @@ static inline u32 within_stack(struct module *m, u32 end) {
 #define IS_LITTLE_ENDIAN 0
 #endif
 
-static inline u8 load8(const struct module *m, u32 at) {
-    return m->memory[at];
-}
+/* The byte at an address of the module, which is within the memory: the module was safe Rust. */
+#define BYTE(m, at, offset) ((m)->memory + ((size_t)(at) + (size_t)(offset) - MEMORY_BEGIN))
 
-static inline u16 load16(const struct module *m, u32 at) {
-    const u8 *p = m->memory + at;
+static inline u16 read16(const u8 *p) {
     return (u16)(p[0] | p[1] << 8);
 }
 
-static inline u32 load32(const struct module *m, u32 at) {
-    const u8 *p = m->memory + at;
+static inline u32 read32(const u8 *p) {
 #if IS_LITTLE_ENDIAN
     u32 value;
     memcpy(&value, p, 4);
@@ -70,13 +64,13 @@ static inline u32 load32(const struct module *m, u32 at) {
 #endif
 }
 
-static inline u64 load64(const struct module *m, u32 at) {
+static inline u64 read64(const u8 *p) {
 #if IS_LITTLE_ENDIAN
     u64 value;
-    memcpy(&value, m->memory + at, 8);
+    memcpy(&value, p, 8);
     return value;
 #else
-    return (u64)load32(m, at) | (u64)load32(m, at + 4) << 32;
+    return (u64)read32(p) | (u64)read32(p + 4) << 32;
 #endif
 }
 
@@ -92,10 +86,6 @@ static inline u64 to_bits(double value) {
     return bits;
 }
 
-static inline double load_double(const struct module *m, u32 at) {
-    return from_bits(load64(m, at));
-}
-
 static inline float float_from_bits(u32 bits) {
     float value;
     memcpy(&value, &bits, 4);
@@ -108,60 +98,52 @@ static inline u32 float_to_bits(float value) {
     return bits;
 }
 
-static inline float load_float(const struct module *m, u32 at) {
-    return float_from_bits(load32(m, at));
+static inline void write16(u8 *p, u64 value) {
+    p[0] = (u8)value;
+    p[1] = (u8)(value >> 8);
 }
 
-static inline void store8(struct module *m, u32 at, u64 value) {
-    m->memory[at] = (u8)value;
-}
-
-static inline void store16(struct module *m, u32 at, u64 value) {
-    m->memory[at] = (u8)value;
-    m->memory[at + 1] = (u8)(value >> 8);
-}
-
-static inline void store32(struct module *m, u32 at, u64 value) {
+static inline void write32(u8 *p, u64 value) {
 #if IS_LITTLE_ENDIAN
     u32 part = (u32)value;
-    memcpy(m->memory + at, &part, 4);
+    memcpy(p, &part, 4);
 #else
-    store16(m, at, value);
-    store16(m, at + 2, value >> 16);
+    write16(p, value);
+    write16(p + 2, value >> 16);
 #endif
 }
 
-static inline void store64(struct module *m, u32 at, u64 value) {
+static inline void write64(u8 *p, u64 value) {
 #if IS_LITTLE_ENDIAN
-    memcpy(m->memory + at, &value, 8);
+    memcpy(p, &value, 8);
 #else
-    store32(m, at, value);
-    store32(m, at + 4, value >> 32);
+    write32(p, value);
+    write32(p + 4, value >> 32);
 #endif
 }
 
-static inline void store_double(struct module *m, u32 at, double value) {
-    store64(m, at, to_bits(value));
-}
+#define load8(m, at, offset) (*BYTE(m, at, offset))
+#define load16(m, at, offset) read16(BYTE(m, at, offset))
+#define load32(m, at, offset) read32(BYTE(m, at, offset))
+#define load64(m, at, offset) read64(BYTE(m, at, offset))
+#define load_double(m, at, offset) from_bits(load64(m, at, offset))
+#define load_float(m, at, offset) float_from_bits(load32(m, at, offset))
+#define store8(m, at, offset, value) (*BYTE(m, at, offset) = (u8)(value))
+#define store16(m, at, offset, value) write16(BYTE(m, at, offset), value)
+#define store32(m, at, offset, value) write32(BYTE(m, at, offset), value)
+#define store64(m, at, offset, value) write64(BYTE(m, at, offset), value)
+#define store_double(m, at, offset, value) store64(m, at, offset, to_bits(value))
+#define store_float(m, at, offset, value) store32(m, at, offset, float_to_bits(value))
 
-static inline void store_float(struct module *m, u32 at, float value) {
-    store32(m, at, float_to_bits(value));
-}
-
-static inline void check_range(struct module *m, u32 at, u32 n) {
-    if (n > MEMORY_SIZE || at > MEMORY_SIZE - n)
-        trap(m);
-}
-
+/* The address of nothing may be anywhere. */
 static inline void copy(struct module *m, u32 to, u32 from, u32 n) {
-    check_range(m, to, n);
-    check_range(m, from, n);
-    memmove(m->memory + to, m->memory + from, n);
+    if (n != 0)
+        memmove(BYTE(m, to, 0), BYTE(m, from, 0), n);
 }
 
 static inline void fill(struct module *m, u32 to, u32 value, u32 n) {
-    check_range(m, to, n);
-    memset(m->memory + to, (int)(value & 255), n);
+    if (n != 0)
+        memset(BYTE(m, to, 0), (int)(value & 255), n);
 }
 
 static inline u32 rotate32(u32 a, u32 n) {
@@ -201,38 +183,42 @@ static inline u32 trailing64(u64 a) {
 }
 
 static inline u32 divisor32(struct module *m, u32 b) {
-    if (b == 0)
-        trap(m);
-    return b;
+    if (b != 0)
+        return b;
+    trap(m);
+    return 1;
 }
 
 static inline u64 divisor64(struct module *m, u64 b) {
-    if (b == 0)
-        trap(m);
-    return b;
+    if (b != 0)
+        return b;
+    trap(m);
+    return 1;
 }
 
 static inline u32 divide32(struct module *m, u32 a, u32 b) {
-    if (b == 0 || (a == 0x80000000u && b == 0xffffffffu))
+    if (b == 0 || (a == 0x80000000u && b == 0xffffffffu)) {
         trap(m);
+        return 0;
+    }
     return (u32)((s32)a / (s32)b);
 }
 
 static inline u32 remain32(struct module *m, u32 a, u32 b) {
-    if (b == 0)
-        trap(m);
+    b = (u32)divisor32(m, b);
     return b == 0xffffffffu ? 0 : (u32)((s32)a % (s32)b);
 }
 
 static inline u64 divide64(struct module *m, u64 a, u64 b) {
-    if (b == 0 || (a == UINT64_C(1) << 63 && b == UINT64_MAX))
+    if (b == 0 || (a == UINT64_C(1) << 63 && b == UINT64_MAX)) {
         trap(m);
+        return 0;
+    }
     return (u64)((s64)a / (s64)b);
 }
 
 static inline u64 remain64(struct module *m, u64 a, u64 b) {
-    if (b == 0)
-        trap(m);
+    b = (u64)divisor64(m, b);
     return b == UINT64_MAX ? 0 : (u64)((s64)a % (s64)b);
 }
 

@@ -1,0 +1,131 @@
+//! Which functions of a module are needed, what they may do, and how much of the stack they take.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use anyhow::{Context, Result};
+
+use super::function::{Facts, Frame, Function, Rules};
+use super::module::Module;
+
+/// Bytes of C's stack that a call takes beside variables: registers, the return address, and a function of the runtime.
+const BESIDE_VARIABLES: u32 = 128;
+
+/// The functions that some of a module need: those that they call, and those of the types that are called by number.
+pub struct Graph<'a> {
+    module: &'a Module<'a>,
+    pub functions: BTreeMap<u32, Facts>,
+    /// The function that writes texts, if nobody reads them: it writes nothing, and its callers take that for success.
+    silent: Option<u32>,
+    /// Functions that never return.
+    endless: BTreeSet<u32>,
+}
+
+impl Graph<'_> {
+    /// The functions that these need. What a panic says is not needed: nobody reads it.
+    pub fn of<'a>(module: &'a Module<'a>, roots: &[u32], with_texts: bool) -> Result<Graph<'a>> {
+        let silent = if with_texts { None } else { Some(module.writer.context("no function writes texts")?) };
+        let mut graph = Graph { module, functions: BTreeMap::new(), silent, endless: endless(module) };
+        let rules = Rules { endless: graph.endless.clone(), ..Rules::default() };
+        let mut waiting = roots.to_vec();
+        while let Some(at) = waiting.pop() {
+            if graph.functions.contains_key(&at) {
+                continue;
+            }
+            let facts = if silent == Some(at) { Facts::default() } else { Function::of(module, at, &rules)?.0 };
+            waiting.extend(&facts.calls);
+            waiting.extend(facts.kinds.iter().flat_map(|kind| graph.of_kind(*kind).into_values()));
+            graph.functions.insert(at, facts);
+        }
+        Ok(graph)
+    }
+
+    /// Functions of a type that are called by number, by their numbers.
+    fn of_kind(&self, kind: u32) -> BTreeMap<u32, u32> {
+        let is_of = |at: u32| {
+            let is_silent = self.silent.is_some() && self.module.formatters.contains(&at);
+            !is_silent && self.module.kind_of(self.module.functions[at as usize]) == kind
+        };
+        self.module.table.iter().map(|(number, at)| (*number, *at)).filter(|(_, at)| is_of(*at)).collect()
+    }
+
+    /// The types whose functions are called by number, and those functions.
+    pub fn by_number(&self) -> BTreeMap<u32, BTreeMap<u32, u32>> {
+        let kinds: BTreeSet<u32> = self.functions.values().flat_map(|facts| facts.kinds.iter().copied()).collect();
+        kinds.into_iter().map(|kind| (kind, self.of_kind(kind))).collect()
+    }
+
+    /// How a function ends that is not translated.
+    pub fn end_of(&self, function: u32) -> Option<&'static str> {
+        (self.silent == Some(function)).then_some("return 0;")
+    }
+
+    fn callees(&self, function: u32) -> BTreeSet<u32> {
+        let facts = &self.functions[&function];
+        let by_number = facts.kinds.iter().flat_map(|kind| self.of_kind(*kind).into_values());
+        facts.calls.iter().copied().chain(by_number).collect()
+    }
+
+    /// Bytes of the module's stack that calls of these functions need at most; none if that is not known.
+    pub fn stack(&self, roots: &[u32]) -> Option<u32> {
+        self.deepest(roots, |facts| match facts.frame {
+            Frame::None => Some(0),
+            Frame::Bytes(bytes) => Some(bytes),
+            Frame::Unknown => None,
+        })
+    }
+
+    /// The same for the stack of C, estimated: with each variable in memory, and what a call keeps.
+    pub fn stack_of_c(&self, roots: &[u32]) -> Option<u32> {
+        self.deepest(roots, |facts| Some(8 * facts.variables as u32 + BESIDE_VARIABLES))
+    }
+
+    /// The largest sum along a chain of calls that begins with one of these.
+    fn deepest(&self, roots: &[u32], own: impl Fn(&Facts) -> Option<u32>) -> Option<u32> {
+        let mut known = BTreeMap::new();
+        roots.iter().try_fold(0, |most: u32, root| Some(most.max(self.depth(*root, &own, &mut known)?)))
+    }
+
+    /// The same of one function. Functions that are being looked at have no number yet: then they call themselves.
+    fn depth(
+        &self,
+        function: u32,
+        own: &impl Fn(&Facts) -> Option<u32>,
+        known: &mut BTreeMap<u32, Option<u32>>,
+    ) -> Option<u32> {
+        if let Some(found) = known.get(&function) {
+            return *found;
+        }
+        known.insert(function, None);
+        let callees = self.callees(function);
+        let below = callees.iter().try_fold(0, |most: u32, at| Some(most.max(self.depth(*at, own, known)?)))?;
+        let sum = below + own(&self.functions[&function])?;
+        known.insert(function, Some(sum));
+        Some(sum)
+    }
+
+    /// What the functions must check.
+    pub fn rules(&self, has_stack_for_all: bool) -> Rules {
+        let mut traps: BTreeSet<u32> =
+            self.functions.iter().filter(|(_, facts)| facts.traps).map(|(at, _)| *at).collect();
+        if !has_stack_for_all {
+            traps.extend(self.functions.iter().filter(|(_, facts)| facts.frame != Frame::None).map(|(at, _)| *at));
+        }
+        loop {
+            let calls_one = |facts: &Facts| !facts.calls.is_disjoint(&traps);
+            let more: Vec<u32> =
+                self.functions.iter().filter(|(_, facts)| calls_one(facts)).map(|(at, _)| *at).collect();
+            let before = traps.len();
+            traps.extend(more);
+            if traps.len() == before {
+                return Rules { traps, endless: self.endless.clone(), has_stack_for_all };
+            }
+        }
+    }
+}
+
+/// The functions that never return: they panic. What cannot be translated is not needed, or said so later.
+fn endless(module: &Module) -> BTreeSet<u32> {
+    let rules = Rules::default();
+    let is_endless = |at: &u32| Function::of(module, *at, &rules).is_ok_and(|(facts, _)| !facts.returns);
+    (0..module.functions.len() as u32).filter(is_endless).collect()
+}
