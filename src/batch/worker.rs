@@ -107,8 +107,9 @@ impl<'a> Worker<'a> {
         if model.kernels.is_some() { TOGETHER } else { 1 }
     }
 
-    /// Makes some of the runs. `begin` brings the instance to the beginning of a run; `arrays` has a value per run and
-    /// sample for each result, run after run. The first run that does not come to its end ends them all.
+    /// Makes some of the runs; where that leaves the instance is not said. `begin` brings the instance to the beginning of
+    /// a run; `arrays` has a value per run and sample for each result, run after run. The first run that does not come to
+    /// its end ends them all.
     pub fn make(
         &mut self,
         instance: &mut Instance,
@@ -124,6 +125,19 @@ impl<'a> Worker<'a> {
             Err(Not::Together) => {}
             Err(Not::Cancelled) => return Err((some.start, Ended::Cancelled)),
         }
+        self.make_alone(instance, runs, some, begin, arrays, cancel)
+    }
+
+    /// Makes runs by the steps of the instance, one after the other, which leaves it at the end of the last one.
+    pub fn make_alone(
+        &mut self,
+        instance: &mut Instance,
+        runs: &Runs<'a>,
+        some: Range<usize>,
+        begin: Begin,
+        arrays: &mut [&mut [f64]],
+        cancel: &AtomicBool,
+    ) -> Result<(), (usize, Ended)> {
         for (number, run) in some.enumerate() {
             let done = begin(run, instance).and_then(|()| {
                 set_course(&mut self.course, runs, run);

@@ -633,6 +633,31 @@ static void a_run_has_the_bits_of_single_calls(void) {
     stribeck_free(model);
 }
 
+/* A law whose force does not depend on the steps before: time and energy do. */
+static void a_run_leads_its_instance(void) {
+    double velocity[SAMPLES], load[SAMPLES], force[SAMPLES];
+    motion(velocity, load, 0.01);
+    stribeck_instance *led = create("CoulombViscous"), *stepped = create("CoulombViscous");
+    const uint32_t given[] = {STRIBECK_COULOMB_VISCOUS_VELOCITY, STRIBECK_COULOMB_VISCOUS_NORMAL_FORCE};
+    const uint32_t wanted[] = {STRIBECK_COULOMB_VISCOUS_FRICTION_FORCE};
+    const double *values[] = {velocity, load};
+    double *found[] = {force};
+    const stribeck_samples inputs = {given, values, 2};
+    const stribeck_results results = {wanted, found, 1};
+    CHECK(stribeck_run(led, DT, SAMPLES, 1, &inputs, &results) == STRIBECK_OK);
+    for (int i = 0; i < SAMPLES; i++) {
+        set(stepped, "velocity", velocity[i]);
+        set(stepped, "normal_force", load[i]);
+        CHECK(force[i] == get(stepped, "friction_force"));
+        CHECK(i + 1 == SAMPLES || stribeck_step(stepped, DT) == STRIBECK_OK);
+    }
+    CHECK(stribeck_time(led) == stribeck_time(stepped));
+    CHECK(get(led, "dissipated_energy") == get(stepped, "dissipated_energy"));
+    CHECK(get(led, "dissipated_energy") > 0.0);
+    stribeck_free(led);
+    stribeck_free(stepped);
+}
+
 /* Dahl's law along a velocity that grows linearly: f_C (1 - exp(-sigma_0 x / f_C)), x = a t^2 / 2. With held inputs the
  * force would be off by some percent. */
 static void inputs_may_move_along_lines(void) {
@@ -747,6 +772,7 @@ int main(void) {
     models_do_not_disturb_each_other();
     presets_set_the_parameters();
     a_run_has_the_bits_of_single_calls();
+    a_run_leads_its_instance();
     inputs_may_move_along_lines();
     many_runs_are_single_runs();
     bad_runs_change_nothing();

@@ -170,21 +170,22 @@ impl Way {
         // SAFETY: the caller's promises.
         let found = unsafe { stribeck_results::arrays(results, instance, length) }?;
         let before = instance.try_save()?;
-        let done = self.go(instance, &chosen, &given, found, &before);
+        let done = self.go(instance, [&chosen, &given], found, &before, returns);
         if returns || done.is_err() {
             instance.restore(&before);
         }
         done
     }
 
-    /// Makes all runs from a state. Only the first allocations are before them.
+    /// Makes all runs from a state, with the instance led along them unless it `returns`. Only the first allocations are
+    /// before them.
     fn go(
         self,
         instance: &mut Instance,
-        parameters: &Arrays<&[f64]>,
-        given: &Arrays<&[f64]>,
+        [parameters, given]: [&Arrays<&[f64]>; 2],
         found: Arrays<&mut [f64]>,
         before: &Snapshot,
+        returns: bool,
     ) -> Outcome {
         let Way { dt, samples, runs, between } = self;
         let chosen = memory::each(parameters.columns.iter(), |column| Ok((*column, 0.0)))?;
@@ -210,7 +211,12 @@ impl Way {
             for (place, rest) in arrays.iter_mut().zip(&mut rest) {
                 (*place, *rest) = std::mem::take(rest).split_at_mut(some.len() * samples);
             }
-            worker.make(instance, &all, some, &begin, &mut arrays, &NEVER).map_err(|(_, ended)| ended)?;
+            let done = if returns {
+                worker.make(instance, &all, some, &begin, &mut arrays, &NEVER)
+            } else {
+                worker.make_alone(instance, &all, some, &begin, &mut arrays, &NEVER)
+            };
+            done.map_err(|(_, ended)| ended)?;
         }
         Ok(())
     }
