@@ -73,6 +73,8 @@ pub enum Frame {
     #[default]
     None,
     Bytes(u32),
+    /// The next two operators say by how much it moves.
+    Begun,
     /// It is not known.
     Unknown,
 }
@@ -472,11 +474,11 @@ impl<'a> Function<'a> {
 fn frame(known: Frame, before: &[Option<Operator>; 2], operator: &Operator) -> Frame {
     match (before, operator) {
         ([Some(Operator::GlobalGet { .. }), Some(Operator::I32Const { value })], Operator::I32Sub)
-            if known == Frame::Unknown && *value >= 0 =>
+            if known == Frame::Begun && *value >= 0 =>
         {
             Frame::Bytes(*value as u32)
         }
-        // Until the next two operators say by how much.
+        (_, Operator::GlobalGet { .. }) if known == Frame::None => Frame::Begun,
         (_, Operator::GlobalGet { .. }) => Frame::Unknown,
         _ => known,
     }
@@ -517,7 +519,7 @@ mod tests {
         assert_eq!(frame_of(&once), Frame::Bytes(48));
         assert_eq!(frame_of(&[once.clone(), once.clone()].concat()), Frame::Unknown);
         let aligned = [end.clone(), Operator::LocalTee { local_index: 1 }, size, minus];
-        assert_eq!(frame_of(&aligned), Frame::Unknown);
-        assert_eq!(frame_of(&[Operator::Nop, end]), Frame::Unknown);
+        assert_eq!(frame_of(&aligned), Frame::Begun);
+        assert_eq!(frame_of(&[Operator::Nop, end]), Frame::Begun);
     }
 }

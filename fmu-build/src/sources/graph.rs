@@ -70,7 +70,7 @@ impl Graph<'_> {
         self.deepest(roots, |facts| match facts.frame {
             Frame::None => Some(0),
             Frame::Bytes(bytes) => Some(bytes),
-            Frame::Unknown => None,
+            Frame::Begun | Frame::Unknown => None,
         })
     }
 
