@@ -1,5 +1,6 @@
 /* What FMI 2.0 and 3.0 have in common, over the functions above: FMI(name) is the name with the prefix of the version.
- * Types, names and states are those of the standard; a call that is refused changes nothing, and the logger hears why.
+ * Types, names and states are those of the standard; a call that is refused leaves the model as it was, and the logger hears
+ * why.
  * Memory is allocated for an instance and for a saved state. */
 
 #if defined _WIN32 || defined __CYGWIN__

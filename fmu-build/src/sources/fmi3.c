@@ -492,7 +492,8 @@ EXPORTED fmi3Status NAMED(fmi3GetOutputDerivatives)(fmi3Instance instance, const
         for (element = 0; element < found.count && status == fmi3OK; element++) {
             u32 answer = model_time_derivative(&c->m, found.elements[element], (u32)orders[at]);
             status = finish(c, GetOutputDerivatives, answer);
-            values[to++] = model_value(&c->m);
+            if (status == fmi3OK)
+                values[to++] = model_value(&c->m);
         }
     }
     return status;
@@ -551,9 +552,11 @@ static u32 find_adjoint(struct component *c, const struct list *unknowns, const 
         status = differentiate(c, unknowns, knowns, NULL, known);
         for (index = 0; index < unknowns->count && status == OK; index++) {
             status = result(c, model_derivative(&c->m, at(c, unknowns, index)));
-            sum += seed[index] * model_value(&c->m);
+            if (status == OK)
+                sum += seed[index] * model_value(&c->m);
         }
-        sensitivity[known] = sum;
+        if (status == OK)
+            sensitivity[known] = sum;
     }
     return status;
 }
