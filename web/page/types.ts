@@ -461,7 +461,7 @@ repeated: [number, number] | null,
  */
 text: string, 
 /**
- * The same for a table.
+ * Value and intervals in one notation, for a cell of a table; none without a value.
  */
 readable: Readable | null, };
 

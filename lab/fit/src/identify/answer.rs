@@ -98,7 +98,7 @@ pub struct FittedParameter {
     pub repeated: Option<[f64; 2]>,
     /// Value and intervals for a reader, or why there are none.
     pub text: String,
-    /// The same for a table.
+    /// Value and intervals in one notation, for a cell of a table; none without a value.
     pub readable: Option<Readable>,
 }
 

@@ -58,8 +58,7 @@ impl Estimate {
         Notation::of(self.value, high - low)
     }
 
-    /// A value that is known, as its own numbers are written; one of another order of size is not readable so, and beside a
-    /// verdict without a number there is nothing to compare.
+    /// Text of a reference value: in the notation of the estimate where both are of like size, otherwise with four digits.
     pub fn beside(&self, known: f64) -> String {
         let is_like = self.verdict == Verdict::Determined && LIKE.contains(&(known / self.value).abs());
         if is_like { self.notation().text(known) } else { digits(known) }

@@ -127,7 +127,10 @@ impl Notation {
             return "0".to_owned();
         }
         if power == 0 {
-            return format!("{number:.decimals$}");
+            let text = format!("{number:.decimals$}");
+            // What is rounded to 0 has no sign.
+            let is_zero = !text.contains(|digit: char| matches!(digit, '1'..='9'));
+            return if is_zero { text.trim_start_matches('-').to_owned() } else { text };
         }
         // Powers of ten above 1 are exact, those below are not.
         let scaled = if power < 0 { number * 10f64.powi(-power) } else { number / 10f64.powi(power) };
@@ -622,6 +625,7 @@ mod tests {
         let high = Notation::of(98_817.0, 1900.0);
         assert_eq!(high.ends([98_817.0, 100_700.0]), "98817 to 100700");
         assert_eq!(Notation::of(1.002e5, 1900.0).ends([98_817.0, 100_700.0]), "0.988e5 to 1.007e5");
+        assert_eq!(Notation::of(1.0, 0.01).text(-1e-6).trim_matches('0'), ".");
         assert_eq!(Notation::of(0.2, 2e-4).with_interval(0.2, [0.1999, 0.2001]), "0.20000 \u{b1} 0.00010");
         assert_eq!(Notation::of(9.7e-4, 1e-4).with_interval(9.7e-4, [9e-4, 1e-3]), "9.700e-4 +0.300e-4 -0.700e-4");
     }

@@ -163,15 +163,17 @@ pub type Named = (String, Vec<[f64; 2]>);
 
 /// A picture of measured friction forces beside others of the same motion, in SI units, as a diagram of this kind, with the
 /// residuals, measured less other, below; `title` puts it in words, given those for the diagram, and `unit` has the units of
-/// joints in place of those of bodies that slide, if it is of one. None without a finite point.
+/// joints in place of those of bodies that slide, if it is of one. As many others as there are colours. None without a
+/// finite point.
 pub fn beside(
     kind: Kind,
     title: impl FnOnce(&str) -> String,
     measured: Named,
-    others: Vec<Named>,
+    mut others: Vec<Named>,
     unit: impl Fn(&'static str) -> &'static str,
     theme: Theme,
 ) -> Option<Picture> {
+    others.truncate(MOST_LAWS - 1);
     let less =
         |other: &[[f64; 2]]| measured.1.iter().zip(other).map(|([x, of], [_, other])| [*x, of - other]).collect();
     let residual = |(number, (_, points)): (usize, &Named)| Line {

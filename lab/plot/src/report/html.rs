@@ -69,7 +69,10 @@ impl Page {
     /// Columns in which no row has an entry are left out.
     fn rows<C: AsRef<[String]>>(&mut self, kind: &str, head: &[&str], rows: impl IntoIterator<Item = (bool, C)>) {
         let rows: Vec<(bool, C)> = rows.into_iter().collect();
-        let is_used = |at: &usize| rows.is_empty() || rows.iter().any(|(_, cells)| !cells.as_ref()[*at].is_empty());
+        let is_used = |at: &usize| {
+            rows.is_empty()
+                || rows.iter().any(|(_, cells)| cells.as_ref().get(*at).is_some_and(|cell| !cell.is_empty()))
+        };
         let columns: Vec<usize> = (0..head.len()).filter(is_used).collect();
         let title = |at: usize| escape(head[at].trim_start_matches(NUMBER));
         self.raw(&format!("<div class=\"wide\"><table class=\"{kind}\">\n<thead><tr>"));
@@ -80,7 +83,7 @@ impl Page {
         for (has_failed, cells) in &rows {
             self.raw(if *has_failed { "<tr class=\"failed\">" } else { "<tr>" });
             for at in &columns {
-                let cell = escape(&cells.as_ref()[*at]);
+                let cell = escape(cells.as_ref().get(*at).map_or("", String::as_str));
                 self.raw(&format!("<td{} data-title=\"{}\">{cell}</td>", class(head[*at]), title(*at)));
             }
             self.raw("</tr>\n");
