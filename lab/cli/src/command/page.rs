@@ -32,7 +32,10 @@ pub fn page(arguments: &Arguments) -> Result<Verdict, Failure> {
 fn read(candidates: &[PathBuf]) -> Result<String, Failure> {
     let Some(path) = candidates.iter().find(|path| path.is_file()) else {
         let names: Vec<String> = candidates.iter().map(|path| path.display().to_string()).collect();
-        let text = format!("page not found ({}): run `make page` (needs Node)", names.join(", "));
+        let text = format!(
+            "page not found ({}): put dist/page.html, which `make page` writes (needs Node.js), beside the program",
+            names.join(", ")
+        );
         return Err(Fault::File(text).into());
     };
     let text = std::fs::read_to_string(path).map_err(|source| Failure::File { path: path.clone(), source })?;
