@@ -1,5 +1,5 @@
-//! The licences of all parts of the library, as files beside it, in an FMU or elsewhere. Every text is a file of its owner: this
-//! project, a crate, or the Rust toolchain.
+//! The licences of all parts of the library, as files beside it, in an FMU or elsewhere. Every text is a file of its
+//! owner: this project, a crate, or the Rust toolchain.
 
 use std::collections::BTreeMap;
 use std::fs;
