@@ -2,6 +2,7 @@
 """Takes packed FMUs apart for the wheel: what they share once, and what each has between that.
 
 python3 python/fmus.py dist python/stribeck/fmus
+python3 python/fmus.py python/stribeck/fmus         removes what the first command has written
 """
 
 import struct
@@ -39,13 +40,18 @@ def parts(fmu: Path) -> list[tuple[str, bytes]]:
     return [*found, ("", content[end:])]
 
 
+def clear(target: Path) -> None:
+    """Removes the parts in a folder."""
+    for old in target.iterdir():
+        if old.suffix.removeprefix(".").isdigit() or old.name in ("library", "licenses", "order"):
+            old.unlink()
+
+
 def main(source: Path, target: Path) -> None:
     """Writes the parts of all FMUs in a folder to another one: those of one FMU as `LuGre.0`, `LuGre.1` and so on, the
     shared ones under their names, and in `order` these names, one between each two of the former."""
     shared, orders = {}, set()
-    for old in target.iterdir():
-        if old.suffix.removeprefix(".").isdigit() or old.name in ("library", "licenses", "order"):
-            old.unlink()
+    clear(target)
     for fmu in sorted(source.glob("*.fmu")):
         found = parts(fmu)
         for number, (_, part) in enumerate(found[::2]):
@@ -62,4 +68,8 @@ def main(source: Path, target: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(*map(Path, sys.argv[1:]))
+    folders = [Path(word) for word in sys.argv[1:]]
+    if len(folders) == 1:
+        clear(*folders)
+    else:
+        main(*folders)

@@ -14,6 +14,11 @@ KINDS = {
     "fmi2-aarch64-linux": ("aarch64-linux", "FMUs of FMI 2.0 for Linux on ARM, which has no folder of its own in them"),
     "fmi2-plain-aarch64-linux": ("aarch64-linux/plain", "the same with Real variables only"),
 }
+# The same of those with C sources in place of libraries.
+KINDS_OF_SOURCES = {
+    "fmi2-sources": (".", "FMUs of FMI 2.0 as C sources"),
+    "fmi3-sources": ("fmi3", "FMUs of FMI 3.0 as C sources"),
+}
 
 
 def for_platforms(release: Release) -> list[str]:
@@ -50,6 +55,7 @@ def sources(release: Release) -> None:
     shutil.rmtree(packed, ignore_errors=True)
     run(*FMU_BUILD, "pack", "--sources", "--out", packed / "fmus")
     run(*FMU_BUILD, "sources", "--out", packed / "c")
-    add(release, "fmi2-sources", contents(packed / "fmus", "*.fmu"), "FMUs of FMI 2.0 as C sources")
+    for kind, (below, about) in KINDS_OF_SOURCES.items():
+        add(release, kind, contents(packed / "fmus" / below, "*.fmu"), about)
     about = "laws as C99 for controllers, without memory of their own"
     release.archive(f"stribeck-{VERSION}-c-sources.zip", contents(packed / "c"), about)

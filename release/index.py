@@ -41,9 +41,7 @@ def html(release: Release) -> str:
         folders.setdefault(path.rpartition("/")[0], []).append(path)
     sections = "\n".join(section(release, folder, folders[folder]) for folder in sorted(folders))
     lacking = [f"<li>{escape(name)}: {escape(why)}</li>" for name, why in sorted(release.missing.items())]
-    missing = (
-        f"<h2>Missing here</h2>\n<p>Not made, for want of tools:</p>\n<ul>{''.join(lacking)}</ul>" if lacking else ""
-    )
+    missing = f"<h2>Missing here</h2>\n<p>Not made:</p>\n<ul>{''.join(lacking)}</ul>" if lacking else ""
     return f"""<!doctype html>
 <html lang="en">
 <meta charset="utf-8">

@@ -43,10 +43,14 @@ def has_rust_for(target: str) -> bool:
     return any(folder.glob("libstd-*.rlib"))
 
 
+def cargo_home() -> Path:
+    """Where cargo keeps the sources of crates."""
+    return Path(os.environ.get("CARGO_HOME", Path.home() / ".cargo"))
+
+
 def flags() -> str:
     """Flags for rustc, in cargo's encoding: nothing that is released holds a path of this machine."""
-    home = Path(os.environ.get("CARGO_HOME", Path.home() / ".cargo"))
-    names = {home / "registry" / "src": "/crates", PROJECT: "/stribeck"}
+    names = {cargo_home() / "registry" / "src": "/crates", PROJECT: "/stribeck"}
     return "\x1f".join(f"--remap-path-prefix={path}={name}" for path, name in names.items())
 
 

@@ -4,8 +4,10 @@ import hashlib
 import json
 import re
 import shutil
+import sys
 
-from release.making import FMU_BUILD, PROJECT, STAGE, VERSION, MissingTool, Release, contents, run
+from release import fmus, program, wheels
+from release.making import FMU_BUILD, PROJECT, STAGE, VERSION, Release, contents, run
 
 # Packages whose crates are in something that is released, and what that is.
 PACKAGES = {
@@ -24,7 +26,7 @@ def notes() -> str:
     parts = re.split(r"^## ", text, flags=re.MULTILINE)
     found = [part for part in parts if part.split("\n", 1)[0].split()[:1] == [VERSION]]
     if len(found) != 1:
-        raise MissingTool(f"CHANGELOG.md has no section {VERSION}, or several")
+        sys.exit(f"CHANGELOG.md has no section {VERSION}, or several")
     return f"# Stribeck {found[0].rstrip()}\n"
 
 
@@ -61,17 +63,43 @@ def of_file(release: Release, path: str) -> dict:
     return {"type": "file", "bom-ref": path, "name": path, "description": release.about[path], "hashes": [hashed]}
 
 
+def targets(package: str, platforms: list[str]) -> list[str]:
+    """Rust's names of the targets that a package is built for; empty for this machine, built with its own tools."""
+    if package == "stribeck-page":
+        return [fmus.WASM]
+    if package == "stribeck-cli":
+        known = [target for platform in platforms for target, _ in program.KINDS.get(platform, [])]
+        return [target for target in dict.fromkeys(known) if program.lacking(target) is None]
+    return list(dict.fromkeys(target for platform in platforms for target in wheels.PLATFORMS[platform][1]))
+
+
+def joined(licences: dict[str, dict[str, bytes]]) -> dict[str, bytes]:
+    """The files of several targets: once where all that have such a file agree, else in a folder of each target."""
+    kinds: dict[str, set[bytes]] = {}
+    for files in licences.values():
+        for name, content in files.items():
+            kinds.setdefault(name, set()).add(content)
+    return {
+        name if len(kinds[name]) == 1 else f"{target or 'host'}/{name}": content
+        for target, files in licences.items()
+        for name, content in files.items()
+    }
+
+
 def components(release: Release) -> None:
     """Licences of everything that is linked into something, and a list of all components and files."""
     found = {}
-    for package in PACKAGES:
-        folder = STAGE / "components"
-        shutil.rmtree(folder, ignore_errors=True)
-        run(*FMU_BUILD, "components", package, "--out", folder)
-        for name, content in contents(folder, "licenses/*").items():
-            release.add(f"licenses/{package}/{name.split('/')[1]}", content, f"licences of the {PACKAGES[package]}")
-        listed = json.loads((folder / "sbom.cdx.json").read_text(encoding="utf-8"))["components"]
-        found |= {component["bom-ref"]: component for component in listed}
+    for package, about in PACKAGES.items():
+        licences = {}
+        for target in targets(package, release.platforms):
+            folder = STAGE / "components"
+            shutil.rmtree(folder, ignore_errors=True)
+            run(*FMU_BUILD, "components", package, *(["--target", target] if target else []), "--out", folder)
+            licences[target] = contents(folder / "licenses")
+            listed = json.loads((folder / "sbom.cdx.json").read_text(encoding="utf-8"))["components"]
+            found |= {component["bom-ref"]: component for component in listed}
+        for name, content in joined(licences).items():
+            release.add(f"licenses/{package}/{name}", content, f"licences of the {about}")
     for name in OF_PAGE:
         component = of_npm(name)
         found[component["bom-ref"]] = component

@@ -26,7 +26,7 @@ def lacking(target: str) -> str | None:
         return f"rustup target add {target}"
     # The licence of musl comes with Zig.
     if "windows" not in target and find_spec("ziglang") is None:
-        return f"{Path(sys.executable)} -m pip install -r requirements-platforms.txt"
+        return ".venv/bin/python -m pip install -r requirements-platforms.txt"
     return None
 
 

@@ -23,6 +23,8 @@ PLATFORMS = {
     "host": (".", {"": []}),
 }
 OLDEST_MACOS = "11.0"
+# What the FMUs of a platform become in the package.
+PARTS = "python/stribeck/fmus"
 
 
 def build(target: str, linked: list[str], out: Path) -> None:
@@ -41,13 +43,17 @@ def build(target: str, linked: list[str], out: Path) -> None:
 
 def main(out: Path, *platforms: str) -> None:
     """Builds the wheels for these platforms, or for all but this machine."""
-    for platform in platforms or (name for name in PLATFORMS if name != "host"):
-        below, targets = PLATFORMS[platform]
-        packed = PROJECT / "out" / "wheels" / platform
-        run(*FMU_BUILD, "pack", "--platform", platform, "--strict", "--out", packed)
-        run(sys.executable, "python/fmus.py", packed / below, "python/stribeck/fmus")
-        for target, linked in targets.items():
-            build(target, linked, out)
+    try:
+        for platform in platforms or (name for name in PLATFORMS if name != "host"):
+            below, targets = PLATFORMS[platform]
+            packed = PROJECT / "out" / "wheels" / platform
+            run(*FMU_BUILD, "pack", "--platform", platform, "--strict", "--out", packed)
+            run(sys.executable, "python/fmus.py", packed / below, PARTS)
+            for target, linked in targets.items():
+                build(target, linked, out)
+    finally:
+        # A package that is built later must not get the FMUs of another platform.
+        run(sys.executable, "python/fmus.py", PARTS)
 
 
 if __name__ == "__main__":

@@ -2,8 +2,10 @@
 their contents only."""
 
 import json
+import os
 import re
 import subprocess
+import sys
 import tarfile
 import tomllib
 import zipfile
@@ -12,7 +14,8 @@ from io import BytesIO
 import pytest
 
 from examples.fmpy.coupling import PROJECT
-from release import checks, crates, index, made, making, papers
+from release import __main__ as command
+from release import checks, crates, fmus, index, made, making, papers, program, wheels
 from release.making import Release
 
 WORKSPACE = tomllib.loads((PROJECT / "Cargo.toml").read_text(encoding="utf-8"))["workspace"]
@@ -86,6 +89,12 @@ def test_notes_of_a_release_are_its_part_of_the_changelog():
     assert "\n## " not in notes
 
 
+def test_a_release_without_its_part_of_the_changelog_is_an_error(monkeypatch):
+    monkeypatch.setattr(papers, "VERSION", "9.9.9")
+    with pytest.raises(SystemExit, match=r"no section 9\.9\.9"):
+        papers.notes()
+
+
 FILES = {"b/text.txt": b"text\n" * 100, "a": b"\x00\x01", "stribeck": b"program"}
 
 
@@ -147,3 +156,113 @@ def test_paths_of_the_build_machine_are_found_within_archives(release, ending):
     release.archive(f"x/kit-1.{ending}", {"a.fmu": inner}, "a kit")
     with pytest.raises(checks.Failed, match=rf"kit-1.{ending}: library.so contains"):
         checks.places(release.folder, release.folder)
+
+
+def test_missing_tools_are_all_named_and_without_a_folder_of_this_machine(monkeypatch):
+    cure = f"Zig as linker: {PROJECT}{os.sep}.venv/bin/python -m pip install cargo-zigbuild ziglang"
+    lines = [
+        "linux64: all tools are here",
+        "skipped: aarch64-linux, which lacks Rust's standard library for it: rustup target add aarch64",
+        f"skipped: aarch64-linux, which lacks {cure}",
+    ]
+    monkeypatch.setattr(command, "run", lambda *_: "\n".join(lines))
+    _, missing = command.platforms()
+    told = missing["everything for aarch64-linux"]
+    assert "rustup target add aarch64; Zig as linker: .venv/bin/python -m pip install" in told
+    monkeypatch.setattr(program, "has_rust_for", lambda _: True)
+    monkeypatch.setattr(program, "find_spec", lambda _: None)
+    assert str(PROJECT) not in told + program.lacking("x86_64-unknown-linux-musl")
+
+
+def test_a_folder_that_is_no_release_is_kept(release, tmp_path):
+    release.add("x/a", b"a", "a file")
+    with pytest.raises(SystemExit, match="no release: it has no SHA256SUMS"):
+        command.emptied(release.folder)
+    assert (release.folder / "x" / "a").read_bytes() == b"a"
+    index.written(release)
+    assert not command.emptied(release.folder).exists()
+    with pytest.raises(SystemExit, match="no release"):
+        command.emptied(release.add("x/a", b"a", "a file"))
+    (tmp_path / "empty").mkdir()
+    command.emptied(tmp_path / "empty")
+    command.emptied(tmp_path / "absent")
+
+
+def test_c_sources_are_fmus_of_both_versions(release, tmp_path, monkeypatch):
+    """The commands of fmu-build write one file for each of those that they write."""
+
+    def run(*words):
+        folder = words[-1]
+        for name in ("LuGre.fmu", "fmi3/LuGre.fmu") if "pack" in words else ("lugre.c",):
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_bytes(name.encode())
+
+    monkeypatch.setattr(fmus, "run", run)
+    monkeypatch.setattr(fmus, "has_rust_for", lambda _: True)
+    monkeypatch.setattr(fmus, "STAGE", tmp_path / "stage")
+    fmus.sources(release)
+    assert (release.folder / "fmi2-sources" / "LuGre.fmu").read_bytes() == b"LuGre.fmu"
+    assert (release.folder / "fmi3-sources" / "LuGre.fmu").read_bytes() == b"fmi3/LuGre.fmu"
+    with pytest.raises(checks.Failed, match="the archive has 1 sources"):
+        checks.c_sources(release.folder, tmp_path)
+
+
+def test_the_page_about_releases_names_every_folder_of_fmus():
+    page = (PROJECT / "docs" / "release.md").read_text(encoding="utf-8")
+    for kind in (*fmus.KINDS, *fmus.KINDS_OF_SOURCES):
+        assert f"`{kind}`" in page, kind
+
+
+def test_components_are_those_of_all_targets(monkeypatch):
+    monkeypatch.setattr(program, "lacking", lambda target: "a tool" if "aarch64" in target else None)
+    platforms = ["host", "linux64", "aarch64-linux", "win64", "darwin64"]
+    library = {"", "x86_64-unknown-linux-gnu", "aarch64-unknown-linux-gnu", "x86_64-pc-windows-gnu"}
+    library |= {"x86_64-apple-darwin", "aarch64-apple-darwin"}
+    for package in ("libstribeck", "stribeck-python"):
+        assert set(papers.targets(package, platforms)) == library
+    assert papers.targets("stribeck-cli", platforms) == ["x86_64-unknown-linux-musl", "x86_64-pc-windows-gnu"]
+    assert papers.targets("stribeck-page", ["host"]) == ["wasm32-unknown-unknown"]
+
+
+def test_licences_that_differ_between_targets_are_all_kept():
+    files = {"": {"a": b"1", "b": b"1"}, "windows": {"a": b"1", "b": b"2", "c": b"3"}}
+    assert papers.joined(files) == {"a": b"1", "host/b": b"1", "windows/b": b"2", "c": b"3"}
+
+
+def test_parts_of_fmus_do_not_stay_in_the_package(tmp_path, monkeypatch):
+    asked = []
+    monkeypatch.setattr(wheels, "run", lambda *words, **_: asked.append([str(word) for word in words]))
+
+    def fail(*_):
+        raise SystemExit("no linker")
+
+    monkeypatch.setattr(wheels, "build", fail)
+    with pytest.raises(SystemExit, match="no linker"):
+        wheels.main(tmp_path, "win64")
+    assert asked[-1][1:] == ["python/fmus.py", "python/stribeck/fmus"]
+    for name in ("LuGre.0", "LuGre.1", "library", "licenses", "order", "__init__.py"):
+        (tmp_path / name).touch()
+    subprocess.run([sys.executable, *asked[-1][1:-1], tmp_path], cwd=PROJECT, check=True)
+    assert [path.name for path in tmp_path.iterdir()] == ["__init__.py"]
+
+
+def test_the_tour_of_a_wheel_runs(capsys):
+    exec(compile(checks.TOUR, "TOUR", "exec"), {})
+    assert "LuGre.fmu" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("library", [{}, {"licenses": []}])
+def test_a_component_without_a_licence_is_found(release, tmp_path, library):
+    listed = [{"type": "library", "name": "bare", **library}]
+    text = json.dumps({"bomFormat": "CycloneDX", "specVersion": "1.5", "version": 1, "components": listed})
+    release.add("sbom.cdx.json", text.encode(), "a list")
+    with pytest.raises(checks.Failed, match=r"without a licence: \['bare'\]"):
+        checks.components(release.folder, tmp_path)
+
+
+def test_a_wheel_that_cannot_be_installed_fails_its_check_only(release, tmp_path, monkeypatch):
+    tag = {"linux": "manylinux_2_17_x86_64", "darwin": "macosx_11_0_arm64"}.get(sys.platform, "win_amd64")
+    release.add(f"python/stribeck-1-py3-none-{tag}.whl", b"no archive", "a wheel")
+    monkeypatch.setattr(checks, "environment", lambda _: sys.executable)
+    with pytest.raises(checks.Failed, match="pip"):
+        checks.wheel(release.folder, tmp_path)
