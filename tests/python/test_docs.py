@@ -11,6 +11,7 @@ import pytest
 import stribeck
 from scipy.integrate import solve_ivp
 
+from docs.site.build import PAGES as PAGES_OF_SITE
 from examples.fmpy.coupling import PROJECT
 
 BLOCK = re.compile(r"^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -61,6 +62,18 @@ def test_pictures_and_neighbours_of_a_page_exist():
     for page in (README, *DOCS):
         for target in re.findall(r"\]\(([^)#:]+)[)#]", page.read_text(encoding="utf-8")):
             assert (page.parent / target).exists(), f"{page.name}: {target}"
+
+
+def test_every_page_has_its_place_in_the_lists_of_the_site():
+    """Sphinx, which only `tasks.py site` runs, fails for a page in no list, and for an entry without a page."""
+    index = (PROJECT / "docs" / "site" / "index.md").read_text(encoding="utf-8")
+    blocks = [block["text"] for block in re.finditer(r"^```\{toctree\}\n(?P<text>.*?)^```$", index, re.M | re.S)]
+    lines = [line for block in blocks for line in block.splitlines() if line and not line.startswith(":")]
+    entries = sorted(re.sub(r".*<(.*)>", r"\1", line) for line in lines)
+    copied = [path for pattern in PAGES_OF_SITE for path in PROJECT.glob(pattern)]
+    pages = [path.relative_to(PROJECT).with_suffix("").as_posix() for path in copied]
+    written = ["laws", "python_api", "c_api"]
+    assert entries == sorted(pages + written)
 
 
 THESIS = PROJECT / "docs" / "thesis.md"
