@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[1]
 TARGET = "x86_64-unknown-linux-gnu"
 BUILD = ROOT / "target" / "sanitized"
 PACKAGE = ROOT / "out" / "sanitized"
-TESTS = [f"tests/python/test_{name}.py" for name in ("package", "identification", "batch")]
+TESTS = [f"tests/python/test_{name}.py" for name in ("package", "identification", "batch", "stepped")]
 # Those run the command line, which has no sanitizer, or ask processes of their own for FMUs.
 LEFT_OUT = "not command_line and not many_processes"
 
