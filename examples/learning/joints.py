@@ -47,10 +47,13 @@ class Joints:
             viscous_coefficient=0.02,
         )
         self.velocity, self.torque = numpy.zeros(joints), numpy.empty(joints)
+        self.spent = 0.0  # s, in steps of friction
 
     def step(self, torque: numpy.ndarray) -> numpy.ndarray:
         """Velocities after a step. Those that are at rest, and driven by less than their level, hardly move."""
+        begin = time.process_time()
         self.friction.step(DT, velocity=self.velocity, out=self.torque)
+        self.spent += time.process_time() - begin
         self.velocity += DT / INERTIA * (torque - self.torque)
         return self.velocity
 
@@ -73,16 +76,11 @@ def time_of_mujoco() -> float:
 def main() -> None:
     """Drives the joints, and prints the times."""
     joints, draw = Joints(JOINTS), numpy.random.default_rng(2)
-    spent = 0.0
     for number in range(STEPS):
         if number % 20 == 0:
             torque = draw.uniform(-2.0, 2.0, JOINTS)
-        begin = time.process_time()
-        joints.friction.step(DT, velocity=joints.velocity, out=joints.torque)
-        spent += time.process_time() - begin
-        joints.velocity += DT / INERTIA * (torque - joints.torque)
-        joints.reset(numpy.abs(joints.velocity) > 20.0)
-    print(f"friction of {JOINTS} joints: {1e6 * spent / STEPS:.0f} us a step")
+        joints.reset(numpy.abs(joints.step(torque)) > 20.0)
+    print(f"friction of {JOINTS} joints: {1e6 * joints.spent / STEPS:.0f} us a step")
     print(f"{JOINTS} joints in MuJoCo: {1e6 * JOINTS * time_of_mujoco():.0f} us a step")
 
 
