@@ -30,7 +30,7 @@ NEXT = """
     the variables of a law; --help says what else the program does
 dist/*.fmu
     for your tool: docs/fmu.md says which file, and how to connect it
-python3 -m pip install ./python
+python3 -m venv out/env, then out/env/bin/python -m pip install ./python
     laws as functions on arrays: docs/python.md
 docs/start.md
     five minutes for each of five kinds of users
