@@ -136,9 +136,7 @@ impl Play {
             Action::ExitInitialization => plain(Call::ExitInitializationMode, fmi2ExitInitializationMode, Changes),
             Action::Terminate => plain(Call::Terminate, fmi2Terminate, Reads),
             Action::Reset => plain(Call::Reset, fmi2Reset, Changes),
-            Action::Cancel => {
-                assert_eq!(self.0.plain(who, Call::CancelStep, fmi2CancelStep, Reads), Answer::Error);
-            }
+            Action::Cancel => assert_eq!(self.0.plain(who, Call::CancelStep, fmi2CancelStep, Reads), Answer::Error),
             Action::EnterEventMode => plain(Call::EnterEventMode, fmi2EnterEventMode, Reads),
             Action::EnterContinuousTimeMode => plain(Call::EnterContinuousTimeMode, fmi2EnterContinuousTimeMode, Reads),
             Action::Log { on, categories } => self.log(who, on, &categories),

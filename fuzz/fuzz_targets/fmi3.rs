@@ -219,10 +219,7 @@ impl Play {
             Action::Serialize { slot: at, spare } => self.0.serialize(who, slot(at), spare),
             Action::Deserialize { slot: at, damage } => self.0.deserialize(who, slot(at), damage),
             Action::Null(which) => self.call_with_null(who, which),
-            Action::Instantiate { kind, token, name, required } => {
-                // Of the model that is instantiated, if any.
-                instantiate(kind, token, name, required.of(model(token.unwrap_or_default())));
-            }
+            Action::Instantiate { kind, token, name, required } => instantiate(kind, token, name, |of| required.of(of)),
             Action::Replay { steps, length, elsewhere } => {
                 self.0.replay(who, 1 + steps % 4, length.length(), elsewhere)
             }

@@ -3,6 +3,7 @@
 use std::ffi::{CStr, CString};
 use std::ptr::{null, null_mut};
 
+use stribeck::model::ModelType;
 use stribeck_ffi::fmi3::derivatives::*;
 use stribeck_ffi::fmi3::exchange::*;
 use stribeck_ffi::fmi3::lifecycle::Call;
@@ -66,10 +67,12 @@ pub fn with_null(slave: &Slave<Fmi3>, which: u8) -> (Call, fmi3Status) {
     }
 }
 
-/// Makes an instance with arguments that may be wrong, and frees it.
-pub fn instantiate(kind: u8, token: Option<u8>, name: u8, required: u32) {
+/// Makes an instance with arguments that may be wrong, and frees it. `required` has the intermediate variable of the model,
+/// or, without a token, of the first one.
+pub fn instantiate(kind: u8, token: Option<u8>, name: u8, required: impl FnOnce(&'static ModelType) -> u32) {
     const NAMES: [Option<&CStr>; 4] = [Some(c"name"), Some(c" \t"), Some(c"\xff%s"), None];
     let name = NAMES[usize::from(name) % NAMES.len()];
+    let required = required(model(token.unwrap_or_default()));
     let model = token.map(model);
     let token = model.map_or(c"{}".to_owned(), |model| CString::new(model.guid()).expect("no zero byte"));
     let (text, token) = (name.map_or(null(), CStr::as_ptr), token.as_ptr());

@@ -613,31 +613,24 @@ mod tests {
         }
     }
 
-    /// Slip ends only when the velocity changes sign: slowing down raises the force with the time constant s / C.
+    /// Slip ends only when the velocity changes sign: slowing down raises the force with the time constant s / C. Backwards
+    /// the printed (7.36) would diverge; here it is the mirror image.
     #[test]
     fn a_slipping_element_follows_the_level_and_does_not_stick_again() {
-        let mut law = one_element();
-        move_by(&mut law, 1e-3, 0.1);
-        assert_abs_diff_eq!(law.friction_force, 0.981, epsilon = 1e-15);
-        law.velocity = 1e-9;
-        law.step(1e-3);
-        law.output();
-        let by_hand = 1.4715 - 0.4905 * (-1.0f64 / 1.4715).exp();
-        assert!((law.friction_force - by_hand).abs() < 1e-12, "{}", law.friction_force);
-        assert_eq!(law.sticking, 0.0);
-        law.velocity = -1e-9;
-        law.output();
-        assert_eq!(law.sticking, 1.0);
-    }
-
-    /// Backwards the printed (7.36) would diverge; here it is the mirror image.
-    #[test]
-    fn slip_backwards_settles_at_the_negative_level() {
-        let mut law = one_element();
-        move_by(&mut law, -1.0, 0.1);
-        assert_abs_diff_eq!(law.friction_force, -0.981, epsilon = 1e-15);
-        move_by(&mut law, -1.0, 1e-3);
-        assert!((law.friction_force + 0.981 + 0.4905 / 1f64.exp()).abs() < 1e-12);
+        for direction in [1.0, -1.0] {
+            let mut law = one_element();
+            move_by(&mut law, direction * 1e-3, 0.1);
+            assert_abs_diff_eq!(law.friction_force, direction * 0.981, epsilon = 1e-15);
+            law.velocity = direction * 1e-9;
+            law.step(1e-3);
+            law.output();
+            let by_hand = direction * (1.4715 - 0.4905 * (-1.0f64 / 1.4715).exp());
+            assert!((law.friction_force - by_hand).abs() < 1e-12, "{}", law.friction_force);
+            assert_eq!(law.sticking, 0.0);
+            law.velocity = -direction * 1e-9;
+            law.output();
+            assert_eq!(law.sticking, 1.0);
+        }
     }
 
     /// Rest holds the force, for any duration and any element.
