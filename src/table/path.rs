@@ -13,6 +13,19 @@ pub struct Segment {
     pub index: u16,
 }
 
+impl Segment {
+    /// What follows this step in a name that begins with it.
+    fn strip_from<'a>(&self, name: &'a str) -> Option<&'a str> {
+        let rest = name.strip_prefix(self.name)?;
+        if self.index == 0 {
+            return Some(rest);
+        }
+        let (index, rest) = rest.strip_prefix('[')?.split_once(']')?;
+        let is_plain = index.starts_with(|first: char| matches!(first, '1'..='9'));
+        (is_plain && index.parse() == Ok(self.index)).then_some(rest)
+    }
+}
+
 /// The name of a variable, such as `velocity` or `element[3].stiffness` (FMI's structured naming).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Path {
@@ -72,17 +85,15 @@ impl Path {
         self.depth == other.depth
     }
 
-    /// Whether this is the name, as spelled by [`Path`]'s `Display`.
+    /// Whether this is the name, as spelled by [`Path`]'s `Display`. Nothing is written for that: C sources for controllers
+    /// write no texts, but have presets by name.
     pub(crate) fn is_spelled(&self, name: &str) -> bool {
-        struct Rest<'a>(&'a str);
-        impl fmt::Write for Rest<'_> {
-            fn write_str(&mut self, text: &str) -> fmt::Result {
-                self.0 = self.0.strip_prefix(text).ok_or(fmt::Error)?;
-                Ok(())
-            }
+        let mut rest = Some(name);
+        for (at, segment) in self.segments().iter().enumerate() {
+            let after = if at == 0 { rest } else { rest.and_then(|rest| rest.strip_prefix('.')) };
+            rest = after.and_then(|rest| segment.strip_from(rest));
         }
-        let mut rest = Rest(name);
-        fmt::write(&mut rest, format_args!("{self}")).is_ok() && rest.0.is_empty()
+        rest == Some("")
     }
 
     /// This name inside a part.
@@ -134,6 +145,11 @@ mod tests {
         for other in ["", "element", "element[3]", "element[3].stiffness ", "element[2].stiffness", "stiffness"] {
             assert!(!element(3).is_spelled(other), "{other}");
         }
+        for other in ["element[03].stiffness", "element[+3].stiffness", "element[3]stiffness", "element.stiffness"] {
+            assert!(!element(3).is_spelled(other), "{other}");
+        }
+        assert!(element(0).is_spelled("element.stiffness"));
+        assert!(!element(0).is_spelled("element[0].stiffness"));
     }
 
     #[test]
