@@ -92,7 +92,7 @@ const HOUSES: &[House] = &[
         ],
     },
     House { folder: "fmu-build/src", rooms: &["project", "build", "describe", "page", "sources", "pack"] },
-    House { folder: "sources/src", rooms: &["model", "room", "state", "calls"] },
+    House { folder: "sources/src", rooms: &["model", "room", "state", "law", "calls"] },
 ];
 
 /// Macros that are exported from the root of their crate, and the rooms that declare them.

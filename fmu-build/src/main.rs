@@ -116,8 +116,11 @@ enum Command {
     },
     /// Write C sources of models for controllers, NAME.h and NAME.c of each: C99, without memory of their own.
     Sources {
-        /// Models to write (default: all).
+        /// Models to write (default: all without a choice of law).
         models: Vec<String>,
+        /// The only law in the sources of models that have a choice, such as ShockAbsorber.
+        #[arg(long, requires = "models")]
+        law: Option<String>,
         /// Folder for the files.
         #[arg(long, default_value = "out/sources")]
         out: PathBuf,
@@ -177,7 +180,7 @@ fn obey(command: Command, root: &Path) -> Result<()> {
         Command::Components { package, target, out } => components(root, &package, target, &out),
         Command::Sdk { out, platform } => sdk(root, &out, &platform),
         Command::Inspect { library, platform } => inspect(root, &library, platform),
-        Command::Sources { models, out } => sources(root, &models, &out),
+        Command::Sources { models, law, out } => sources(root, &models, law.as_deref(), &out),
         Command::Pack { models, out, sources: true, .. } => pack_sources(root, &models, &out),
         Command::Pack { models, out, platform, strict, plain, .. } => {
             let mut forms = vec![Form::Two(Choices::Named), Form::Three];
@@ -260,9 +263,9 @@ fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: 
 }
 
 /// Writes the sources of models for controllers. Their headers come from the tables, not from generated files.
-fn sources(root: &Path, models: &[String], out: &Path) -> Result<()> {
-    for entry in with_sources(models)? {
-        for (name, text) in SourceLibrary::of(root, &entry, Purpose::Controller)?.controller()?.files {
+fn sources(root: &Path, models: &[String], law: Option<&str>, out: &Path) -> Result<()> {
+    for entry in with_sources(models, law)? {
+        for (name, text) in SourceLibrary::of(root, &entry, Purpose::Controller, law)?.controller()?.files {
             let size = package::save(out, &name, text.as_bytes())?;
             println!("{:<28} {size:>9} bytes", out.join(&name).display());
         }
@@ -271,10 +274,10 @@ fn sources(root: &Path, models: &[String], out: &Path) -> Result<()> {
 }
 
 /// The chosen models, without those that have no C sources if they were not chosen by name.
-fn with_sources(models: &[String]) -> Result<Vec<Entry>> {
+fn with_sources(models: &[String], law: Option<&str>) -> Result<Vec<Entry>> {
     let (without, entries): (Vec<_>, Vec<_>) =
-        entry::select(models)?.into_iter().partition(|entry| sources::refusal(entry.model).is_some());
-    for why in without.iter().filter_map(|entry| sources::refusal(entry.model)) {
+        entry::select(models)?.into_iter().partition(|entry| sources::refusal(entry.model, law).is_some());
+    for why in without.iter().filter_map(|entry| sources::refusal(entry.model, law)) {
         ensure!(models.is_empty(), "{why}");
         println!("skipped: {why}");
     }
@@ -282,13 +285,13 @@ fn with_sources(models: &[String]) -> Result<Vec<Entry>> {
 }
 
 fn pack_sources(root: &Path, models: &[String], out: &Path) -> Result<()> {
-    let entries = with_sources(models)?;
+    let entries = with_sources(models, None)?;
     refuse_stale(root)?;
     let date = project::packing_date()?;
     let archiver = Archiver::new(date)?;
     let packing = Packing::of_sources(root, date, &archiver)?;
     for entry in &entries {
-        let (library, contents) = (SourceLibrary::of(root, entry, Purpose::Fmu)?, Contents::of(entry)?);
+        let (library, contents) = (SourceLibrary::of(root, entry, Purpose::Fmu, None)?, Contents::of(entry)?);
         for form in [Form::Two(Choices::Named), Form::Three] {
             let folder = out.join(form.subfolder());
             let size = packing.write_sources(&contents, form, &library.fmu(form.version())?, &folder)?;

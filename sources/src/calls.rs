@@ -6,6 +6,7 @@ use stribeck::model::{BaseType, Computed, Fault, Kind, Role};
 use stribeck::reference::{Place, Reference};
 use stribeck::serial;
 
+use crate::law;
 use crate::model::{COLUMNS, HAS_SLOPES, MODEL};
 use crate::state::{self, Module, Outcome, Refusal, Status, enter, fault, refuse, refused};
 
@@ -17,7 +18,7 @@ pub extern "C" fn model_create() -> Status {
             state::place(module);
             #[cfg(target_arch = "wasm32")]
             crate::room::keep();
-            Status::Ok
+            enter(law::choose)
         }
         Err(error) => refused(error.into()),
     }
@@ -28,7 +29,7 @@ pub extern "C" fn model_create() -> Status {
 pub extern "C" fn model_reset() -> Status {
     enter(|module| {
         module.instance.reset();
-        Ok(())
+        law::choose(module)
     })
 }
 
@@ -51,7 +52,9 @@ pub extern "C" fn model_set(reference: Reference, value: f64) -> Status {
         if module.instance.write_at_once(&[reference], &[value]) {
             return Ok(());
         }
-        Ok(module.instance.set(reference, value)?)
+        let column = module.instance.column(reference)?;
+        law::check(column, value).map_err(fault(Status::RefusedValue))?;
+        Ok(module.instance.set_column(column, value)?)
     })
 }
 
@@ -208,10 +211,7 @@ pub extern "C" fn model_warning(is_of_passivity: bool) -> bool {
 /// Applies the preset with this number, in the order of the model.
 #[unsafe(no_mangle)]
 pub extern "C" fn model_apply(preset: u32) -> Status {
-    enter(|module| match MODEL.presets.get(preset as usize) {
-        Some(preset) if module.instance.apply(preset.name) => Ok(()),
-        _ => refuse(Status::UnknownModel, format_args!("{} has no preset {preset}", MODEL.name)),
-    })
+    enter(|module| law::apply(module, preset))
 }
 
 /// An output that has derivatives, or the derivative of a state.
@@ -348,6 +348,7 @@ pub extern "C" fn model_read(size: usize, sizes: usize, is_final: bool) -> Statu
             let text = format_args!("serialised state of {}: slopes of inputs are not available here", MODEL.name);
             return refuse(Status::BadBuffer, text);
         }
+        law::check_row(&snapshot.row).map_err(fault(Status::BadBuffer))?;
         module.owners = owners;
         if is_final {
             module.instance.check_without_events(&snapshot).map_err(fault(Status::BadBuffer))?;

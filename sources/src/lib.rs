@@ -5,6 +5,7 @@
 //! functions return. There is no function for what C does without the model: arrays, the states of FMI, logs.
 
 mod calls;
+mod law;
 mod model;
 #[cfg(target_arch = "wasm32")]
 mod room;

@@ -29,6 +29,17 @@ macro_rules! family {
         pub(crate) const TABLES: &[&[$crate::model::Variable]] =
             &[$(<$Model as $crate::model::Columns>::TABLE,)+];
 
+        /// The record of the model of this name, apart from the list: who uses it does not carry the others.
+        #[allow(dead_code, reason = "only laws are choices of other models")]
+        pub(crate) const fn record(name: &str) -> $crate::model::ModelType {
+            $(
+                if $crate::unit::same(name, <$Model as $crate::model::Described>::NAME) {
+                    return $crate::model::ModelType::of::<$Model>();
+                }
+            )+
+            panic!("no model of the family has this name")
+        }
+
         /// Shows each of them to a visitor.
         pub(crate) fn visit(visitor: &mut impl $crate::model::Visitor) {
             $(<$Model as $crate::model::Model>::accept(visitor);)+

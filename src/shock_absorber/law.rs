@@ -6,7 +6,7 @@
 pub use crate::model::Evaluate;
 use crate::model::{Columns, Fault, GivesBack, Path, Table};
 use crate::number::{Mask, Scalar};
-use crate::shock_absorber::law_list::{COUNT, GIVENS, LAWS, WIDEST};
+use crate::shock_absorber::law_list::{COUNT, GIVENS, HELD, LAWS, WIDEST};
 use crate::shock_absorber::law_parameters::LawParameters;
 use crate::shock_absorber::law_plan::{Carrier, MEMORY, PLANS, Plan};
 
@@ -66,9 +66,17 @@ impl<T: Scalar> Answer<T> {
 pub(crate) struct ChosenLaw(&'static Plan);
 
 impl ChosenLaw {
-    /// The law of that number; `None` for no friction.
+    /// The law of that number; `None` for no friction. No other law is ever chosen than those that the library holds.
     pub(crate) fn of(number: f64) -> Option<ChosenLaw> {
-        PLANS.get((number as usize).wrapping_sub(2)).map(ChosenLaw)
+        let law = (number as usize).wrapping_sub(2);
+        assert!(HELD.end - HELD.start == COUNT || law >= COUNT || HELD.contains(&law), "a law that is not here");
+        PLANS.get(law.wrapping_sub(HELD.start)).map(ChosenLaw)
+    }
+
+    /// Its plan: of the only law a constant, so that its functions are called directly.
+    #[inline(always)]
+    fn plan(self) -> &'static Plan {
+        if HELD.end - HELD.start == 1 { &PLANS[0] } else { self.0 }
     }
 
     /// Whether it uses the mass that the contact has to stop.
@@ -78,7 +86,7 @@ impl ChosenLaw {
 
     /// Whether it uses this one among [`Given::values`].
     fn asks_for(self, place: usize) -> bool {
-        usize::from(self.0.given[place]) < self.0.model.table.len()
+        usize::from(self.plan().given[place]) < self.plan().model.table.len()
     }
 
     /// Refuses a law that needs more than the motion and the load of its contact.
@@ -93,13 +101,13 @@ impl ChosenLaw {
         } else {
             return Ok(());
         };
-        Err(Fault::new(format_args!("friction.model = {}: {why}", self.0.model.name)))
+        Err(Fault::new(format_args!("friction.model = {}: {why}", self.plan().model.name)))
     }
 
     /// Number of places that it uses of a memory, from the first.
     #[inline]
     pub(crate) fn memory_in_use(self) -> usize {
-        self.0.memory_in_use
+        self.plan().memory_in_use
     }
 
     /// Force at the given motion.
@@ -111,7 +119,7 @@ impl ChosenLaw {
     ) -> Answer<T> {
         self.on_row(|row| {
             self.fill(row, given, parameters, memory);
-            let is_finite = T::evaluate(self.0.model, row);
+            let is_finite = T::evaluate(self.plan().model, row);
             self.answer(row, is_finite)
         })
     }
@@ -126,7 +134,7 @@ impl ChosenLaw {
     ) -> Answer<f64> {
         self.on_row(|row| {
             self.fill(row, given, parameters, memory);
-            let is_finite = self.0.model.advance(row, dt);
+            let is_finite = self.plan().model.advance(row, dt);
             self.remember(row, memory);
             self.answer(row, is_finite)
         })
@@ -147,13 +155,13 @@ impl ChosenLaw {
             self.on_row(|slope| {
                 let begin = begin.values();
                 for input in [VELOCITY, NORMAL_FORCE, EXTERNAL_FORCE] {
-                    let column = usize::from(self.0.given[input]);
+                    let column = usize::from(self.plan().given[input]);
                     if let (Some(value), Some(slope)) = (row.get_mut(column), slope.get_mut(column)) {
                         *slope = (*value - begin[input]) / dt;
                         *value = begin[input];
                     }
                 }
-                let is_finite = self.0.model.advance_ramp(row, slope, dt);
+                let is_finite = self.plan().model.advance_ramp(row, slope, dt);
                 self.remember(row, memory);
                 self.answer(row, is_finite)
             })
@@ -168,17 +176,17 @@ impl ChosenLaw {
         memory: &[T; MEMORY],
         rate: &mut [T; MEMORY],
     ) {
-        if !self.0.is_exchanged {
+        if !self.plan().is_exchanged {
             T::refuse_rates();
         }
         self.on_row(|row| {
             self.fill(row, given, parameters, memory);
             self.on_row(|rates| {
-                T::rate(self.0.model, row, rates);
+                T::rate(self.plan().model, row, rates);
                 self.remember(rates, rate);
             });
-            if let Carrier::Deflection(slipping, _) | Carrier::Force(slipping) = self.0.carrier
-                && let Some((_, place)) = self.0.memory.pairs().find(|(column, _)| *column == slipping)
+            if let Carrier::Deflection(slipping, _) | Carrier::Force(slipping) = self.plan().carrier
+                && let Some((_, place)) = self.plan().memory.pairs().find(|(column, _)| *column == slipping)
             {
                 rate[place] -= (memory[place] - row[slipping]) / T::from(RELEASE_TIME);
             }
@@ -194,15 +202,15 @@ impl ChosenLaw {
     ) {
         self.on_row(|row| {
             self.fill(row, given, parameters, memory);
-            T::mark_step(self.0.model, row);
+            T::mark_step(self.plan().model, row);
             self.remember(row, memory);
         });
     }
 
     /// Writes the initial state of the law; the other places are left as they are.
     pub(crate) fn write_start<T: Scalar>(self, memory: &mut [T; MEMORY]) {
-        for (column, place) in self.0.memory.pairs() {
-            memory[place] = T::from(self.0.model.table.start(column));
+        for (column, place) in self.plan().memory.pairs() {
+            memory[place] = T::from(self.plan().model.table.start(column));
         }
     }
 
@@ -215,21 +223,21 @@ impl ChosenLaw {
 
     /// The viscous coefficient, if the law has one.
     pub(crate) fn viscous_coefficient<T: Scalar>(self, parameters: &LawParameters<T>) -> T {
-        self.0.viscous.map_or(T::zero(), |place| parameters.values[place])
+        self.plan().viscous.map_or(T::zero(), |place| parameters.values[place])
     }
 
     /// Refuses parameters that the law refuses.
     pub(crate) fn check(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
-        let named = |fault: Fault| Fault::new(format_args!("friction.model = {}: {}", self.0.model.name, fault.0));
+        let named = |fault: Fault| Fault::new(format_args!("friction.model = {}: {}", self.plan().model.name, fault.0));
         self.on_row(|row| {
             self.fill(row, given, parameters, &self.start());
-            for (column, _) in self.0.parameters.pairs() {
-                let (variable, value) = (&self.0.model.table.at(column), row[column]);
+            for (column, _) in self.plan().parameters.pairs() {
+                let (variable, value) = (&self.plan().model.table.at(column), row[column]);
                 if !variable.admits(value) {
                     return Err(named(variable.fault(value)));
                 }
             }
-            self.0.model.check(row).map_err(named)
+            self.plan().model.check(row).map_err(named)
         })
     }
 
@@ -240,12 +248,12 @@ impl ChosenLaw {
         let mut changed = changed.map(|(place, value)| (PARAMETERS.at(place).path, value));
         let has_own = |path: &Path| {
             let is_own = |(column, place): (usize, usize)| {
-                self.0.model.table.at(column).path.is(path) && !PARAMETERS.at(place).path.is(path)
+                self.plan().model.table.at(column).path.is(path) && !PARAMETERS.at(place).path.is(path)
             };
-            self.0.parameters.pairs().any(is_own)
+            self.plan().parameters.pairs().any(is_own)
         };
         let (name, value) = changed.find(|(path, _)| has_own(path))?;
-        let law = self.0.model.name;
+        let law = self.plan().model.name;
         let text = format_args!("has no effect on friction.model = {law}: set friction.{law}.{name}");
         Some(Fault::new(format_args!("friction.{name} = {value} {text}")))
     }
@@ -254,36 +262,36 @@ impl ChosenLaw {
     pub(crate) fn gives_back(self, given: &Given<f64>, parameters: &LawParameters) -> Option<GivesBack> {
         self.on_row(|row| {
             self.fill(row, given, parameters, &self.start());
-            self.0.model.gives_back(row)
+            self.plan().model.gives_back(row)
         })
     }
 
     /// Path of its viscous coefficient, if the law has one.
     pub(crate) fn viscous_path(self) -> Option<Path> {
-        self.0.viscous.map(|place| PARAMETERS.at(place).path)
+        self.plan().viscous.map(|place| PARAMETERS.at(place).path)
     }
 
     /// Refuses a law, or parameters, that are for co-simulation only.
     pub(crate) fn check_model_exchange(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
-        let name = self.0.model.name;
-        if !self.0.is_exchanged {
+        let name = self.plan().model.name;
+        if !self.plan().is_exchanged {
             let text = format_args!("friction.model = {name}: must be a law that supports Model Exchange in a contact");
             return Err(Fault::new(text));
         }
         let named = |fault: Fault| Fault::new(format_args!("friction.model = {name}: {}", fault.0));
         self.on_row(|row| {
             self.fill(row, given, parameters, &self.start());
-            self.0.model.check_model_exchange(row).map_err(named)
+            self.plan().model.check_model_exchange(row).map_err(named)
         })
     }
 
     /// Refuses a law that sticks and slips at events.
     pub(crate) fn check_without_events(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
-        let name = self.0.model.name;
+        let name = self.plan().model.name;
         let named = |fault: Fault| Fault::new(format_args!("friction.model = {name}: {}", fault.0));
         self.on_row(|row| {
             self.fill(row, given, parameters, &self.start());
-            self.0.model.check_without_events(row).map_err(named)
+            self.plan().model.check_without_events(row).map_err(named)
         })
     }
 
@@ -295,7 +303,7 @@ impl ChosenLaw {
         memory: &[f64; MEMORY],
         indicators: &mut [f64; MOST_EVENTS],
     ) {
-        let model = self.0.model;
+        let model = self.plan().model;
         self.on_row(|row| {
             self.fill(row, given, parameters, memory);
             model.indicate(row, &mut indicators[..model.event_indicators]);
@@ -306,14 +314,14 @@ impl ChosenLaw {
     pub(crate) fn at_event(self, given: &Given<f64>, parameters: &LawParameters, memory: &mut [f64; MEMORY]) {
         self.on_row(|row| {
             self.fill(row, given, parameters, memory);
-            self.0.model.at_event(row);
+            self.plan().model.at_event(row);
             self.remember(row, memory);
         });
     }
 
     /// Works on a row of the law. Most rows are short, and long ones of a few laws must not enlarge the stack of all.
     fn on_row<T: Scalar, R>(self, work: impl FnOnce(&mut [T]) -> R) -> R {
-        let columns = self.0.model.table.len();
+        let columns = self.plan().model.table.len();
         if columns <= NARROW {
             in_space::<NARROW, _, _>(columns, work)
         } else {
@@ -323,33 +331,33 @@ impl ChosenLaw {
 
     #[inline(always)]
     fn remember<T: Scalar>(self, row: &[T], memory: &mut [T; MEMORY]) {
-        for (column, place) in self.0.memory.pairs() {
+        for (column, place) in self.plan().memory.pairs() {
             memory[place] = row[column];
         }
     }
 
     /// Fills a row of zeros.
     fn fill<T: Evaluate>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>, memory: &[T; MEMORY]) {
-        for (column, value) in self.0.given.iter().zip(given.values()) {
+        for (column, value) in self.plan().given.iter().zip(given.values()) {
             if let Some(place) = row.get_mut(usize::from(*column)) {
                 *place = value;
             }
         }
-        for (column, place) in self.0.parameters.pairs() {
+        for (column, place) in self.plan().parameters.pairs() {
             row[column] = parameters.values[place];
         }
-        for (column, place) in self.0.memory.pairs() {
+        for (column, place) in self.plan().memory.pairs() {
             row[column] = memory[place];
         }
-        for (column, _) in self.0.starts.pairs() {
-            row[column] = T::from(self.0.model.table.start(column));
+        for (column, _) in self.plan().starts.pairs() {
+            row[column] = T::from(self.plan().model.table.start(column));
         }
         self.slip(row, given, parameters);
     }
 
     /// Lets slip whatever carries more than the present load allows.
     fn slip<T: Evaluate>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>) {
-        match self.0.carrier {
+        match self.plan().carrier {
             Carrier::Share => {}
             Carrier::Deflection(deflection, stiffness) => {
                 row[deflection] = row[deflection].limited(given.largest / row[stiffness]);
@@ -358,7 +366,7 @@ impl ChosenLaw {
                 let viscous = self.viscous_coefficient(parameters) * given.velocity.abs();
                 let is_too_much = row[force].abs().above(given.largest + viscous);
                 if is_too_much.agreed() != Some(false) {
-                    row[force] = row[force].limited(T::overshoot(self.0.model, row) * given.largest + viscous);
+                    row[force] = row[force].limited(T::overshoot(self.plan().model, row) * given.largest + viscous);
                 }
             }
             Carrier::Elements(strength) => {
@@ -371,7 +379,7 @@ impl ChosenLaw {
 
     /// Scales the forces of the elements, which keep their shares of the total and of the forces between them.
     fn slip_elements<T: Scalar>(self, row: &mut [T], largest: T, add: impl Fn(T, T) -> T) {
-        let forces = || self.0.elements.pairs().map(|(column, _)| column);
+        let forces = || self.plan().elements.pairs().map(|(column, _)| column);
         let total = forces().fold(T::zero(), |sum, column| add(sum, row[column])).abs();
         // Slipping elements are at their strength, apart from rounding, and stay as they are.
         let is_too_much = total.above(largest * T::from(1.0 + ROUNDING));
@@ -383,9 +391,9 @@ impl ChosenLaw {
 
     fn answer<T: Scalar>(self, row: &[T], is_finite: bool) -> Answer<T> {
         Answer {
-            force: if is_finite { row[self.0.friction_force] } else { T::from(f64::NAN) },
-            sticking: row[self.0.sticking],
-            energy: row[self.0.dissipated_energy],
+            force: if is_finite { row[self.plan().friction_force] } else { T::from(f64::NAN) },
+            sticking: row[self.plan().sticking],
+            energy: row[self.plan().dissipated_energy],
         }
     }
 }

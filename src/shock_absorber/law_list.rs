@@ -2,7 +2,9 @@
 //!
 //! They are those models of sliding friction that are scalar, so that a new law can be chosen without any further code.
 
-use crate::friction::{MODELS, TABLES};
+use std::ops::Range;
+
+use crate::friction::{MODELS, TABLES, record};
 use crate::model::{Enumeration, Item, Meaning, ModelType, Variable, column_of};
 use crate::unit::same;
 
@@ -69,6 +71,29 @@ pub(super) static LAWS: [Declared; COUNT] = {
     }
     laws
 };
+
+/// Name of the only law that the library holds, if C sources are made of it. Every other library holds all.
+const ONLY: Option<&str> = if cfg!(stribeck_one_law) { option_env!("STRIBECK_LAW") } else { None };
+
+/// The laws that the library holds, by their places among all.
+pub(super) const HELD: Range<usize> = match ONLY {
+    Some(name) => position(name)..position(name) + 1,
+    None => 0..COUNT,
+};
+
+/// The record of the only law.
+static RECORD: Option<ModelType> = match ONLY {
+    Some(name) => Some(record(name)),
+    None => None,
+};
+
+/// The record of a law that the library holds: not the one in the list of all, if it is the only one.
+pub(super) const fn held(law: usize) -> &'static ModelType {
+    match &RECORD {
+        Some(record) => record,
+        None => LAWS[law].model,
+    }
+}
 
 /// Largest number of columns of any law.
 pub(super) const WIDEST: usize = {

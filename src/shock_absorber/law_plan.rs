@@ -1,7 +1,7 @@
 //! Where the columns of a law's row come from: worked out for each law while the library is compiled.
 
 use crate::model::{Column, Kind, Meaning, ModelType, Variable, real};
-use crate::shock_absorber::law_list::{COUNT, Declared, GIVENS, LAWS, WIDEST, column, given};
+use crate::shock_absorber::law_list::{COUNT, Declared, GIVENS, HELD, LAWS, WIDEST, column, given, held};
 use crate::shock_absorber::law_parameters::place_of;
 use crate::unit::same;
 
@@ -196,12 +196,12 @@ const fn place(law: usize, column: usize, kind: usize) -> Option<u16> {
     }
 }
 
-/// All links, and the first link of each kind of each law.
+/// All links of the laws that the library holds, and the first link of each kind of each law.
 const fn link<const LINKS: usize>() -> ([Link; LINKS], [[u16; KINDS + 1]; COUNT], usize) {
     let mut links = [Link { column: ABSENT, place: 0 }; LINKS];
     let mut firsts = [[0; KINDS + 1]; COUNT];
-    let (mut count, mut law) = (0, 0);
-    while law < COUNT {
+    let (mut count, mut law) = (0, HELD.start);
+    while law < HELD.end {
         let mut kind = 0;
         while kind < KINDS {
             firsts[law][kind] = count as u16;
@@ -231,12 +231,12 @@ static FIRSTS: ([[u16; KINDS + 1]; COUNT], usize) = {
 
 static LINKS: [Link; FIRSTS.1] = link().0;
 
-/// The laws in their order, with the sources of their columns.
-pub(super) static PLANS: [Plan; COUNT] = {
-    let mut plans = [const { plan(0, [0; KINDS + 1]) }; COUNT];
-    let mut at = 0;
-    while at < COUNT {
-        plans[at] = plan(at, FIRSTS.0[at]);
+/// The laws that the library holds in their order, with the sources of their columns.
+pub(super) static PLANS: [Plan; HELD.end - HELD.start] = {
+    let mut plans = [const { plan(0, [0; KINDS + 1]) }; HELD.end - HELD.start];
+    let mut at = HELD.start;
+    while at < HELD.end {
+        plans[at - HELD.start] = plan(at, FIRSTS.0[at]);
         at += 1;
     }
     plans
@@ -259,7 +259,7 @@ const fn plan(at: usize, firsts: [u16; KINDS + 1]) -> Plan {
         column += 1;
     }
     Plan {
-        model: law.model,
+        model: held(at),
         is_exchanged: is_exchanged(law),
         given: givens,
         parameters: Links(firsts[0], firsts[1]),

@@ -81,12 +81,19 @@ def question(model: str, rows) -> str:
     return "\n".join(lines) + "\n"
 
 
-def of_library(model: str, rows, path: Path | None = None) -> list[list[str]]:
-    """What the library answers, as bits; the status of a step that it refuses."""
+def library_at(path: Path | None = None) -> ctypes.CDLL:
+    """The library, as the FMUs have it."""
     folder = Path(os.environ.get("STRIBECK_LIBRARY", TARGET / "fmu" / "release"))
-    library = ctypes.CDLL(str(path or folder / NAMES.get(sys.platform, "libstribeck.so")))
+    return ctypes.CDLL(str(path or folder / NAMES.get(sys.platform, "libstribeck.so")))
+
+
+def of_library(model: str, rows, path: Path | None = None, values: dict[str, float] | None = None) -> list[list[str]]:
+    """What the library answers with these values, as bits; the status of a step that it refuses."""
+    library = library_at(path)
     instance, value = ctypes.c_void_p(), ctypes.c_double()
     assert library.stribeck_create(model.encode(), ctypes.byref(instance)) == 0
+    for name, number in (values or {}).items():
+        assert library.stribeck_set_by_name(instance, name.encode(), ctypes.c_double(number)) == 0
     inputs, outputs = variables(model)
     answers = []
     for dt, values in rows:

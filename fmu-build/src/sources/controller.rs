@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use stribeck::model::{ModelType, Role, Variable};
 use stribeck::serial;
 
 use super::program::{self, Program};
-use super::{INCLUDES, beginning, called};
-use crate::describe::header;
+use super::{CHOICE, INCLUDES, beginning, called};
+use crate::describe::{header, text};
 use crate::project::VERSION;
 
 const HEADER: &str = include_str!("law.h");
@@ -25,11 +25,25 @@ const STACK: &str = "\
 
 ";
 
+/// What the header says about the only law of a model that has a choice.
+const LAW: &str =
+    " * Friction: These sources contain one law, NAME. After law_create, law_reset and presets that say nothing else
+ * LAW_VARIABLE is NUMBER, NAME. It can be set to 1, no friction, and to NUMBER; any other value, and a state with
+ * another one, are refused.
+ *
+";
+
 /// The stack is an estimate, in multiples of so many bytes.
 const STACK_UNIT: u32 = 256;
 
 /// The files of a model by name.
-pub fn files(model: &ModelType, name: &str, origin: &str, library: &[u8]) -> Result<BTreeMap<String, String>> {
+pub fn files(
+    model: &ModelType,
+    law: Option<&str>,
+    name: &str,
+    origin: &str,
+    library: &[u8],
+) -> Result<BTreeMap<String, String>> {
     let Program { text, memory, stack } = program::of(library, &called(FUNCTIONS), false)?;
     let stack = stack.map(|bytes| STACK.replace("BYTES", &bytes.next_multiple_of(STACK_UNIT).to_string()));
     let constant = |wanted: fn(&Variable) -> bool| {
@@ -45,15 +59,38 @@ pub fn files(model: &ModelType, name: &str, origin: &str, library: &[u8]) -> Res
         .replace("TITLE", &format!("{}: {}", model.name, model.summary))
         .replace("ORIGIN", origin)
         .replace("VERSION_TEXT", VERSION)
+        .replace("ONLY\n", &law.map(|law| only(model, law)).transpose()?.unwrap_or_default())
         .replace("MEMORY_BYTES", &(memory + BESIDE).to_string())
         .replace("STACK\n", &stack.unwrap_or_default())
         .replace("STATE_BYTES", &serial::size(model).to_string())
         .replace("FIRST_INPUT", &format!("LAW_{input}"))
         .replace("FIRST_OUTPUT", &format!("LAW_{output}"));
-    let header = named(&header, name).replace("VARIABLES\n", &header::of_model(model, name)?);
+    let variables = with_law(model, law, header::of_model(model, name)?)?;
+    let header = named(&header, name).replace("VARIABLES\n", &variables);
     let includes = format!("#include \"{name}.h\"\n\n");
     let source = beginning(model.name, origin, &INCLUDES) + &includes + &text + "\n" + &named(FUNCTIONS, name);
     Ok(BTreeMap::from([(format!("{name}.h"), header), (format!("{name}.c"), source)]))
+}
+
+/// The variable that chooses a law, and the number of this one.
+fn choice(model: &ModelType, law: &str) -> Result<(Variable, usize)> {
+    let variable = model.find(CHOICE).map(|column| model.table.at(column)).context("no law can be chosen")?;
+    let place = variable.kind.choices().iter().position(|item| item.name == law).context("no law has this name")?;
+    Ok((variable, place + 1))
+}
+
+fn only(model: &ModelType, law: &str) -> Result<String> {
+    let (variable, number) = choice(model, law)?;
+    let text = LAW.replace("NAME", law).replace("VARIABLE", &header::constant(&variable));
+    Ok(text.replace("NUMBER", &number.to_string()))
+}
+
+/// The variables, of which that with the choice begins with the only law.
+fn with_law(model: &ModelType, law: Option<&str>, variables: String) -> Result<String> {
+    let Some(law) = law else { return Ok(variables) };
+    let start = format!("default {}", text::start(&choice(model, law)?.0));
+    ensure!(variables.matches(&start).count() == 1, "{}: not one variable has the {start}", model.name);
+    Ok(variables.replace(&start, &format!("default {law}")))
 }
 
 /// A text in which the name of the model stands for "law".

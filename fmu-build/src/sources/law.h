@@ -8,6 +8,7 @@
  * Errors: Any status other than LAW_OK is a refusal, which changes nothing. No result is infinite or NaN. After
  * LAW_INTERNAL, which is an error in these sources, the instance must be created again.
  *
+ONLY
  * Sign: As in the documentation of the model. SI units throughout; Booleans are 0 or 1, choices numbers from 1.
  *
  * Compiler: C99, and its library: memcpy, memmove, memset, and sqrt, floor and the like. double is computed as IEC
