@@ -1,4 +1,4 @@
-/* What lugre.h promises of refusals: the status, and that nothing changes. Prints a line if it is kept. */
+/* What lugre.h promises of refusals: the status, and that nothing changes; a preset. Prints a line if it is kept. */
 
 #include <math.h>
 #include <stdio.h>
@@ -49,6 +49,11 @@ int main(void) {
     before[100] ^= 1;
     EXPECT(lugre_save(law, after, sizeof after), LUGRE_OK);
     if (memcmp(before, after, sizeof before) != 0)
+        return __LINE__;
+    /* The second preset has values of its own. */
+    EXPECT(lugre_apply_preset(law, 1), LUGRE_OK);
+    EXPECT(lugre_get(law, LUGRE_MU_S, &force), LUGRE_OK);
+    if (force != 1.5)
         return __LINE__;
     EXPECT(lugre_reset(law), LUGRE_OK);
     EXPECT(lugre_output(law), LUGRE_OK);
