@@ -50,6 +50,11 @@ fn results(model: &ModelType) -> Vec<usize> {
     model.table.iter().enumerate().filter(|(_, variable)| is_result(variable)).map(|(column, _)| column).collect()
 }
 
+/// Inputs, states and outputs of all runs.
+fn everything(law: &ModelType, stepped: &mut Stepped) -> Vec<Result<Vec<f64>, String>> {
+    results(law).into_iter().map(|column| found(stepped, None, &[], column)).collect()
+}
+
 /// The model, or none where its drawn parameters are refused.
 fn agree(model: &'static ModelType, registers: Registers, runs: usize, random: &mut Random) -> bool {
     let mut stepped = Stepped::new(model, registers, runs).expect("memory");
@@ -101,6 +106,30 @@ fn every_model_has_the_bits_of_its_instances() {
     }
 }
 
+/// As many runs as are worked on together are alike, and those after them are not: no run has the state of another.
+#[test]
+fn runs_that_are_alike_are_not_taken_for_others() {
+    let law = by_name("LuGre").expect("a law");
+    let column = |name: &str| law.find(name).expect("a variable");
+    let velocity_of = |run: usize| if run < 64 { 1e-3 } else { -1e-4 * run as f64 };
+    for registers in Registers::here() {
+        let mut stepped = Stepped::new(law, registers, MANY).expect("memory");
+        let mut alone: Vec<Instance> = (0..MANY).map(|_| Instance::new(law)).collect();
+        let inputs = [(column("velocity"), (0..MANY).map(velocity_of).collect()), (column("normal_force"), vec![10.0])];
+        for step in 0..STEPS {
+            let forces = found(&mut stepped, Some(1e-3), &inputs, column("friction_force")).expect("a step");
+            for (run, instance) in alone.iter_mut().enumerate() {
+                let values = [(column("velocity"), velocity_of(run)), (column("normal_force"), 10.0)];
+                instance.set_all(Phase::Setup, values.into_iter()).expect("admitted");
+                instance.step(1e-3).expect("a step");
+                instance.refresh().expect("results");
+                let wanted = instance.row()[column("friction_force")];
+                assert!(bits_agree(forces[run], wanted), "{registers:?} run {run}, step {step}");
+            }
+        }
+    }
+}
+
 /// Whatever is refused names the run, and leaves all runs as they are.
 #[test]
 fn what_is_refused_changes_nothing() {
@@ -112,7 +141,7 @@ fn what_is_refused_changes_nothing() {
         let usual = [(velocity, vec![1e-3; MANY]), (load, vec![10.0])];
         let at = |run: usize, value: f64| (0..MANY).map(|one| if one == run { value } else { 1e-3 }).collect();
         found(&mut stepped, Some(1e-3), &usual, force).expect("a step");
-        let before: Vec<_> = results(law).into_iter().map(|column| found(&mut stepped, None, &[], column)).collect();
+        let before = everything(law, &mut stepped);
         let nan: (usize, Vec<f64>) = (velocity, at(140, f64::NAN));
         let large = [(velocity, at(97, 1e308)), (load, vec![1e300])];
         for (dt, inputs, text) in [
@@ -122,6 +151,7 @@ fn what_is_refused_changes_nothing() {
         ] {
             let refused = found(&mut stepped, Some(dt), inputs, force).expect_err("a refusal");
             assert!(refused.starts_with(text), "{registers:?}: {refused}");
+            assert_eq!(before, everything(law, &mut stepped), "{registers:?}: {text}");
         }
         let (run, ended) =
             stepped.set(&[(mu_s, &[0.2]), (mu_s, &at(3, -1.0)), (force, &[1.0])]).expect_err("a refusal");
@@ -129,8 +159,7 @@ fn what_is_refused_changes_nothing() {
         let mut full = |_: Range<usize>, _: &[f64]| Err((2, Fault::new(format_args!("no place"))));
         let (run, ended) = stepped.step(1e-3, &given(&usual), force, &mut full).expect_err("a refusal");
         assert_eq!((run, ended.to_string()), (2, "no place".to_string()));
-        let after: Vec<_> = results(law).into_iter().map(|column| found(&mut stepped, None, &[], column)).collect();
-        assert_eq!(before, after, "{registers:?}");
+        assert_eq!(before, everything(law, &mut stepped), "{registers:?}");
         assert_eq!(stepped.times(), [1e-3; MANY]);
         // Parameters that are admitted one by one but not together are told at the first step.
         stepped.set(&[(mu_s, &at(5, 0.01))]).expect("admitted one by one");
