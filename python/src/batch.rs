@@ -1,7 +1,7 @@
 //! Many instances of one model, stepped together by the caller.
 
 use std::ops::Range;
-use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
+use std::sync::{Mutex, MutexGuard, TryLockError};
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyMemoryError;
@@ -48,12 +48,11 @@ fn slices<'a>(named: &'a Named) -> PyResult<Vec<(usize, &'a [f64])>> {
 }
 
 impl Batch {
-    /// The runs, if no other thread works with them: a failed call has changed nothing, so that they may be used after a
-    /// panic.
+    /// The runs, if no other thread works with them. A panic may have left them within a step.
     fn runs(&self) -> PyResult<MutexGuard<'_, Runs>> {
         match self.runs.try_lock() {
             Ok(runs) => Ok(runs),
-            Err(TryLockError::Poisoned(poisoned)) => Ok(PoisonError::into_inner(poisoned)),
+            Err(TryLockError::Poisoned(_)) => Err(refused("an earlier call of this batch panicked: make a new one")),
             Err(TryLockError::WouldBlock) => Err(refused("another thread works with the batch")),
         }
     }
