@@ -11,9 +11,11 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::ffi::{CStr, CString, c_void};
 use std::hint::black_box;
+use std::ops::Range;
 use std::ptr::{null, null_mut};
 
 use common::NO_EVENT;
+use stribeck::batch::{Registers, Stepped};
 use stribeck::catalogue;
 use stribeck::model::{Kind, ModelType, Role};
 use stribeck_ffi::c::*;
@@ -282,6 +284,32 @@ fn a_million_steps_allocate_nothing() {
         assert_eq!(allocations(|| slave.run(1_000_000, &mut values)), 0, "{name} allocates");
         println!("figure: {name}: a million steps, no allocation");
     }
+}
+
+/// Values of runs that are stepped are taken all or none, whichever of them there is no memory for.
+#[test]
+fn values_that_lack_memory_are_not_taken() {
+    let law = catalogue::by_name("LuGre").expect("a law");
+    let [velocity, load, force] =
+        ["velocity", "normal_force", "friction_force"].map(|name| law.find(name).expect(name));
+    let force_of = |stepped: &mut Stepped| {
+        let mut found = [f64::NAN; 3];
+        let mut take = |runs: Range<usize>, values: &[f64]| {
+            found[runs].copy_from_slice(values);
+            Ok(())
+        };
+        stepped.get(force, &mut take).expect("forces");
+        found
+    };
+    let failures = failures("Stepped", || {
+        let Ok(mut stepped) = Stepped::new(law, Registers::best(), 3) else { return false };
+        stepped.set(&[(velocity, &[0.02]), (load, &[7.0])]).expect("room for one value");
+        let before = force_of(&mut stepped);
+        let is_set = stepped.set(&[(velocity, &[0.011, 0.012, 0.013]), (load, &[8.0, 9.0, 10.0])]).is_ok();
+        assert_eq!(force_of(&mut stepped) == before, !is_set);
+        is_set
+    });
+    assert!(failures > 6, "{failures}");
 }
 
 /// The allocations of fmi2Instantiate are counted, so those of the calls above would have been counted too.

@@ -53,7 +53,9 @@ impl Stepped {
         let (model, Wanted { of, by, dt }) = (self.model(), wanted);
         let step = dt.and_then(|dt| Some((step_of(model)?, dt)));
         assert!(dt.is_some() == step.is_some(), "a law whose steps are differentiated");
+        self.forget_given();
         self.check()?;
+        dt.map_or(Ok(()), |dt| self.check_step(dt))?;
         let mut seeded: Vec<Dual> = Vec::new();
         for run in 0..self.runs() {
             let (row, memory) = self.row_of(run);

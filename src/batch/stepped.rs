@@ -120,6 +120,7 @@ impl Stepped {
 
     /// Whether the states of all runs are variables: none is hidden, and none lies in memory beside the rows.
     pub fn shows_all_states(&mut self) -> Result<bool, Stopped> {
+        self.forget_given();
         self.check()?;
         let is_state = |variable: &Variable| matches!(variable.role, Role::State | Role::StateOutput);
         Ok(!self.uses_memory && !self.model.table.iter().any(|variable| variable.is_hidden && is_state(&variable)))
@@ -171,14 +172,11 @@ impl Stepped {
         self.prepare(inputs)?;
         let done = self.check().and_then(|()| {
             self.begin_next();
-            let late = |time: &f64| !(dt > 0.0 && time + dt < f64::INFINITY);
-            match self.times.iter().position(late) {
-                Some(run) => Err((run, self.reason(run, Some(dt)))),
-                None => self.make(Work { dt: Some(dt), result }, take),
-            }
+            self.check_step(dt)?;
+            self.make(Work { dt: Some(dt), result }, take)
         });
         if done.is_err() {
-            self.given.fill(false);
+            self.forget_given();
             return done;
         }
         for column in 0..self.columns.len() {
@@ -194,6 +192,7 @@ impl Stepped {
 
     /// Hands over a column; an output is computed first.
     pub fn get(&mut self, column: usize, take: Take) -> Result<(), Stopped> {
+        self.forget_given();
         if self.model.table.role(column) == Role::Output {
             self.check()?;
             return self.make(Work { dt: None, result: column }, take);
@@ -211,7 +210,7 @@ impl Stepped {
 
     /// Checks values and keeps them apart.
     fn prepare(&mut self, values: &[Given]) -> Result<(), Stopped> {
-        self.given.fill(false);
+        self.forget_given();
         for (column, values) in values {
             assert!(values.len() == 1 || values.len() == self.runs, "one value, or one for each run");
             if !self.model.ports.takes_all(*column, values) {
@@ -226,6 +225,7 @@ impl Stepped {
             let next = &mut self.next[*column];
             next.clear();
             if next.try_reserve_exact(values.len()).is_err() {
+                self.forget_given();
                 return Err((0, Ended::OutOfMemory));
             }
             next.extend_from_slice(values);
@@ -253,6 +253,17 @@ impl Stepped {
                 std::mem::swap(&mut self.columns[column], &mut self.next[column]);
             }
         }
+    }
+
+    /// Drops values that are not in force: those of a call that came to no end, even by a panic of its caller.
+    pub(super) fn forget_given(&mut self) {
+        self.given.fill(false);
+    }
+
+    /// Checks a step against the time of each run.
+    pub(super) fn check_step(&mut self, dt: f64) -> Result<(), Stopped> {
+        let late = |time: &f64| !(dt > 0.0 && time + dt < f64::INFINITY);
+        self.times.iter().position(late).map_or(Ok(()), |run| Err((run, self.reason(run, Some(dt)))))
     }
 
     /// Checks the parameters of each run against each other, and whether all fit into lanes.

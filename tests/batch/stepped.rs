@@ -1,6 +1,7 @@
 //! Runs that the caller steps together have the bits of instances that are stepped alone.
 
 use std::ops::Range;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use stribeck::batch::{Given, Registers, Stepped, Wanted};
 use stribeck::catalogue::{by_name, models};
@@ -156,6 +157,12 @@ fn what_is_refused_changes_nothing() {
         let (run, ended) =
             stepped.set(&[(mu_s, &[0.2]), (mu_s, &at(3, -1.0)), (force, &[1.0])]).expect_err("a refusal");
         assert_eq!((run, ended.to_string()), (3, "mu_s = -1: must be >= 0 and finite".to_string()));
+        assert_eq!(before, everything(law, &mut stepped), "{registers:?}");
+        for dt in [0.0, -1e-3, f64::NAN, f64::INFINITY] {
+            let wanted = Wanted { of: &[force], by: &[velocity], dt: Some(dt) };
+            let (run, ended) = stepped.derivatives(wanted, &mut |_, _, _| ()).expect_err("a refusal");
+            assert_eq!((run, ended.to_string()), (0, format!("a step of {dt} s: must be > 0 and finite")));
+        }
         let mut full = |_: Range<usize>, _: &[f64]| Err((2, Fault::new(format_args!("no place"))));
         let (run, ended) = stepped.step(1e-3, &given(&usual), force, &mut full).expect_err("a refusal");
         assert_eq!((run, ended.to_string()), (2, "no place".to_string()));
@@ -166,6 +173,23 @@ fn what_is_refused_changes_nothing() {
         let refused = found(&mut stepped, Some(1e-3), &usual, force).expect_err("a refusal");
         assert!(refused.starts_with("run 0: mu_s"), "{refused}");
     }
+}
+
+/// A step that its caller ends by a panic leaves all runs as they are.
+#[test]
+fn a_caller_that_panics_changes_nothing() {
+    let law = by_name("LuGre").expect("a law");
+    let column = |name: &str| law.find(name).expect("a variable");
+    let [velocity, load, force] = ["velocity", "normal_force", "friction_force"].map(column);
+    let mut stepped = Stepped::new(law, Registers::best(), MANY).expect("memory");
+    let inputs = [(velocity, vec![1e-3; MANY]), (load, vec![10.0])];
+    found(&mut stepped, Some(1e-3), &inputs, force).expect("a step");
+    let before = everything(law, &mut stepped);
+    let mut fall = |_: Range<usize>, _: &[f64]| panic!("the caller falls");
+    let step = || stepped.step(1e-3, &[(velocity, &[-0.7])], force, &mut fall);
+    assert!(catch_unwind(AssertUnwindSafe(step)).is_err());
+    assert_eq!(before, everything(law, &mut stepped));
+    assert_eq!(stepped.times(), [1e-3; MANY]);
 }
 
 /// Derivatives of all results by all real columns over a step, against differences of rows.
