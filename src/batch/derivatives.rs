@@ -49,6 +49,10 @@ impl Stepped {
 
     /// Hands over derivatives: numbers of the one that is differentiated and of the one by which it is, run, derivative. The
     /// runs stay where they are.
+    ///
+    /// # Panics
+    ///
+    /// If a step is wanted of a law whose steps have modes: see [`Stepped::differentiates_steps`].
     pub fn derivatives(&mut self, wanted: Wanted, take: &mut dyn FnMut([usize; 2], usize, f64)) -> Result<(), Stopped> {
         let (model, Wanted { of, by, dt }) = (self.model(), wanted);
         let step = dt.and_then(|dt| Some((step_of(model)?, dt)));

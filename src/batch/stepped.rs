@@ -11,7 +11,7 @@ use crate::series::Ended;
 /// Runs that are worked on together (chosen): their rows fit into the nearest cache.
 const TOGETHER: usize = 64;
 
-/// The first run that was refused, and why. Nothing has changed then.
+/// A run that was refused, and why. No run has changed then; results that were taken before it may be there.
 pub type Stopped = (usize, Ended);
 
 /// Values of a column: one for all runs, or one for each.
@@ -136,6 +136,10 @@ impl Stepped {
     }
 
     /// Sets inputs, parameters and states: all, or none if one is refused.
+    ///
+    /// # Panics
+    ///
+    /// If a column has neither one value nor one for each run.
     pub fn set(&mut self, values: &[Given]) -> Result<(), Stopped> {
         self.prepare(values)?;
         for (column, _) in values {
@@ -165,6 +169,10 @@ impl Stepped {
     }
 
     /// Gives inputs values, advances all runs by `dt` while they are held, and hands over an output as it is then.
+    ///
+    /// # Panics
+    ///
+    /// If a column that is given is no input, or has neither one value nor one for each run.
     pub fn step(&mut self, dt: f64, inputs: &[Given], result: usize, take: Take) -> Result<(), Stopped> {
         for (column, _) in inputs {
             assert!(self.model.table.role(*column) == Role::Input, "only inputs are given to a step");

@@ -15,8 +15,8 @@ const TOGETHER: usize = 16;
 /// Samples of one run that are made together (chosen): their rows still fit into it.
 const SAMPLES: usize = 64;
 
-/// Runs of which each is made along its samples, where its law has a state that relaxes: fewer than a group of lanes
-/// (chosen).
+/// Runs of which each is made along its samples, where its law has a state that relaxes: as few as leave most lanes of a
+/// large register empty (chosen).
 const FEW: usize = 3;
 
 /// Beyond this, or below its inverse, a step may fail although the outputs before and after it are finite (chosen): no law
