@@ -13,11 +13,14 @@ use std::ffi::{CStr, CString, c_void};
 use std::hint::black_box;
 use std::ops::Range;
 use std::ptr::{null, null_mut};
+use std::sync::atomic::AtomicBool;
 
 use common::NO_EVENT;
-use stribeck::batch::{Registers, Stepped};
+use stribeck::batch::{Registers, Rows, Runs, Stepped, Worker};
 use stribeck::catalogue;
+use stribeck::instance::Instance;
 use stribeck::model::{Kind, ModelType, Role};
+use stribeck::series::{Between, Times, set_up};
 use stribeck_ffi::c::*;
 use stribeck_ffi::fmi2::exchange::*;
 use stribeck_ffi::fmi2::setup::*;
@@ -283,6 +286,39 @@ fn a_million_steps_allocate_nothing() {
         let mut values = vec![0.0; slave.reals.len()];
         assert_eq!(allocations(|| slave.run(1_000_000, &mut values)), 0, "{name} allocates");
         println!("figure: {name}: a million steps, no allocation");
+    }
+}
+
+/// Runs of a law whose state relaxes, made along their samples and side by side, and of one whose runs are made one by one.
+#[test]
+fn runs_of_a_worker_allocate_nothing() {
+    const SAMPLES: usize = 200;
+    for name in ["LuGre", "Karnopp"] {
+        let law = catalogue::by_name(name).expect(name);
+        let [velocity, load, force] =
+            ["velocity", "normal_force", "friction_force"].map(|name| law.find(name).expect(name));
+        let velocities: Vec<f64> = (0..SAMPLES).map(|sample| 1e-5 * (sample as f64 - 50.0)).collect();
+        let inputs = [
+            Rows { column: velocity, rows: 1, width: SAMPLES, values: &velocities },
+            Rows { column: load, rows: 1, width: 1, values: &[10.0] },
+        ];
+        let (times, between) = (Times::Every(1e-3), Between::Held);
+        let runs = Runs { inputs: &inputs, times, samples: SAMPLES, between, results: &[force] };
+        for count in [1, 2, 9] {
+            let mut worker = Worker::new(law, &runs, Registers::best()).expect("memory");
+            let mut instance = Instance::new(law);
+            let mut forces = vec![f64::NAN; count * SAMPLES];
+            let begin = |_: usize, instance: &mut Instance| {
+                instance.reset();
+                set_up(instance, &[])
+            };
+            let mut made = Ok(());
+            let results = &mut [&mut forces[..]];
+            let work = || made = worker.make(&mut instance, &runs, 0..count, &begin, results, &AtomicBool::new(false));
+            assert_eq!(allocations(work), 0, "{count} runs of {name} allocate");
+            made.expect(name);
+            assert!(forces.iter().all(|force| force.is_finite()), "{name}");
+        }
     }
 }
 

@@ -10,7 +10,7 @@ use std::ops::Range;
 use crate::memory::{self, OutOfMemory};
 use crate::model::Kernel;
 use crate::number::{Lanes, Register};
-use crate::numerics::relaxation::Relaxation;
+use crate::numerics::relaxation::{NUMBERS, Relaxation};
 
 /// Rows in groups, one row in each lane: a group after the other, column after column.
 pub(super) struct Groups<R> {
@@ -18,7 +18,7 @@ pub(super) struct Groups<R> {
     columns: usize,
     rows: usize,
     lanes: Box<[Lanes<R>]>,
-    /// How a state relaxes in each group, for a law that has one.
+    /// How a state relaxes in each group, if there is room for it.
     relaxations: Box<[Lanes<R>]>,
 }
 
@@ -127,25 +127,26 @@ impl<R: Register> Groups<R> {
         unsafe { (self.kernel.slide_steadily)(&mut self.lanes) }
     }
 
-    /// How the state that relaxes does so in each row over a step. Room for it is made at the first call.
+    /// Makes room for what [`Groups::relax`] finds.
+    pub fn make_room_to_relax(&mut self) -> Result<(), OutOfMemory> {
+        self.relaxations = memory::filled(Lanes::from(0.0), NUMBERS * self.rows.div_ceil(R::LANES))?;
+        Ok(())
+    }
+
+    /// How the state that relaxes does so in each row over a step. There must be room for it.
     #[inline]
-    pub fn relax(&mut self, dt: f64, mut show: impl FnMut(usize, Relaxation<f64>)) -> Result<(), OutOfMemory> {
-        const NUMBERS: usize = 3;
-        let groups = self.rows.div_ceil(R::LANES);
-        if self.relaxations.is_empty() {
-            self.relaxations = memory::filled(Lanes::from(0.0), NUMBERS * groups)?;
-        }
+    pub fn relax(&mut self, dt: f64, mut show: impl FnMut(usize, Relaxation<f64>)) {
+        assert!(!self.relaxations.is_empty(), "room to relax");
         // SAFETY: the processor has the register: the promise to `new`.
         unsafe { (self.kernel.relax)(&mut self.lanes, dt, &mut self.relaxations) };
         for (group, numbers) in numbers_of(&self.relaxations).chunks_exact(NUMBERS * R::LANES).enumerate() {
             let first = group * R::LANES;
-            let ((steady, numbers), rows) = (numbers.split_at(R::LANES), R::LANES.min(self.rows - first));
-            let numbers = steady.iter().zip(numbers).zip(&numbers[R::LANES..]);
-            for (lane, ((steady, factor), is_short)) in numbers.take(rows).enumerate() {
-                show(first + lane, Relaxation { steady: *steady, factor: *factor, is_short: *is_short });
+            let lanes = |number: usize| &numbers[number * R::LANES..(number + 1) * R::LANES];
+            let numbers: [&[f64]; NUMBERS] = std::array::from_fn(lanes);
+            for lane in 0..R::LANES.min(self.rows - first) {
+                show(first + lane, numbers.map(|lanes| lanes[lane]).into());
             }
         }
-        Ok(())
     }
 
     #[inline]

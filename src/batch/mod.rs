@@ -172,10 +172,18 @@ impl Batch {
         on_groups!(&mut self.groups, groups => groups.slide_steadily())
     }
 
-    /// Shows how the state that relaxes does so in each row over `dt` > 0, while the inputs are held.
+    /// Makes room for [`Batch::relax`], if the law has a state that relaxes.
+    fn make_room_to_relax(&mut self) -> Result<(), OutOfMemory> {
+        if self.model.kernels.as_ref().is_none_or(|kernels| kernels.relaxes.is_none()) {
+            return Ok(());
+        }
+        on_groups!(&mut self.groups, groups => groups.make_room_to_relax())
+    }
+
+    /// Shows how the state that relaxes does so in each row over `dt` > 0, while the inputs are held. There must be room.
     #[inline]
-    fn relax(&mut self, dt: f64, show: impl FnMut(usize, Relaxation<f64>)) -> Result<(), OutOfMemory> {
-        on_groups!(&mut self.groups, groups => groups.relax(dt, show))
+    fn relax(&mut self, dt: f64, show: impl FnMut(usize, Relaxation<f64>)) {
+        on_groups!(&mut self.groups, groups => groups.relax(dt, show));
     }
 
     /// Computes the outputs of all rows, except advice. False if one is not finite.

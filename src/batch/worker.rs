@@ -97,7 +97,8 @@ impl<'a> Worker<'a> {
     /// Workspace for runs of a model.
     pub fn new(model: &'static ModelType, runs: &Runs<'a>, registers: Registers) -> Result<Worker<'a>, OutOfMemory> {
         let batch = Batch::new(model, registers, TOGETHER)?;
-        let samples = if runs.samples < TOGETHER { None } else { Batch::new(model, registers, SAMPLES)? };
+        let mut samples = if runs.samples < TOGETHER { None } else { Batch::new(model, registers, SAMPLES)? };
+        samples.as_mut().map_or(Ok(()), Batch::make_room_to_relax)?;
         let course = memory::each(runs.inputs.iter(), |rows| Ok(Input { column: rows.column, samples: &[] }))?;
         Ok(Worker { batch, samples, course })
     }
@@ -430,11 +431,10 @@ impl Chain {
         are_last: bool,
     ) -> Result<(), Not> {
         let (mut values, mut value) = ([0.0; SAMPLES], self.value);
-        let relaxed = batch.relax(self.dt, |place, relaxation| {
+        batch.relax(self.dt, |place, relaxation| {
             values[place] = value;
             value = relaxation.after(value);
         });
-        relaxed.map_err(|_| Not::Together)?;
         // Rows beyond the samples follow the last one, after which nothing comes.
         self.value = value;
         let values = &values[..places.len()];

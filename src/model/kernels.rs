@@ -9,6 +9,7 @@ use super::row::{numbers_of, view};
 use super::{Fit, InLanes, Law, Steps, model_in};
 use crate::number::register::For;
 use crate::number::{Lanes, Register};
+use crate::numerics::relaxation::NUMBERS;
 use crate::table::{Role, Variable};
 
 #[cfg(target_arch = "aarch64")]
@@ -50,7 +51,7 @@ pub(crate) struct Kernel<R> {
     /// Computes the outputs of steady sliding, and leaves the states. It must only be called where the processor has the
     /// register.
     pub slide_steadily: unsafe fn(Groups<R>) -> bool,
-    /// Finds how the state that relaxes moves in a step: for each group steady value, factor, and whether the step is short.
+    /// Finds how the state that relaxes moves in a step: for each group the numbers of a `Relaxation`.
     /// It must only be called where the processor has the register.
     pub relax: unsafe fn(Groups<R>, f64, Groups<R>),
 }
@@ -185,9 +186,9 @@ fn slide_steadily<M: InLanes, R: Register>(groups: Groups<R>) -> bool {
 #[inline(always)]
 fn relax<M: InLanes, R: Register>(groups: Groups<R>, dt: f64, found: Groups<R>) {
     let rows = For::<RELAX, R>::groups(groups).chunks_exact_mut(M::TABLE.len());
-    for (row, found) in rows.zip(For::<RELAX, R>::groups(found).chunks_exact_mut(3)) {
+    for (row, found) in rows.zip(For::<RELAX, R>::groups(found).chunks_exact_mut(NUMBERS)) {
         if let Some(relaxation) = model_in::<M, Lanes<For<RELAX, R>>>(row).relaxation(Lanes::from(dt)) {
-            found.copy_from_slice(&[relaxation.steady, relaxation.factor, relaxation.is_short]);
+            found.copy_from_slice(&<[_; NUMBERS]>::from(relaxation));
         }
     }
 }

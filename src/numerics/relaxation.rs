@@ -36,6 +36,23 @@ pub struct Relaxation<T> {
     pub is_short: T,
 }
 
+/// Numbers of a [`Relaxation`].
+pub const NUMBERS: usize = 3;
+
+impl<T> From<[T; NUMBERS]> for Relaxation<T> {
+    #[inline(always)]
+    fn from([steady, factor, is_short]: [T; NUMBERS]) -> Relaxation<T> {
+        Relaxation { steady, factor, is_short }
+    }
+}
+
+impl<T> From<Relaxation<T>> for [T; NUMBERS] {
+    #[inline(always)]
+    fn from(Relaxation { steady, factor, is_short }: Relaxation<T>) -> [T; NUMBERS] {
+        [steady, factor, is_short]
+    }
+}
+
 impl<T: Real> Relaxation<T> {
     /// That with a decay; where the answer is no, x is dropped, whatever it was.
     #[inline(always)]
