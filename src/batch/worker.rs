@@ -73,6 +73,11 @@ impl<'a> Runs<'a> {
         let Runs { times, samples, between, .. } = *self;
         Course { inputs, times, samples, between }
     }
+
+    /// Whether no input moves within a step.
+    fn are_held(&self) -> bool {
+        self.between == Between::Held || self.inputs.iter().all(|rows| rows.width == 1)
+    }
 }
 
 /// Brings an instance to the beginning of a run.
@@ -255,8 +260,7 @@ impl<'a> Worker<'a> {
         let fit = (kernels.fit)(instance.row());
         let is_memoryless =
             fit == Fit::Outputs && runs.results.iter().all(is_output) && no_step_fails(instance, runs, &self.course);
-        let are_held = runs.between == Between::Held || runs.inputs.iter().all(|rows| rows.width == 1);
-        if is_memoryless || fit != Fit::Alone && are_held && times_fit(runs) {
+        if is_memoryless || fit != Fit::Alone && runs.are_held() && times_fit(runs) {
             Ok(is_memoryless)
         } else {
             Err(Not::Together)
@@ -388,11 +392,10 @@ impl Chain {
         let model = instance.model();
         let state = model.kernels.as_ref()?.relaxes?;
         let energy = model.table.of(Meaning::Energy).filter(|column| runs.results.contains(column));
-        let are_held = runs.between == Between::Held || runs.inputs.iter().all(|rows| rows.width == 1);
         let Times::Every(dt) = runs.times else { return None };
         let row = instance.row();
         let spent = energy.map_or(0.0, |column| row[column]);
-        are_held.then_some(Chain { state, value: row[state], energy, spent, dt })
+        runs.are_held().then_some(Chain { state, value: row[state], energy, spent, dt })
     }
 
     /// Makes a run: what a step does to its state, whatever that is, is found for several samples at once; then only that is
