@@ -184,6 +184,20 @@ fn runs_have_the_bits_of_each_alone() {
     }
 }
 
+/// The run that ends a worker's, and why.
+fn refusal(case: &Case, dt: f64, some: Range<usize>, registers: Registers) -> (usize, String) {
+    let inputs = case.rows();
+    let (times, between, samples) = (Times::Every(dt), case.between, case.samples);
+    let all = Runs { inputs: &inputs, times, samples, between, results: &case.results };
+    let mut worker = Worker::new(case.law, &all, registers).expect("memory");
+    let mut arrays = vec![vec![f64::NAN; some.len() * samples]; case.results.len()];
+    let mut places: Vec<&mut [f64]> = arrays.iter_mut().map(Vec::as_mut_slice).collect();
+    let begin = |run: usize, instance: &mut Instance| case.begin(run, instance);
+    let mut instance = Instance::new(case.law);
+    let made = worker.make(&mut instance, &all, some, &begin, &mut places, &NEVER);
+    made.map_err(|(run, ended)| (run, ended.to_string())).expect_err("a refusal")
+}
+
 /// A run with a value that is refused, and one whose results would not be finite, are named as when made alone.
 #[test]
 fn the_first_run_that_fails_is_the_one_that_is_named() {
@@ -194,18 +208,30 @@ fn the_first_run_that_fails_is_the_one_that_is_named() {
                 case.inputs[0].1[run * 30 + 4] = value;
                 case.inputs[1].1[run * 30 + 4] = 1e300;
             }
-            let inputs = case.rows();
-            let (times, between) = (Times::Every(1e-3), Between::Held);
-            let all = Runs { inputs: &inputs, times, samples: 30, between, results: &case.results };
-            let mut worker = Worker::new(case.law, &all, registers).expect("memory");
-            let mut arrays = vec![vec![f64::NAN; 16 * 30]; 2];
-            let mut places: Vec<&mut [f64]> = arrays.iter_mut().map(Vec::as_mut_slice).collect();
-            let begin = |run: usize, instance: &mut Instance| case.begin(run, instance);
-            let mut instance = Instance::new(case.law);
-            let (run, ended) =
-                worker.make(&mut instance, &all, 4..20, &begin, &mut places, &NEVER).expect_err("a refusal");
+            let (run, ended) = refusal(&case, 1e-3, 4..20, registers);
             assert_eq!(run, 13, "{registers:?}");
-            assert!(ended.to_string().contains("sample 4") && ended.to_string().contains(text), "{ended}");
+            assert!(ended.contains("sample 4") && ended.contains(text), "{ended}");
+        }
+    }
+}
+
+/// A deflection and an input that stays as it is, so large at the beginning that the energy of a step is not finite, while
+/// all outputs are: the runs end whether the energy is recorded or not, along their samples and side by side.
+#[test]
+fn a_start_with_which_a_step_fails_is_refused() {
+    for registers in Registers::here() {
+        for (input, start, dt) in [(100.0, 1.5e301, 10.0), (1e150, 0.0, 1e15)] {
+            for runs in [1, 5] {
+                let mut case = Case::of("LuGre", [runs, 40], Between::Held, &["friction_force"]);
+                case.inputs.remove(0);
+                case.inputs[0].1.fill(1e10);
+                for (name, value) in [("velocity", input), ("bristle_deflection", start)] {
+                    case.parameters.push((case.law.find(name).expect(name), vec![value; runs]));
+                }
+                let (run, ended) = refusal(&case, dt, 0..runs, registers);
+                assert_eq!(run, 0, "{registers:?}");
+                assert!(ended.contains(&format!("a step of {dt} s would not be finite")), "{registers:?}: {ended}");
+            }
         }
     }
 }

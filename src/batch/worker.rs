@@ -286,19 +286,22 @@ fn times_fit(runs: &Runs) -> bool {
 }
 
 /// Whether a run that is made without its steps would not have ended in one of them: no slope and no energy comes near the
-/// largest number, if no input, parameter or time does.
+/// largest number, if no input, parameter or time does, and no state at the start.
 fn no_step_fails(instance: &Instance, runs: &Runs, course: &[Input]) -> bool {
     let is_small = |value: &f64| value.abs() <= LARGE;
     let is_usual = |value: f64| value == 0.0 || (1.0 / LARGE..=LARGE).contains(&value.abs());
-    let is_parameter = |column: usize| matches!(instance.model().table.role(column), Role::Fixed | Role::Tunable);
-    let mut parameters = instance.row().iter().enumerate().filter(|(column, _)| is_parameter(*column));
+    let is_fine = |(column, value): (usize, &f64)| match instance.model().table.role(column) {
+        Role::Fixed | Role::Tunable => is_usual(*value),
+        Role::Input | Role::State | Role::StateOutput => is_small(value),
+        Role::Output => true,
+    };
     let steps_are_usual = match runs.times {
         Times::Every(dt) => is_usual(dt),
         Times::At(times) => times.windows(2).all(|pair| is_usual(pair[1] - pair[0])),
     };
     steps_are_usual
         && is_small(&runs.times.at(runs.samples.saturating_sub(1)))
-        && parameters.all(|(_, value)| is_usual(*value))
+        && instance.row().iter().enumerate().all(is_fine)
         && course.iter().all(|input| input.samples.iter().all(is_small))
 }
 
