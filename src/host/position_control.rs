@@ -354,9 +354,13 @@ impl PositionControl {
         self.time_to_sample = self.sample_time;
     }
 
+    fn samples_too_often(&self, dt: f64) -> bool {
+        self.sample_time > 0.0 && dt / self.sample_time > MOST_SAMPLES
+    }
+
     /// Motion from sample to sample while the inputs move at constant rates.
     fn advance_sampled(&mut self, slope: &Self, dt: f64) {
-        if dt / self.sample_time > MOST_SAMPLES {
+        if self.samples_too_often(dt) {
             self.position = f64::NAN;
             return;
         }
@@ -396,8 +400,8 @@ const MOST_SAMPLES: f64 = 1e7;
 const EARLY: f64 = 1e-9;
 
 impl Model for PositionControl {
-    fn check_motion(&self) -> Result<(), Fault> {
-        if self.sample_time == 0.0 {
+    fn check_step(&self, dt: f64) -> Result<(), Fault> {
+        if !self.samples_too_often(dt) {
             return Ok(());
         }
         let [sample_time, longest] = [self.sample_time, MOST_SAMPLES * self.sample_time].map(Brief);

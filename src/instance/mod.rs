@@ -329,13 +329,18 @@ impl Instance {
 
     #[cold]
     fn step_not_finite(&self, dt: f64) -> Fault {
-        self.not_finite(format_args!("a step of {dt} s"))
+        let limit = (self.model.check_motion)(&self.row).and_then(|()| (self.model.check_step)(&self.row, dt));
+        self.not_finite_by(limit, format_args!("a step of {dt} s"))
     }
 
     #[cold]
     fn not_finite(&self, what: fmt::Arguments) -> Fault {
+        self.not_finite_by((self.model.check_motion)(&self.row), what)
+    }
+
+    fn not_finite_by(&self, limit: Result<(), Fault>, what: fmt::Arguments) -> Fault {
         let inputs = Inputs(self);
-        match (self.model.check_motion)(&self.row) {
+        match limit {
             Ok(()) => Fault::new(format_args!("{what} would not be finite{inputs}: nothing was changed")),
             Err(limit) => Fault::new(format_args!("{what} would not be finite{inputs}: {limit}: nothing was changed")),
         }

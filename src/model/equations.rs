@@ -324,6 +324,11 @@ pub trait Model: Described + Law<Number = f64> {
         Ok(())
     }
 
+    /// Rejects a step in which there is too much to do; called if its result is not finite, to name the limit.
+    fn check_step(&self, _dt: f64) -> Result<(), Fault> {
+        Ok(())
+    }
+
     /// Rejects parameters with which the model is for co-simulation only.
     fn check_model_exchange(&self) -> Result<(), Fault> {
         Ok(())

@@ -46,6 +46,8 @@ pub struct ModelType {
     check: fn(&[f64]) -> Result<(), Fault>,
     /// Names the limit of an input for which a result is not finite.
     pub(crate) check_motion: fn(&[f64]) -> Result<(), Fault>,
+    /// Names the limit of a step whose result is not finite.
+    pub(crate) check_step: fn(&[f64], f64) -> Result<(), Fault>,
     warning: fn(&[f64]) -> Option<Fault>,
     passivity: fn(&[f64]) -> Option<GivesBack>,
     memory_in_use: fn(&[f64]) -> usize,
@@ -96,6 +98,7 @@ impl ModelType {
             guid: guid_of::<M>(),
             check: |row| view::<M, f64>(row).check(),
             check_motion: |row| view::<M, f64>(row).check_motion(),
+            check_step: |row, dt| view::<M, f64>(row).check_step(dt),
             warning: |row| view::<M, f64>(row).warning(),
             passivity: |row| view::<M, f64>(row).passivity(),
             memory_in_use: |row| view::<M, f64>(row).memory_in_use(),
@@ -105,10 +108,7 @@ impl ModelType {
             try_slide_steadily: if M::STEADY_SLIDING { slide_steadily::<M> } else { output::<M> },
             advise: if has_advice(M::TABLE) { Some(advise::<M>) } else { None },
             output_dual_with: |row, memory| view_mut::<M::In<Dual>, Dual>(row).output_with(memory),
-            rate_with: |row, memory, rate, memory_rate| {
-                rate.fill(0.0);
-                view::<M, f64>(row).rate_with(memory, view_mut(rate), memory_rate);
-            },
+            rate_with: rate_with::<M>,
             rate_dual: super::rate_in::<M, Dual>,
             overshoot: super::evaluate::overshoot_in::<M, f64>,
             overshoot_dual: super::evaluate::overshoot_in::<M, Dual>,
@@ -356,6 +356,11 @@ impl fmt::Debug for ModelType {
 const fn guid_of<M: Model>() -> GuidText {
     let indicators = if is_for_exchange::<M>() { Some(M::EVENT_INDICATORS) } else { None };
     guid::fingerprint(M::NAME, M::TABLE, indicators)
+}
+
+fn rate_with<M: Model>(row: &[f64], memory: &[f64], rate: &mut [f64], memory_rate: &mut [f64]) {
+    rate.fill(0.0);
+    view::<M, f64>(row).rate_with(memory, view_mut(rate), memory_rate);
 }
 
 fn advance<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room, dt: f64) -> bool {

@@ -3,7 +3,9 @@
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 
 use super::*;
+use crate::catalogue::by_name;
 use crate::friction::LuGre;
+use crate::instance::Instance;
 
 /// Gains with which the loop has the eigenvalues -1, -2 and -3 per second.
 fn with_real_modes() -> PositionControl {
@@ -347,7 +349,23 @@ fn a_step_of_too_many_samples_names_the_sample_time() {
     let mut control = sampled(1e-6);
     control.step(10.001);
     assert!(control.position.is_nan());
-    let text = control.check_motion().unwrap_err().0;
+    let text = control.check_step(10.001).unwrap_err().0;
     assert_eq!(text, "sample_time = 1e-6 s: a step must be <= 10 s, in which the controller samples 10 million times");
-    assert_eq!(PositionControl::default().check_motion(), Ok(()));
+    assert_eq!(control.check_step(10.0), Ok(()));
+    assert_eq!(PositionControl::default().check_step(1e9), Ok(()));
+}
+
+/// A number that overflows in a step of few samples is not the fault of the sample time.
+#[test]
+fn a_gain_that_overflows_does_not_name_the_sample_time() {
+    let mut control = Instance::new(by_name("PositionControl").expect("a host"));
+    for (name, value) in [("sample_time", 1e-3), ("proportional_gain", 1e308), ("target_position", 1e3)] {
+        control.set_by_name(name, value).expect(name);
+    }
+    let text = control.step(0.01).unwrap_err().to_string();
+    assert!(text.starts_with("a step of 0.01 s would not be finite at"), "{text}");
+    assert!(text.contains("target_position = 1000") && !text.contains("sample_time"), "{text}");
+    control.set_by_name("sample_time", 1e-6).expect("a sample time");
+    let text = control.step(20.0).unwrap_err().to_string();
+    assert!(text.contains("sample_time = 1e-6 s: a step must be <= 10 s"), "{text}");
 }
