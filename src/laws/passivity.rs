@@ -65,8 +65,8 @@ impl Bristles {
         (1..=16).map(|part| pushed(f64::from(part) / 16.0)).fold(0.0, f64::max)
     }
 
-    /// What a viscous coefficient that is too small does.
-    pub fn give_back(&self, viscous_coefficient: f64) -> Option<GivesBack> {
+    /// Finding about a viscous coefficient: none if it is large enough.
+    pub fn gives_back(&self, viscous_coefficient: f64) -> Option<GivesBack> {
         least_viscous(viscous_coefficient, self.least_viscous())
     }
 }
@@ -84,7 +84,7 @@ macro_rules! names_least_viscous {
                 damping_velocity: self.damping_velocity,
                 exponent: $exponent,
             };
-            bristles.give_back(self.viscous_coefficient)
+            bristles.gives_back(self.viscous_coefficient)
         }
     };
 }
@@ -120,11 +120,11 @@ mod tests {
     fn constant_damping_needs_its_share_of_the_excess() {
         assert!((bristles(0.0).least_viscous() - 158.0).abs() < 1e-12);
         assert!((Bristles { exponent: 3.0, ..bristles(0.0) }.least_viscous() - 39.5).abs() < 1e-12);
-        assert_eq!(bristles(0.0).give_back(bristles(0.0).least_viscous()), None);
+        assert_eq!(bristles(0.0).gives_back(bristles(0.0).least_viscous()), None);
         let text = "viscous_coefficient = 0.1: below 158 the damping of the bristles can give back more energy than the \
                     contact took";
-        assert_eq!(bristles(0.0).give_back(0.1).unwrap().fault().0, text);
-        assert_eq!(Bristles { coefficients: [0.0, 0.0], ..bristles(0.0) }.give_back(0.1), None);
+        assert_eq!(bristles(0.0).gives_back(0.1).unwrap().fault().0, text);
+        assert_eq!(Bristles { coefficients: [0.0, 0.0], ..bristles(0.0) }.gives_back(0.1), None);
     }
 
     /// Damping that fades at the Stribeck velocity has faded before it pushes; one that fades at 1 m/s has not.

@@ -5,11 +5,11 @@ use crate::table::{Brief, Fault};
 /// What lets a model give back more energy than it took from a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GivesBack {
-    /// The damping of bristles, with this viscous coefficient; with the least one it would not. Infinite: with none.
+    /// Damping of bristles with this viscous coefficient; from `least` on the model is passive.
     Damping {
-        /// The coefficient.
+        /// Viscous coefficient.
         viscous_coefficient: f64,
-        /// The least one.
+        /// Least viscous coefficient with which the model is passive; infinite: no coefficient suffices.
         least: f64,
     },
     /// A static level above the kinetic one.
