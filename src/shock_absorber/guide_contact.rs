@@ -317,7 +317,7 @@ impl FrictionLaw {
 
     /// What lets a contact give back more energy than it took under some load. The levels under any load are a mean of those
     /// of the preload and of the coefficients: the ratio of static and kinetic level is at most the larger one of these. The
-    /// level itself is least without load.
+    /// level itself is least without load. Bristles keep what the stronger direction carries when the load falls.
     pub(crate) fn passivity(&self, part: &str, levels: &Levels) -> Option<Shortfall> {
         let law = self.chosen()?;
         if FrictionSwitch::of(self.switch) != FrictionSwitch::On || self.scale == 0.0 {
@@ -325,9 +325,11 @@ impl FrictionLaw {
         }
         let loaded = levels.pairs().into_iter().filter(|(_, _, kinetic)| *kinetic > 0.0);
         let mu_s = loaded.map(|(_, breakaway, kinetic)| breakaway / kinetic).fold(1.0, f64::max);
-        let normal_force = self.scale * (1.0 - self.asymmetry.abs()) * levels.preload_k;
+        let weakest = 1.0 - self.asymmetry.abs();
+        let mu_s = mu_s * self.largest_side() / weakest;
+        let normal_force = self.scale * weakest * levels.preload_k;
         let given = Given { mu_k: 1.0, mu_s, normal_force, ..self.given(levels, &self.loaded_at_rest()) };
-        if let GivesBack::Damping { viscous_coefficient, least } = law.gives_back(&given, &self.law)? {
+        if let GivesBack::Damping { viscous_coefficient, least } = law.gives_back_at_worst(&given, &self.law)? {
             let name = memory::text(format_args!("friction.{}", law.viscous_path()?));
             let said = passivity::damping(&name, viscous_coefficient, least);
             return Some(Shortfall { coefficient: least - viscous_coefficient, said });
@@ -448,15 +450,18 @@ crate::model! {
     ///
     /// The damping of bristles can give back more energy than the contact took, unless the viscous coefficient is large
     /// enough: `LuGre`, `ElastoPlastic`, `Leuven` and `CylinderFriction` say how large on their pages, by the ratio of
-    /// static and kinetic level. Here it lies between those of preload and coefficients, whatever the load:
+    /// static and kinetic level. Here it lies between those of preload and coefficients, whatever the load. Bristles that
+    /// slip as the load falls keep the larger static level of both directions, also beside the smaller kinetic one, with
+    /// $a$ for `friction.asymmetry`:
     ///
     /// ```text
-    /// f_s / f_C = (F_s + mu_s f_n) / (F_k + mu_k f_n) <= max(F_s / F_k, mu_s / mu_k)
+    /// (1 + |a|) f_s / ((1 - |a|) f_C) <= (1 + |a|) / (1 - |a|) max(F_s / F_k, mu_s / mu_k)
     /// ```
     ///
-    /// With the larger one, and damping that fades beside the level without load, a value follows that suffices under every
-    /// load, also one that changes: bristles that slip as it falls lose their energy. A warning names it. `Gonthier` and
-    /// `MaxwellSlip` need equal levels, those of the preload and the coefficients, and a constant load.
+    /// With this bound a value follows that suffices under every load, also one that changes: bristles that slip lose their
+    /// energy. Where the damping fades, the level beside it is the smaller kinetic one without load, the least of all. A
+    /// warning names the value. `Gonthier` and `MaxwellSlip` need equal levels, those of the preload and the coefficients,
+    /// and a constant load.
     ///
     /// # Source
     /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
