@@ -9,7 +9,7 @@ use crate::shock_absorber::hydraulic_damper::DamperState;
 use crate::shock_absorber::law::Evaluate;
 use crate::shock_absorber::law_plan::MEMORY;
 use crate::shock_absorber::memories::Memories;
-use crate::shock_absorber::mount::MountState;
+use crate::shock_absorber::mount::{Mount, MountState};
 use crate::shock_absorber::setting::{FrictionStart, Motion, Setting};
 
 /// Force in N that counts as none in the balance of the rod (chosen).
@@ -58,6 +58,18 @@ impl<T: Evaluate> Setting<T> {
         let Motion { length, velocity } = self.motion();
         let length = self.has_mount().choose(|| length + self.carrying_displacement(), || length);
         Motion { length, velocity }
+    }
+}
+
+impl Setting {
+    /// Whether a mount that is to carry the strut at rest is displaced without end, and would not be without preload.
+    pub(super) fn preload_displaces(&self) -> bool {
+        let is_carried = |preload: f64| {
+            let mount = Mount { preload, ..self.mount };
+            Setting { mount, ..*self }.carrying_displacement().is_finite()
+        };
+        let is_given = FrictionStart::Value.is(self.init.friction_state);
+        !is_given && !is_carried(self.mount.preload) && is_carried(0.0)
     }
 }
 

@@ -533,7 +533,7 @@ impl Model for ShockAbsorber {
         let motion = if is_displaced { setting.motion() } else { motion };
         setting.gas.check_compression(setting.compression(&motion))?;
         setting.geom.guidance().check_overlap(motion.length)?;
-        if is_displaced { setting.mount.check_carried(&setting.gas) } else { Ok(()) }
+        if is_displaced && setting.preload_displaces() { setting.mount.check_carried(&setting.gas) } else { Ok(()) }
     }
 
     fn check_model_exchange(&self) -> Result<(), Fault> {

@@ -232,6 +232,20 @@ fn a_preload_that_nothing_carries_is_named() {
     strut(&[MOUNTED, ("mount.preload", 1e4)]).instance.refresh().unwrap();
 }
 
+/// The rod has no finite place, whatever the preload.
+#[test]
+fn a_preload_is_not_blamed_for_what_happens_without_it() {
+    let given = [("init.friction_state", 3.0), ("mount.displacement", 1e308), ("length", 1e308)];
+    for set in [&[("gas.p0", 1e300)][..], &[("mount.k_e", 1e-300)], &given] {
+        for preload in [0.0, 1e6] {
+            let mut strut = strut(&[set, &[MOUNTED, ("mount.preload", preload)]].concat());
+            for fault in [strut.instance.refresh().unwrap_err(), strut.instance.step(1e-3).unwrap_err()] {
+                assert!(!fault.to_string().contains("mount.preload"), "{set:?}: {fault}");
+            }
+        }
+    }
+}
+
 /// Exact derivatives against central differences, before the run and within it.
 #[test]
 fn derivatives_of_both_forces() {
