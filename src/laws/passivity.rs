@@ -46,9 +46,19 @@ impl Bristles {
         if self.damping_velocity == 0.0 {
             return self.damping * Real::powf(mu_s / mu_k - 1.0, self.exponent);
         }
-        // Beyond three times the speed the damping is less than 1e-4 of what it was.
-        let speeds = (0..=400).map(|k| 3.0 * self.damping_velocity * Real::powf(1e-4, f64::from(k) / 400.0));
-        speeds.map(|speed| self.least_at(speed)).fold(0.0, f64::max)
+        // Beyond three times the speed the damping is less than 2e-4 of what it was.
+        let fastest = 3.0 * self.damping_velocity;
+        let near = self.search([1e-4 * fastest, fastest]).1;
+        self.search(near).0
+    }
+
+    /// Largest answer of [`Bristles::least_at`] at some speeds between these, and the speeds beside it.
+    fn search(&self, [slowest, fastest]: [f64; 2]) -> (f64, [f64; 2]) {
+        const PARTS: i32 = 200;
+        let speed = |part: i32| slowest * Real::powf(fastest / slowest, f64::from(part) / f64::from(PARTS));
+        let answers = (0..=PARTS).map(|part| (self.least_at(speed(part)), part));
+        let (most, part) = answers.fold((0.0, 0), |most, one| if one.0 > most.0 { one } else { most });
+        (most, [speed((part - 1).max(0)), speed((part + 1).min(PARTS))])
     }
 
     fn least_at(&self, speed: f64) -> f64 {
@@ -57,12 +67,25 @@ impl Bristles {
         let level = mu * self.normal_force;
         let u = speed / self.damping_velocity;
         let damping = self.damping * Real::exp(-(u * u));
-        let pushed = |share: f64| {
-            let beyond = share * (mu_s / mu - 1.0);
-            let back = Real::powf(beyond, self.exponent);
-            damping * back - level * (1.0 + beyond) * (1.0 + back) / speed
-        };
-        (1..=16).map(|part| pushed(f64::from(part) / 16.0)).fold(0.0, f64::max)
+        let beyond = self.most_pushing(damping * speed / level, mu_s / mu - 1.0);
+        let back = Real::powf(beyond, self.exponent);
+        damping * back - level * (1.0 + beyond) * (1.0 + back) / speed
+    }
+
+    /// The r up to `largest` at which d r^i - (1 + r) (1 + r^i) is largest: there i (d - 1) = r^(1 - i) + (i + 1) r, whose
+    /// right side is convex. Newton's method comes from above to the larger solution, that of the maximum.
+    fn most_pushing(&self, d: f64, largest: f64) -> f64 {
+        let i = self.exponent;
+        let mut r = largest.min((i * (d - 1.0) / (i + 1.0)).max(0.0));
+        for _ in 0..20 {
+            let excess = Real::powf(r, 1.0 - i) + (i + 1.0) * r - i * (d - 1.0);
+            let slope = i + 1.0 - (i - 1.0) * Real::powf(r, -i);
+            if !(excess > 0.0 && slope > 0.0) {
+                break;
+            }
+            r = (r - excess / slope).max(0.0);
+        }
+        r
     }
 
     /// Finding about a viscous coefficient: none if it is large enough.
@@ -125,6 +148,26 @@ mod tests {
                     contact took";
         assert_eq!(bristles(0.0).gives_back(0.1).unwrap().fault().0, text);
         assert_eq!(Bristles { coefficients: [0.0, 0.0], ..bristles(0.0) }.gives_back(0.1), None);
+    }
+
+    /// Against all of many speeds and deflections, also far beyond the level of the motion.
+    #[test]
+    fn damping_that_fades_needs_what_the_worst_speed_and_deflection_need() {
+        for (exponent, mu_s, v_s) in [(1.0, 0.15, 1e-3), (1.0, 0.9, 1e-5), (3.0, 0.4, 0.05), (9.0, 0.3, 1e-4)] {
+            let fall = [v_s, 2.0];
+            let bristles = Bristles { coefficients: [0.1, mu_s], fall, exponent, ..bristles(0.3) };
+            let least_of = |speed: f64, share: f64| {
+                let mu = 0.1 + (mu_s - 0.1) * (-(speed / v_s) * (speed / v_s)).exp();
+                let r = share * (mu_s / mu - 1.0);
+                let damping = 316.0 * (-(speed / 0.3) * (speed / 0.3)).exp();
+                damping * r.powf(exponent) - 10.0 * mu * (1.0 + r) * (1.0 + r.powf(exponent)) / speed
+            };
+            let speeds = (1..=800).map(|k| 0.9 * f64::from(k) / 800.0);
+            let all = speeds.flat_map(|speed| (1..=400).map(move |k| (speed, f64::from(k) / 400.0)));
+            let needed = all.map(|(speed, share)| least_of(speed, share)).fold(0.0, f64::max);
+            let least = bristles.least_viscous();
+            assert!(needed > 1.0 && (needed..1.0001 * needed).contains(&least), "{exponent}: {least} {needed}");
+        }
     }
 
     /// Damping that fades at the Stribeck velocity has faded before it pushes; one that fades at 1 m/s has not.
