@@ -38,7 +38,7 @@ pub struct Abilities {
     pub callback: bool,
 }
 
-/// What the importer does within a step.
+/// Action of the importer within a step.
 #[derive(Arbitrary, Clone, Copy, Debug, Default)]
 pub enum Within {
     /// Nothing.
@@ -58,7 +58,7 @@ pub enum Within {
 pub struct Callback {
     instance: Cell<fmi3Instance>,
     model: Cell<Option<&'static ModelType>>,
-    /// What it does.
+    /// Its action.
     pub within: Cell<Within>,
     /// How often it was called.
     pub visits: Cell<u32>,

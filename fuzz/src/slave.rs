@@ -84,7 +84,7 @@ impl<V: Version> Slave<V> {
         }
     }
 
-    /// What a saved state of the instance contains.
+    /// Numbers in a saved state of the instance.
     pub fn numbers(&self) -> Vec<f64> {
         saved::numbers(&self.bytes())
     }

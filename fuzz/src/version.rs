@@ -1,4 +1,4 @@
-//! What both versions of FMI do, under the same names, for one interpreter of sequences of calls.
+//! Functions of both versions of FMI under the same names, for one interpreter of sequences of calls.
 
 use std::cell::Cell;
 use std::ffi::{CStr, c_char, c_void};
@@ -54,7 +54,7 @@ pub trait Version: Sized + 'static {
     type State: Copy + Debug + PartialEq;
     /// Abilities of the importer.
     type Choice: Copy + Default;
-    /// What the importer has beside its logger.
+    /// Callbacks of the importer beside its logger.
     type Callbacks: Default;
     /// Beginning of the names of functions.
     const PREFIX: &'static str;
@@ -114,7 +114,7 @@ pub trait Version: Sized + 'static {
 pub struct Ears<X> {
     /// Number of errors since they were taken.
     pub messages: Cell<u32>,
-    /// What the version has beside its logger.
+    /// Callbacks of the version beside its logger.
     pub callbacks: X,
 }
 

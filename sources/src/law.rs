@@ -8,7 +8,7 @@ use crate::state::{Module, Outcome, Status, fault, refuse};
 /// The variable that chooses a law.
 const CHOICE: &str = "friction.model";
 
-/// What it is without friction.
+/// Its value without friction.
 const NONE: f64 = 1.0;
 
 /// The column of the choice, and the number of the law.

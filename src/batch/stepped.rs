@@ -64,7 +64,7 @@ pub struct Stepped {
     instance: Instance,
 }
 
-/// What a step is made of, or outputs without a step.
+/// A step, or outputs without one, and the column that is wanted.
 #[derive(Clone, Copy)]
 struct Work {
     dt: Option<f64>,

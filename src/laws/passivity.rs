@@ -113,13 +113,13 @@ macro_rules! names_least_viscous {
 }
 pub(crate) use names_least_viscous;
 
-/// What a viscous coefficient below the least one does.
+/// Finding about a viscous coefficient: none if it is not below the least one.
 pub fn least_viscous(viscous_coefficient: f64, least: f64) -> Option<GivesBack> {
     // The least one is not a number if both coefficients are 0.
     (viscous_coefficient < least).then_some(GivesBack::Damping { viscous_coefficient, least })
 }
 
-/// What a static level does that lets the law give back more energy than it took: only equal levels do not.
+/// Finding about a static level above the kinetic one, which lets the law give back more energy than it took.
 pub fn equal_levels(mu_s: f64, mu_k: f64) -> Option<GivesBack> {
     (mu_s > mu_k).then_some(GivesBack::Level { mu_s, mu_k })
 }

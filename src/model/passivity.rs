@@ -1,8 +1,8 @@
-//! What lets a model give back more energy than it took from a motion, and the value that would not.
+//! Parameters that let a model give back more energy than it took from a motion, and values with which it does not.
 
 use crate::table::{Brief, Fault};
 
-/// What lets a model give back more energy than it took from a motion.
+/// Reason why a model can give back more energy than it took from a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GivesBack {
     /// Damping of bristles with this viscous coefficient; from `least` on the model is passive.
@@ -19,7 +19,7 @@ pub enum GivesBack {
         /// Kinetic one.
         mu_k: f64,
     },
-    /// What this text says.
+    /// Another reason, in words.
     Said(Fault),
 }
 

@@ -84,7 +84,7 @@ impl Levels {
     }
 }
 
-/// What a contact lacks in order to be passive.
+/// Damping that a contact lacks in order to be passive.
 pub(crate) struct Shortfall {
     /// Coefficient of a viscous friction; infinite if none would do.
     pub coefficient: f64,
@@ -315,9 +315,9 @@ impl FrictionLaw {
         self.chosen().and_then(|law| law.warning(&self.law))
     }
 
-    /// What lets a contact give back more energy than it took under some load. The levels under any load are a mean of those
-    /// of the preload and of the coefficients: the ratio of static and kinetic level is at most the larger one of these. The
-    /// level itself is least without load. Bristles keep what the stronger direction carries when the load falls.
+    /// Reason why a contact can give back more energy than it took under some load. The levels under any load are a mean of
+    /// those of the preload and of the coefficients: the ratio of static and kinetic level is at most the larger one of
+    /// these. The level itself is least without load. Bristles keep what the stronger direction carries when the load falls.
     pub(crate) fn passivity(&self, part: &str, levels: &Levels) -> Option<Shortfall> {
         let law = self.chosen()?;
         if FrictionSwitch::of(self.switch) != FrictionSwitch::On || self.scale == 0.0 {

@@ -258,8 +258,8 @@ impl ChosenLaw {
         Some(Fault::new(format_args!("friction.{name} = {value} {text}")))
     }
 
-    /// What lets the law give back more energy than it took, in motion at the kinetic level with bristles that carry the
-    /// static one. At any speed, what they push falls with the level of the motion: no curve between the two needs more.
+    /// Reason why the law can give back more energy than it took, in motion at the kinetic level with bristles that carry
+    /// the static one. At any speed, what they push falls with the level of the motion: no curve between the two needs more.
     pub(crate) fn gives_back_at_worst(self, given: &Given<f64>, parameters: &LawParameters) -> Option<GivesBack> {
         self.on_row(|row| {
             self.fill(row, given, parameters, &self.start());

@@ -14,7 +14,7 @@ pub struct Segment {
 }
 
 impl Segment {
-    /// What follows this step in a name that begins with it.
+    /// Rest of a name that begins with this step.
     fn strip_from<'a>(&self, name: &'a str) -> Option<&'a str> {
         let rest = name.strip_prefix(self.name)?;
         if self.index == 0 {

@@ -177,7 +177,8 @@ fn of_mingw(documents: &Path) -> Vec<Addition> {
     ]
 }
 
-/// What is added to a program: by the linker for Windows, and to a static one for Linux, the C library of Rust's target.
+/// Parts that are linked into a program beside its crates: those of the linker for Windows, and the C library of a static
+/// program for Linux.
 pub fn additions_of_program(root: &Path, triple: &str) -> Result<Vec<Addition>> {
     if triple.ends_with("-windows-gnu") {
         return Linker::MinGw.additions(root);

@@ -19,13 +19,13 @@ pub const FILE: &str = "sbom.cdx.json";
 
 const STANDARD_LIBRARY: &str = "rust-std";
 
-/// What consists of the components.
+/// Product whose components are listed.
 pub struct Product<'a> {
     /// Its file.
     pub file: String,
     /// Name.
     pub name: &'a str,
-    /// What it is.
+    /// Description in a sentence.
     pub summary: &'a str,
 }
 

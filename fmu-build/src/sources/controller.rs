@@ -17,7 +17,8 @@ const FUNCTIONS: &str = include_str!("law.c");
 /// Most bytes of an instance beside the memory of the model: whether it is broken, globals, and what aligns the memory.
 const BESIDE: u32 = 32;
 
-/// What the header says about the stack, unless a function calls itself, as a quadrature does: then no bound is known.
+/// Text of the header about the stack. It is left out if a function calls itself, as a quadrature does: then no bound is
+/// known.
 const STACK: &str = "\
 /** Bytes of the program's own stack that a call needs, estimated from the longest chain of calls. For LuGre it is more
  * than gcc 12 takes without optimisation. */
@@ -25,7 +26,7 @@ const STACK: &str = "\
 
 ";
 
-/// What the header says about the only law of a model that has a choice.
+/// Text of the header about the only law of a model that has a choice.
 const LAW: &str =
     " * Friction: These sources contain one law, NAME. After law_create, law_reset and presets that say nothing else
  * LAW_VARIABLE is NUMBER, NAME. It can be set to 1, no friction, and to NUMBER; any other value, and a state with

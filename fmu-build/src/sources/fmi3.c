@@ -152,7 +152,8 @@ static u32 kind_of(enum type type) {
     return type == TRUTH ? BOOLEAN : type == INT32 || type == INT64 ? INTEGER : REAL;
 }
 
-/* Whether all of these were read, which need no computing and are no arrays. */
+/* Reads variables that are neither arrays nor have to be computed first. Returns 0 if one of them is not such a
+ * variable. */
 static int get_at_once(struct component *c, const u32 references[], size_t n, double values[]) {
     size_t at;
     if (c->state != StepMode)
@@ -517,7 +518,7 @@ static u32 at(struct component *c, const struct list *list, size_t index) {
     return 0;
 }
 
-/* Computes the derivatives of unknowns in a direction, which is one known if there is no seed. */
+/* Computes the derivatives of unknowns in the direction of the seed or, without one, of a single known. */
 static u32 differentiate(struct component *c, const struct list *unknowns, const struct list *knowns,
                          const double *seed, size_t only) {
     u32 status = result(c, model_direct(&c->m)), has_rates = 0;

@@ -15,7 +15,7 @@ use stribeck_ffi::fmi3::lifecycle as three;
 use super::{INCLUDES, beginning, called, program};
 use crate::describe::interface::Version;
 
-/// What both versions have in common, and what one of them has beside it: its types, which come before, and functions.
+/// C that both versions have in common. Each of them has its types before it, and its functions after it.
 const COMMON: &str = include_str!("fmi.c");
 const TWO: [&str; 2] = [include_str!("fmi2.h"), include_str!("fmi2.c")];
 const THREE: [&str; 2] = [include_str!("fmi3.h"), include_str!("fmi3.c")];

@@ -45,12 +45,12 @@ pub struct Function<'a> {
     labels: usize,
     /// Number of blocks within code that is never reached, if we are there.
     skipped: Option<usize>,
-    /// What it does after a trap.
+    /// Statement in C that follows a trap.
     exit: &'static str,
     pub facts: Facts,
 }
 
-/// What a function does, as far as its callers need to know.
+/// Facts about a function that its callers need to know.
 #[derive(Default)]
 pub struct Facts {
     /// Functions that it calls.

@@ -103,7 +103,7 @@ impl Graph<'_> {
         Some(sum)
     }
 
-    /// What the functions must check.
+    /// Rules for the checks that functions make.
     pub fn rules(&self, has_stack_for_all: bool) -> Rules {
         let mut traps: BTreeSet<u32> =
             self.functions.iter().filter(|(_, facts)| facts.traps).map(|(at, _)| *at).collect();

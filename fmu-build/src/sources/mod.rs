@@ -77,7 +77,7 @@ pub struct Library {
     bytes: Vec<u8>,
     /// Name of the model in C.
     name: String,
-    /// What a file says about itself.
+    /// Lines at the head of each file about where it comes from.
     origin: String,
 }
 

@@ -59,7 +59,7 @@ pub fn of(bytes: &[u8], exports: &[String], with_texts: bool) -> Result<Program>
     Ok(Program { text, memory: layout.size(), stack: graph.stack_of_c(&roots) })
 }
 
-/// What keeps compilers from saying that arguments are not used.
+/// Statements that keep compilers from warning of arguments that are not used.
 fn ignored(arguments: usize) -> String {
     (0..arguments).map(|at| format!("  (void)l{at};\n")).collect()
 }

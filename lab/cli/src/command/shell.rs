@@ -1,4 +1,4 @@
-//! What shells and manuals know about the program: completions and manual pages, both from the command line itself.
+//! Completions of shells and manual pages of the program, both made from its command line.
 
 use std::path::PathBuf;
 
