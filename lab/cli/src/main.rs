@@ -58,6 +58,8 @@ enum Task {
     Bench(command::BenchArguments),
     /// Writes the page for a browser: one HTML file with the same laws, systems and solvers.
     Page(command::PageArguments),
+    /// Prints what a report of a fault must say: version, platform, registers of the processor, guids of the FMUs.
+    Report(command::ReportArguments),
     /// Converts a damper test into a parameter set of the ShockAbsorber: damper table and friction.
     Damper(damper::Arguments),
     /// Converts a tyre property file (.tir) into a parameter set of DoubleTrackCar, or fits one to a tyre test.
@@ -91,6 +93,7 @@ fn main() -> ExitCode {
         #[cfg(feature = "foreign")]
         Task::Bench(arguments) => ended(command::bench(&arguments)),
         Task::Page(arguments) => ended(command::page(&arguments)),
+        Task::Report(arguments) => ended(command::report(&arguments)),
         Task::Damper(arguments) => ended(damper::run(&arguments).map(|()| command::Verdict::Done)),
         Task::Tyre(arguments) => ended(tyre::run(&arguments).map(|()| command::Verdict::Done)),
         Task::Completions(arguments) => command::completions(&arguments, command_line()).into(),

@@ -57,6 +57,32 @@ fn output_that_nobody_reads_is_no_failure() {
     assert_eq!((output.status.code(), String::from_utf8(output.stderr).expect("text")), (Some(0), String::new()));
 }
 
+/// The guids are compared with those of the committed descriptions, which the FMUs hold.
+#[test]
+fn a_report_names_version_platform_and_the_guids_of_the_fmus() {
+    let output = stribeck(&["report"]);
+    let report = String::from_utf8(output.stdout).expect("text");
+    assert!(report.starts_with(concat!("Stribeck    ", env!("CARGO_PKG_VERSION"), "\n")), "{report}");
+    let platform = format!("\nplatform    {} {}, ", std::env::consts::OS, std::env::consts::ARCH);
+    assert!(report.contains(&platform), "{report}");
+    assert!(report.contains("registers   Scalar") && report.contains("in use: "), "{report}");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../modelDescription");
+    let paths = std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let mut count = 0;
+    for file in paths.filter(|path| path.is_file()) {
+        let (description, model) = (text(&file), file.file_stem().and_then(|name| name.to_str()).expect("a name"));
+        let guid = description.split("guid=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a guid");
+        let is_row = |line: &str| line.split_whitespace().eq([model, guid]);
+        assert!(report.lines().any(is_row), "{model} {guid}: {report}");
+        count += 1;
+    }
+    assert_eq!(report.lines().skip_while(|line| *line != "guids").count(), 1 + count);
+    let one = String::from_utf8(stribeck(&["report", "LuGre"]).stdout).expect("text");
+    assert_eq!(one.lines().skip_while(|line| *line != "guids").count(), 2, "{one}");
+    let wrong = refusal(&["report", "LuGr"]);
+    assert_eq!(wrong, "stribeck: model 'LuGr' does not exist (did you mean 'LuGre'?)");
+}
+
 /// A device that is full.
 #[cfg(target_os = "linux")]
 #[test]
