@@ -296,7 +296,7 @@ fn lines(system: &System) -> (Vec<Line>, Vec<Place>) {
     for (part, Part { model, row, .. }) in system.parts.iter().enumerate() {
         let (Some(past), Some(column)) = (model.past(row), model.table.of(Meaning::Lagged)) else { continue };
         if past.lag > 0.0 {
-            lines.push(Line::new(part, column, past.lag));
+            lines.push(Line::new(part, column, past.lag, model.table.at(column).nominal));
         } else {
             present.push(Place { part, column });
         }

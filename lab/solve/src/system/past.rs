@@ -10,8 +10,9 @@ use std::collections::VecDeque;
 /// Nodes of a polynomial, evenly spaced.
 const NODES: usize = 5;
 
-/// Deviation of a polynomial from the quantity, in parts of its largest value at the nodes, up to which a piece is not
-/// divided (chosen).
+/// Deviation of a polynomial from the quantity, in parts of its size or of its largest value at the nodes if that is
+/// larger, up to which a piece is not divided (chosen). A difference of two velocities that is next to nothing has hardly
+/// a digit that is not rounded: no division would bring a polynomial closer to it than to the velocities.
 const CLOSE: f64 = 1e-12;
 
 /// Most halvings of a step (chosen): the deviation falls by 32 with each.
@@ -62,6 +63,8 @@ pub(super) struct Line {
     pub column: usize,
     /// The lag.
     pub lag: f64,
+    /// The usual size of the quantity.
+    size: f64,
     pieces: VecDeque<Piece>,
     /// Stretch that is read now.
     read: u32,
@@ -70,9 +73,9 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// Without a past.
-    pub fn new(part: usize, column: usize, lag: f64) -> Line {
-        Line { part, column, lag, pieces: VecDeque::new(), read: 0, written: 0 }
+    /// Without a past, of a quantity of this size.
+    pub fn new(part: usize, column: usize, lag: f64, size: f64) -> Line {
+        Line { part, column, lag, size, pieces: VecDeque::new(), read: 0, written: 0 }
     }
 
     /// Difference of two times near this one that counts as none.
@@ -131,7 +134,7 @@ impl Line {
         let values = std::array::from_fn(|at| quantity(node(at as f64)));
         let time = |fraction: f64| step[0] + step[1] * fraction;
         let piece = Piece::through(self.written, time(from), step[1] * part, values);
-        let most = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let most = values.iter().fold(self.size, |most, value| most.max(value.abs()));
         // What is the same at all nodes to the last digit rests.
         let rests = values.iter().all(|value| *value == values[0]);
         let mut is_close = |at: f64| (piece.at(time(node(at))).0 - quantity(node(at))).abs() <= CLOSE * most;
