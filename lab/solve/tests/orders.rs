@@ -393,6 +393,19 @@ fn breaks_of_an_input_are_met_and_zeros_are_no_events() {
     }
 }
 
+/// dopri5 is started anew after each 200,000 steps; x = t - 1 + exp(-t) up to 1, as above.
+#[test]
+fn a_run_of_many_steps_goes_on_where_it_was_started_anew() {
+    let options = Options { longest: 2e-6, ..Options::new(0.9, 1e-9) };
+    let equations = Follower { stiffness: 1.0, lost: f64::INFINITY };
+    let (end, statistics, recorder) = follow(Foreign::Dopri5, equations, &options);
+    assert!(end.is_reached() && recorder.len() == 301, "{end}");
+    assert!(statistics.steps > 400_000 && statistics.steps < 460_000, "{statistics:?}");
+    for (time, x) in recorder.times().zip(&recorder.states[0]) {
+        assert!((x - (time - 1.0 + (-time).exp())).abs() < 1e-12, "{x} at {time}");
+    }
+}
+
 #[test]
 fn implicit_solvers_alone_are_fit_for_stiff_equations() {
     let stiff = || Follower { stiffness: 1e6, lost: f64::INFINITY };

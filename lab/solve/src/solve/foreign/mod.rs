@@ -47,6 +47,8 @@ struct Run<'r, 'e> {
 enum Stop {
     /// At the time to which it was to run.
     Wall,
+    /// Before that, to go on from there.
+    Between,
     /// At an event of this indicator.
     Event(usize),
     /// Cancelled.
@@ -103,7 +105,7 @@ impl Run<'_, '_> {
             }
             self.record_due()?;
             match stop {
-                Stop::Wall => {}
+                Stop::Wall | Stop::Between => {}
                 Stop::Event(indicator) => {
                     let name = self.bridge.with(|equations| equations.indicator_name(indicator));
                     let duration = self.options.end - self.options.begin;

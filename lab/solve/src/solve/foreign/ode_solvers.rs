@@ -27,6 +27,10 @@ const STIFFNESS_TESTS: u32 = u32::MAX;
 /// Part of a step to which an event is located (chosen).
 const PRECISION: f64 = 1e-13;
 
+/// Steps of DOPRI5 after which it is started anew (chosen): the crate keeps the motion of every step until it stops, some
+/// 250 bytes each, and an explicit method makes millions of steps where equations are stiff.
+const KEPT: u64 = 200_000;
+
 /// A stretch of the run, in the variable x of the crate: time = origin + unit x.
 #[derive(Clone, Copy)]
 struct Stretch {
@@ -51,6 +55,8 @@ struct Seen {
     watch: Option<Watch>,
     event: Option<usize>,
     is_cancelled: bool,
+    /// Whether as many steps are kept as may be, and the end is not reached.
+    is_full: bool,
 }
 
 /// The equations as the crate wants them.
@@ -109,7 +115,9 @@ where
                 self.bridge.with(|equations| watch.begin(equations, time, states));
             }
         }
-        seen.is_cancelled || seen.event.is_some()
+        // DOP853, which has the clock, keeps the states at output times only.
+        seen.is_full = !self.has_clock && seen.steps >= KEPT && x < self.stretch.end;
+        seen.is_cancelled || seen.is_full || seen.event.is_some()
     }
 }
 
@@ -176,7 +184,7 @@ impl Run<'_, '_> {
             })
         });
         let (last, states) = ([stretch.begin; 2], self.states.clone());
-        RefCell::new(Seen { steps: 0, last, states, watch, event: None, is_cancelled: false })
+        RefCell::new(Seen { steps: 0, last, states, watch, event: None, is_cancelled: false, is_full: false })
     }
 
     /// Counts what the crate has done.
@@ -238,6 +246,7 @@ where
         (Some(failure), _) => Err(failure),
         (None, Some(event)) => Ok(Stop::Event(event)),
         (None, None) if seen.is_cancelled => Ok(Stop::Cancelled),
+        (None, None) if seen.is_full => Ok(Stop::Between),
         (None, None) => Ok(Stop::Wall),
     }
 }
