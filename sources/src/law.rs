@@ -1,19 +1,17 @@
 //! The only law of a model that has a choice: the others are not in the module, and are refused.
 
 use stribeck::model::{Fault, Variable};
+use stribeck::shock_absorber::choice_of_law;
 
 use crate::model::{LAW, MODEL};
 use crate::state::{Module, Outcome, Status, fault, refuse};
 
-/// The variable that chooses a law.
-const CHOICE: &str = "friction.model";
-
-/// Its value without friction.
+/// The choice of no friction.
 const NONE: f64 = 1.0;
 
 /// The column of the choice, and the number of the law.
 fn only() -> Option<(usize, f64)> {
-    let (law, column) = (LAW?, MODEL.find(CHOICE)?);
+    let (law, column) = (LAW?, choice_of_law(&MODEL)?);
     let place = MODEL.table.at(column).kind.choices().iter().position(|item| item.name == law)?;
     Some((column, (place + 1) as f64))
 }
@@ -53,8 +51,9 @@ pub fn apply(module: &mut Module, preset: u32) -> Outcome {
     let Some(preset) = MODEL.presets.get(preset as usize) else {
         return refuse(Status::UnknownModel, format_args!("{} has no preset {preset}", MODEL.name));
     };
-    let chosen = preset.values.iter().find(|(name, _)| LAW.is_some() && *name == CHOICE);
-    if let (Some((_, value)), Some((column, _))) = (chosen, only()) {
+    let column = only().map(|(column, _)| column);
+    let chosen = preset.values.iter().find(|(name, _)| column.is_some() && MODEL.find(name) == column);
+    if let (Some((_, value)), Some(column)) = (chosen, column) {
         check(column, *value).map_err(fault(Status::RefusedValue))?;
     }
     module.instance.apply(preset.name);

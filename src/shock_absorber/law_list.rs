@@ -3,9 +3,10 @@
 //! They are those models of sliding friction that are scalar, so that a new law can be chosen without any further code.
 
 use std::ops::Range;
+use std::ptr;
 
 use crate::friction::{MODELS, TABLES, record};
-use crate::model::{Enumeration, Item, Meaning, ModelType, Variable, column_of};
+use crate::model::{Enumeration, Item, Kind, Meaning, ModelType, Variable, column_of};
 use crate::unit::same;
 
 /// A law with its table as it was declared.
@@ -119,6 +120,13 @@ static ITEMS: [Item; COUNT + 1] = {
     }
     items
 };
+
+/// Column of the variable that chooses a law, in a model that has a choice.
+pub fn choice_of_law(model: &ModelType) -> Option<usize> {
+    let is_choice =
+        |variable: &Variable| matches!(variable.kind, Kind::Enumeration(items) if ptr::eq(items, &FRICTION_MODEL));
+    model.table.iter().position(|variable| is_choice(&variable))
+}
 
 /// The default law.
 pub(crate) const LUGRE: i32 = position("LuGre") as i32 + 2;
