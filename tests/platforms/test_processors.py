@@ -13,6 +13,9 @@ sys.path.append(str(PROJECT / "tests" / "python"))
 import c_sources
 
 MODEL = "LuGre"
+# All models at -O2, or one at each level.
+ALL = os.environ.get("STRIBECK_THOROUGH") == "1"
+CASES = [(name, "-O2") for name in c_sources.with_sources()] if ALL else [(MODEL, f"-O{level}") for level in (0, 2, 3)]
 CORTEX = PROJECT / "tests" / "sources" / "cortex_m"
 # No operating system: a start of its own, and files of the host by semihosting.
 BARE = ["--specs=rdimon.specs", f"-T{CORTEX / 'memory.ld'}", str(CORTEX / "start.c")]
@@ -39,20 +42,26 @@ def library(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def header(tmp_path_factory):
+    """The header of the sources of a model, which are made when they are needed."""
     folder = tmp_path_factory.mktemp("sources")
-    c_sources.make("sources", MODEL, "--out", folder)
-    return c_sources.headers(folder)[MODEL]
+
+    def of(model):
+        if model not in c_sources.headers(folder):
+            c_sources.make("sources", model, "--out", folder)
+        return c_sources.headers(folder)[model]
+
+    return of
 
 
-@pytest.mark.parametrize("optimised", ["-O0", "-O2", "-O3"])
+@pytest.mark.parametrize(("model", "optimised"), CASES)
 @pytest.mark.parametrize("processor", PROCESSORS)
-def test_sources_have_the_bits_of_the_library_on(processor, optimised, header, library):
+def test_sources_have_the_bits_of_the_library_on(processor, model, optimised, header, library):
     compiler, machine = PROCESSORS[processor]
-    rows = c_sources.motion(MODEL, 1000)
+    rows = c_sources.motion(model, 1000)
     words = [*compiler, *c_sources.WARNINGS, optimised]
-    program = c_sources.compiled(header, words, f"_{processor}{optimised}".replace(" ", "_"))
-    answer = c_sources.answer([*machine, str(program)], c_sources.question(MODEL, rows))
-    assert answer == c_sources.of_library(MODEL, rows, library)
+    program = c_sources.compiled(header(model), words, f"_{processor}{optimised}".replace(" ", "_"))
+    answer = c_sources.answer([*machine, str(program)], c_sources.question(model, rows))
+    assert answer == c_sources.of_library(model, rows, library)
 
 
 def test_laws_side_by_side_in_the_registers_of_arm():

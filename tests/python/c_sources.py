@@ -6,6 +6,7 @@ import random
 import struct
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 from unittest import mock
 
@@ -38,11 +39,22 @@ def make(*arguments: str | Path) -> None:
     assert done.returncode == 0, done.stderr
 
 
+@cache
+def described(model: str):
+    """The variables in the description of a model."""
+    return read_model_description(str(ROOT / "modelDescription" / f"{model}.xml"), validate=False).modelVariables
+
+
 def variables(model: str):
     """Real inputs and outputs of a model."""
-    described = read_model_description(str(ROOT / "modelDescription" / f"{model}.xml"), validate=False)
-    reals = [one for one in described.modelVariables if one.type == "Real"]
+    reals = [one for one in described(model) if one.type == "Real"]
     return [[one for one in reals if one.causality == causality] for causality in ("input", "output")]
+
+
+def parameters(model: str):
+    """Parameters of a model that are numbers, choices or yes and no."""
+    kinds = ("Real", "Enumeration", "Boolean")
+    return [one for one in described(model) if one.causality == "parameter" and one.type in kinds]
 
 
 def with_sources() -> list[str]:
@@ -68,13 +80,36 @@ def motion(model: str, steps: int, seed: int = 1) -> list[tuple[float, list[floa
     return rows
 
 
+def drawn(source: random.Random, parameter) -> float:
+    """A value of a parameter: a number near its start value, within its bounds, or any choice."""
+    if parameter.type == "Boolean":
+        return float(source.random() < 0.5)
+    if parameter.type == "Enumeration":
+        return float(source.choice(parameter.declaredType.items).value)
+    value = float(parameter.start) * source.uniform(0.8, 1.25)
+    value = max(value, float(parameter.min)) if parameter.min is not None else value
+    return min(value, float(parameter.max)) if parameter.max is not None else value
+
+
+def with_parameters(model: str, rows, seed: int = 1):
+    """The steps of a motion, in which every row also gives the parameters, with values that are drawn once."""
+    source = random.Random(f"parameters of {model} {seed}")
+    values = [drawn(source, one) for one in parameters(model)]
+    return [(dt, [*inputs, *values]) for dt, inputs in rows]
+
+
+def given(model: str, rows):
+    """What the rows of a motion give: inputs, and parameters if there are any values for them."""
+    return [*variables(model)[0], *parameters(model)][: len(rows[0][1])]
+
+
 def bits(value: float) -> str:
     return struct.pack(">d", value).hex()
 
 
 def question(model: str, rows) -> str:
     """A motion as the driver reads it."""
-    inputs, outputs = variables(model)
+    inputs, outputs = given(model, rows), variables(model)[1]
     lines = [f"{len(inputs)} {len(outputs)} {len(rows)}"]
     lines += [" ".join(str(one.valueReference) for one in group) for group in (inputs, outputs)]
     lines += [" ".join([bits(dt), *map(bits, values)]) for dt, values in rows]
@@ -94,7 +129,7 @@ def of_library(model: str, rows, path: Path | None = None, values: dict[str, flo
     assert library.stribeck_create(model.encode(), ctypes.byref(instance)) == 0
     for name, number in (values or {}).items():
         assert library.stribeck_set_by_name(instance, name.encode(), ctypes.c_double(number)) == 0
-    inputs, outputs = variables(model)
+    inputs, outputs = given(model, rows), variables(model)[1]
     answers = []
     for dt, values in rows:
         statuses = [

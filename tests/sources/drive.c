@@ -16,7 +16,7 @@
 #define JOIN(a, b) PASTE(a, b)
 #define CALL(name) JOIN(LAW, name)
 
-enum { MOST = 64 };
+enum { MOST = 256 };
 
 static CALL(_memory) memory, other;
 
@@ -52,7 +52,7 @@ static LAW *moved(LAW *law, int from_other) {
 }
 
 int main(void) {
-    uint32_t inputs[MOST], outputs[MOST];
+    static uint32_t inputs[MOST], outputs[MOST];
     unsigned n_inputs, n_outputs, steps, step, at;
     LAW *law;
     if (scanf("%u %u %u", &n_inputs, &n_outputs, &steps) != 3 || n_inputs > MOST || n_outputs > MOST)
