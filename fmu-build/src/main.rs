@@ -27,6 +27,7 @@ use crate::describe::entry::{self, Entry};
 use crate::describe::fmi2::Choices;
 use crate::describe::generated::{self, Generated};
 use crate::describe::interface::{Interface, Version};
+use crate::describe::only_law::OnlyLaw;
 use crate::describe::{compatibility, declarations, rules};
 use crate::pack::archive::{self, Archiver};
 use crate::pack::four_post;
@@ -146,6 +147,9 @@ enum Command {
         /// Pack C sources in place of libraries, for targets that compile them: for co-simulation.
         #[arg(long, conflicts_with_all = ["platform", "strict", "plain"])]
         sources: bool,
+        /// With --sources: the only law in the sources of models that have a choice, such as ShockAbsorber.
+        #[arg(long, requires_all = ["models", "sources"])]
+        law: Option<String>,
     },
 }
 
@@ -181,7 +185,7 @@ fn obey(command: Command, root: &Path) -> Result<()> {
         Command::Sdk { out, platform } => sdk(root, &out, &platform),
         Command::Inspect { library, platform } => inspect(root, &library, platform),
         Command::Sources { models, law, out } => sources(root, &models, law.as_deref(), &out),
-        Command::Pack { models, out, sources: true, .. } => pack_sources(root, &models, &out),
+        Command::Pack { models, out, sources: true, law, .. } => pack_sources(root, &models, law.as_deref(), &out),
         Command::Pack { models, out, platform, strict, plain, .. } => {
             let mut forms = vec![Form::Two(Choices::Named), Form::Three];
             forms.extend(plain.then_some(Form::Two(Choices::Plain)));
@@ -264,7 +268,7 @@ fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: 
 
 /// Writes the sources of models for controllers. Their headers come from the tables, not from generated files.
 fn sources(root: &Path, models: &[String], law: Option<&str>, out: &Path) -> Result<()> {
-    for entry in with_sources(models, law)? {
+    for (entry, law) in with_sources(models, law)? {
         for (name, text) in SourceLibrary::of(root, &entry, Purpose::Controller, law)?.controller()?.files {
             let size = package::save(out, &name, text.as_bytes())?;
             println!("{:<28} {size:>9} bytes", out.join(&name).display());
@@ -273,25 +277,29 @@ fn sources(root: &Path, models: &[String], law: Option<&str>, out: &Path) -> Res
     Ok(())
 }
 
-/// The chosen models, without those that have no C sources if they were not chosen by name.
-fn with_sources(models: &[String], law: Option<&str>) -> Result<Vec<Entry>> {
-    let (without, entries): (Vec<_>, Vec<_>) =
-        entry::select(models)?.into_iter().partition(|entry| sources::refusal(entry.model, law).is_some());
-    for why in without.iter().filter_map(|entry| sources::refusal(entry.model, law)) {
-        ensure!(models.is_empty(), "{why}");
-        println!("skipped: {why}");
+/// The chosen models, each with its only law if it has a choice, without those that have no C sources if they were not
+/// chosen by name.
+fn with_sources(models: &[String], law: Option<&str>) -> Result<Vec<(Entry, Option<OnlyLaw>)>> {
+    let mut found = Vec::new();
+    for entry in entry::select(models)? {
+        match OnlyLaw::of(entry.model, law) {
+            Ok(law) => found.push((entry, law)),
+            Err(why) if models.is_empty() => println!("skipped: {why}"),
+            Err(why) => return Err(why),
+        }
     }
-    Ok(entries)
+    Ok(found)
 }
 
-fn pack_sources(root: &Path, models: &[String], out: &Path) -> Result<()> {
-    let entries = with_sources(models, None)?;
+fn pack_sources(root: &Path, models: &[String], law: Option<&str>, out: &Path) -> Result<()> {
+    let entries = with_sources(models, law)?;
     refuse_stale(root)?;
     let date = project::packing_date()?;
     let archiver = Archiver::new(date)?;
     let packing = Packing::of_sources(root, date, &archiver)?;
-    for entry in &entries {
-        let (library, contents) = (SourceLibrary::of(root, entry, Purpose::Fmu, None)?, Contents::of(entry)?);
+    for (entry, law) in &entries {
+        let library = SourceLibrary::of(root, entry, Purpose::Fmu, *law)?;
+        let contents = Contents::with_law(entry, *law)?;
         for form in [Form::Two(Choices::Named), Form::Three] {
             let folder = out.join(form.subfolder());
             let size = packing.write_sources(&contents, form, &library.fmu(form.version())?, &folder)?;

@@ -103,7 +103,9 @@ fn is_no_variable<T>(reference: Reference) -> Result<T, Refusal> {
 pub extern "C" fn model_check(reference: Reference, kind: u32, value: f64, is_running: bool) -> Status {
     enter(|module| {
         let phase = if is_running { Phase::Stepping } else { Phase::Setup };
-        Ok(module.instance.check_value(phase, column(reference, kind)?, value)?)
+        let column = column(reference, kind)?;
+        module.instance.check_value(phase, column, value)?;
+        law::check(column, value).map_err(fault(Status::RefusedValue))
     })
 }
 

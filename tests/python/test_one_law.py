@@ -4,6 +4,7 @@ import ctypes
 import os
 import shutil
 import subprocess
+from functools import partial
 
 import pytest
 from c_sources import (
@@ -11,6 +12,7 @@ from c_sources import (
     ROOT,
     WARNINGS,
     answer,
+    built,
     compiled,
     headers,
     library_at,
@@ -21,13 +23,18 @@ from c_sources import (
     question,
     variables,
 )
-from fmpy import read_model_description
+from fmpy import extract, instantiate_fmu, read_model_description
+from fmpy.validation import validate_fmu
+
+from examples.fmpy import coupling
 
 pytestmark = needs_wasm
 COMPILER = next((name for name in ("gcc", "clang", "cc") if shutil.which(name)), "cc")
 # A library is compiled for each of them.
 CHOSEN = [("ShockAbsorber", "LuGre"), ("GuideContact", "Karnopp")] if os.environ.get("STRIBECK_THOROUGH") == "1" else []
 OK, REFUSED_VALUE, BAD_BUFFER = 0, 4, 7
+# They must live as long as an FMU may log.
+LOGGERS = []
 NONE = 1
 
 
@@ -117,6 +124,88 @@ def test_other_laws_are_refused(sources):
     assert law.call("step", ctypes.c_double(1e-3)) == OK
 
 
+@pytest.fixture(scope="module", params=CHOSEN, ids="-".join)
+def fmus(request, tmp_path_factory):
+    """Model, law, and for each version of FMI the folder of its FMU, compiled by fmpy."""
+    model, law = request.param
+    folder = tmp_path_factory.mktemp(f"fmus of {model}")
+    make("pack", model, "--sources", "--law", law, "--out", folder)
+    packed = [folder / f"{model}.fmu", folder / "fmi3" / f"{model}.fmu"]
+    assert [validate_fmu(str(path)) for path in packed] == [[], []]
+    yield model, law, [built(path, folder / f"{at}") for at, path in enumerate(packed, 2)]
+    # fmpy's formatting library passes all messages of the process to the last logger: to that of the other tests again.
+    LOGGERS.append(coupling._callbacks())
+
+
+def begun(folder, values=(), logger=None):
+    """An instance that has been initialised, after these choices were made."""
+    described = read_model_description(str(folder), validate=False)
+    fmu = instantiate_fmu(str(folder), described, "CoSimulation", debug_logging=logger is not None, logger=logger)
+    is_two = described.fmiVersion == "2.0"
+    for reference, number in values:
+        (fmu.setInteger if is_two else fmu.setInt64)([reference], [number])
+    if is_two:
+        fmu.setupExperiment(startTime=0.0)
+        fmu.enterInitializationMode()
+    else:
+        fmu.enterInitializationMode(startTime=0.0)
+    fmu.exitInitializationMode()
+    return fmu
+
+
+def hears(said: list[str], *about) -> None:
+    """A logger: the message is its last argument."""
+    said.append(about[-1].decode())
+
+
+def moved(fmu, model: str) -> list[list[float]]:
+    """The outputs after each step of a motion, of an instance of either version."""
+    is_two = hasattr(fmu, "setReal")
+    inputs, outputs = ([one.valueReference for one in group] for group in variables(model))
+    results, time = [], 0.0
+    for dt, values in motion(model, 400):
+        (fmu.setReal if is_two else fmu.setFloat64)(inputs, values)
+        fmu.doStep(time, dt)
+        time += dt
+        results.append((fmu.getReal if is_two else fmu.getFloat64)(outputs))
+    fmu.freeInstance()
+    return results
+
+
+def test_fmus_with_one_law_do_what_those_with_a_library_do_with_it(fmus, tmp_path):
+    model, law, folders = fmus
+    variable, numbers = choice(model)
+    expected = None
+    for folder, library in zip(folders, ("", "fmi3"), strict=True):
+        binary = extract(str(ROOT / "dist" / library / f"{model}.fmu"), str(tmp_path / f"library{library}"))
+        results = moved(begun(binary, [(variable.value, numbers[law])]), model)
+        assert moved(begun(folder), model) == results
+        assert results == (expected or results), "both versions alike"
+        assert results != moved(begun(binary, [(variable.value, NONE)]), model), "the law matters"
+        expected = results
+
+
+def test_fmus_with_one_law_begin_with_it_and_refuse_others(fmus):
+    model, law, folders = fmus
+    variable, numbers = choice(model)
+    for folder in folders:
+        described = read_model_description(str(folder))
+        chosen = next(one for one in described.modelVariables if one.name == "friction.model")
+        assert int(chosen.start) == numbers[law]
+        assert {item.name: int(item.value) for item in chosen.declaredType.items} == {"None": NONE, law: numbers[law]}
+        assert law in described.description
+        said = []
+        hear = partial(hears, said)
+        LOGGERS.append(hear)
+        other, name = next((number, name) for name, number in numbers.items() if name not in ("None", law))
+        with pytest.raises(Exception, match="failed with status"):
+            begun(folder, [(variable.value, other)], hear)
+        text = f"friction.model = {other} ({name}): must be 1 (None) or {numbers[law]} ({law})"
+        assert any(text in message for message in said), said
+        begun(folder, [(variable.value, NONE)]).freeInstance()
+
+
+@pytest.mark.parametrize("command", [["sources"], ["pack", "--sources"]], ids=" ".join)
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
@@ -127,8 +216,8 @@ def test_other_laws_are_refused(sources):
         (["--law", "LuGre"], "required arguments were not provided"),
     ],
 )
-def test_a_missing_or_wrong_law_is_named(arguments, complaint, tmp_path):
-    command = [str(FMU_BUILD), "--project", str(ROOT), "sources", *arguments, "--out", str(tmp_path)]
+def test_a_missing_or_wrong_law_is_named(command, arguments, complaint, tmp_path):
+    command = [str(FMU_BUILD), "--project", str(ROOT), *command, *arguments, "--out", str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode != 0
     assert complaint in done.stderr

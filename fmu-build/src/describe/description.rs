@@ -9,6 +9,7 @@ use stribeck::reference::Reference;
 use stribeck::unit::{UNITS, Unit};
 use stribeck_ffi::fmi2::log::CATEGORIES;
 
+use crate::describe::only_law::{self, OnlyLaw};
 use crate::describe::structure::integrated;
 use crate::describe::text::{limits, number};
 use crate::describe::xml::{Attributes, Xml, leaf, parent};
@@ -29,6 +30,21 @@ pub fn root_attributes(model: &ModelType, date: Timestamp, version: &str, token:
         ("generationDateAndTime", date.to_string()),
         ("variableNamingConvention", "structured".into()),
     ]
+}
+
+/// The same for C sources, which may have only one law.
+pub fn root_attributes_of_sources(
+    model: &ModelType,
+    date: Timestamp,
+    version: &str,
+    token: &'static str,
+    law: Option<OnlyLaw>,
+) -> Attributes {
+    let mut attributes = root_attributes(model, date, version, token);
+    for (_, value) in attributes.iter_mut().filter(|(name, _)| *name == "description") {
+        value.extend(law.map(|law| format!("; C sources with one law, {}", law.name)));
+    }
+    attributes
 }
 
 /// `<ModelExchange>` or `<CoSimulation>`.
@@ -99,9 +115,9 @@ fn unit_definition(xml: &mut Xml, unit: &Unit) -> io::Result<()> {
     })
 }
 
-/// The choices of an enumeration.
-pub fn items(xml: &mut Xml, enumeration: &Enumeration) -> io::Result<()> {
-    for (item, value) in enumeration.items.iter().zip(1..) {
+/// The choices of an enumeration that there are with this law, or all of them.
+pub fn items(xml: &mut Xml, enumeration: &Enumeration, law: Option<OnlyLaw>) -> io::Result<()> {
+    for (item, value) in enumeration.items.iter().zip(1..).filter(|(item, _)| only_law::has(law, enumeration, item)) {
         let attributes =
             vec![("name", item.name.into()), ("value", i32::to_string(&value)), ("description", item.help.into())];
         leaf(xml, "Item", attributes)?;

@@ -11,9 +11,10 @@ use stribeck::reference;
 
 use crate::describe::description::{
     CALCULATED, INDEPENDENT, causality, default_experiment, derivative_of, enumerations, interface,
-    interface_attributes, items, log_categories, real_type, root_attributes, second, start, unit_definitions,
-    unit_of_rate, units, value_attributes, variable_attributes,
+    interface_attributes, items, log_categories, real_type, root_attributes, root_attributes_of_sources, second, start,
+    unit_definitions, unit_of_rate, units, value_attributes, variable_attributes,
 };
+use crate::describe::only_law::{self, OnlyLaw};
 use crate::describe::structure::{Structure, index, integrated};
 use crate::describe::text::number;
 use crate::describe::xml::{Attributes, Xml, document, leaf, parent};
@@ -64,7 +65,7 @@ pub fn model_description(model: &ModelType, date: Timestamp, choices: Choices) -
     if model.model_exchange {
         attributes.push(("numberOfEventIndicators", model.event_indicators.to_string()));
     }
-    describe(model, attributes, choices, |xml| {
+    describe(model, attributes, choices, None, |xml| {
         if model.model_exchange {
             interface(xml, "ModelExchange", model, &EXCHANGE_CAPABILITIES)?;
         }
@@ -72,9 +73,11 @@ pub fn model_description(model: &ModelType, date: Timestamp, choices: Choices) -
     })
 }
 
-/// The text of modelDescription.xml for an FMU with C sources in these files in place of libraries, for co-simulation.
-pub fn source_description(model: &ModelType, date: Timestamp, files: &[&str]) -> Result<String> {
-    describe(model, root_attributes(model, date, "2.0", "guid"), Choices::Named, |xml| {
+/// The text of modelDescription.xml for an FMU with C sources in these files in place of libraries, for co-simulation, with
+/// one law if the model has a choice.
+pub fn source_description(model: &ModelType, date: Timestamp, files: &[&str], law: Option<OnlyLaw>) -> Result<String> {
+    let attributes = root_attributes_of_sources(model, date, "2.0", "guid", law);
+    describe(model, attributes, Choices::Named, law, |xml| {
         parent(xml, "CoSimulation", interface_attributes(model, &CAPABILITIES), |xml| {
             parent(xml, "SourceFiles", Vec::new(), |xml| {
                 files.iter().try_for_each(|file| leaf(xml, "File", vec![("name", (*file).to_owned())]))
@@ -88,15 +91,16 @@ fn describe(
     model: &ModelType,
     attributes: Attributes,
     choices: Choices,
+    law: Option<OnlyLaw>,
     interfaces: impl FnOnce(&mut Xml) -> io::Result<()>,
 ) -> Result<String> {
     document("fmiModelDescription", attributes, |xml| {
         interfaces(xml)?;
         unit_definitions(xml, model)?;
-        type_definitions(xml, model, choices)?;
+        type_definitions(xml, model, choices, law)?;
         log_categories(xml)?;
         default_experiment(xml)?;
-        model_variables(xml, model, choices)?;
+        model_variables(xml, model, choices, law)?;
         model_structure(xml, model)
     })
 }
@@ -128,7 +132,7 @@ fn help(variable: &Variable, choices: Choices) -> String {
     format!("{} {meanings}.", variable.help)
 }
 
-fn type_definitions(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::Result<()> {
+fn type_definitions(xml: &mut Xml, model: &ModelType, choices: Choices, law: Option<OnlyLaw>) -> io::Result<()> {
     parent(xml, "TypeDefinitions", vec![], |xml| {
         for unit in units(model).values() {
             simple_type(xml, unit.quantity, |xml| {
@@ -137,7 +141,7 @@ fn type_definitions(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::R
         }
         for enumeration in enumerations(model).values().filter(|_| choices != Choices::Plain) {
             simple_type(xml, enumeration.name, |xml| {
-                parent(xml, "Enumeration", vec![], |xml| items(xml, enumeration))
+                parent(xml, "Enumeration", vec![], |xml| items(xml, enumeration, law))
             })?;
         }
         Ok(())
@@ -148,9 +152,10 @@ fn simple_type(xml: &mut Xml, name: &str, content: impl FnOnce(&mut Xml) -> io::
     parent(xml, "SimpleType", vec![("name", name.into())], content)
 }
 
-fn model_variables(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::Result<()> {
+fn model_variables(xml: &mut Xml, model: &ModelType, choices: Choices, law: Option<OnlyLaw>) -> io::Result<()> {
     parent(xml, "ModelVariables", vec![], |xml| {
         for (column, variable) in model.variables() {
+            let variable = only_law::begun(law, column, variable);
             let name = variable.path.to_string();
             let help = help(&variable, choices);
             let attributes = variable_attributes(name, model.reference(column), &help, causality(&variable));

@@ -11,14 +11,18 @@ use stribeck::reference::{self, Reference};
 
 use crate::describe::description::{
     CALCULATED, INDEPENDENT, causality, default_experiment, derivative_of, enumerations, interface, items,
-    log_categories, real_type, root_attributes, second, start, unit_definitions, unit_of_rate, units, value_attributes,
-    variable_attributes,
+    log_categories, real_type, root_attributes, root_attributes_of_sources, second, start, unit_definitions,
+    unit_of_rate, units, value_attributes, variable_attributes,
 };
+use crate::describe::only_law::{self, OnlyLaw};
 use crate::describe::structure::{Structure, integrated};
 use crate::describe::xml::{Attributes, Xml, document, leaf, parent};
 
 /// Version of FMI.
 pub const VERSION: &str = "3.0";
+
+/// The attribute with the guid.
+const TOKEN: &str = "instantiationToken";
 
 /// Capabilities declared in `<ModelExchange>`.
 pub fn exchange_capabilities(model: &ModelType) -> [(&'static str, &'static str); 8] {
@@ -76,12 +80,12 @@ fn capabilities_of_sources(model: &ModelType) -> [(&'static str, &'static str); 
 
 /// The text of modelDescription.xml.
 pub fn model_description(model: &ModelType, date: Timestamp) -> Result<String> {
-    describe(model, date, false)
+    describe(model, root_attributes(model, date, VERSION, TOKEN), Form::Library)
 }
 
-/// The same for an FMU with C sources in place of libraries, for co-simulation.
-pub fn source_description(model: &ModelType, date: Timestamp) -> Result<String> {
-    describe(model, date, true)
+/// The same for an FMU with C sources in place of libraries, for co-simulation, with one law if the model has a choice.
+pub fn source_description(model: &ModelType, date: Timestamp, law: Option<OnlyLaw>) -> Result<String> {
+    describe(model, root_attributes_of_sources(model, date, VERSION, TOKEN, law), Form::Sources(law))
 }
 
 /// The text of sources/buildDescription.xml, for sources in these files.
@@ -97,17 +101,33 @@ pub fn build_description(model: &ModelType, files: &[&str]) -> Result<String> {
     })
 }
 
-fn describe(model: &ModelType, date: Timestamp, is_of_sources: bool) -> Result<String> {
-    let variables = Variables::of(model, is_of_sources)?;
-    let attributes = root_attributes(model, date, VERSION, "instantiationToken");
+/// What an FMU consists of: libraries, or C sources, with one law if the model has a choice.
+#[derive(Clone, Copy)]
+enum Form {
+    Library,
+    Sources(Option<OnlyLaw>),
+}
+
+impl Form {
+    fn is_library(self) -> bool {
+        matches!(self, Form::Library)
+    }
+
+    fn law(self) -> Option<OnlyLaw> {
+        if let Form::Sources(law) = self { law } else { None }
+    }
+}
+
+fn describe(model: &ModelType, attributes: Attributes, form: Form) -> Result<String> {
+    let variables = Variables::of(model, form)?;
     document("fmiModelDescription", attributes, |xml| {
-        if model.model_exchange && !is_of_sources {
+        if model.model_exchange && form.is_library() {
             interface(xml, "ModelExchange", model, &exchange_capabilities(model))?;
         }
-        let capabilities = if is_of_sources { capabilities_of_sources(model) } else { capabilities(model) };
+        let capabilities = if form.is_library() { capabilities(model) } else { capabilities_of_sources(model) };
         interface(xml, "CoSimulation", model, &capabilities)?;
         unit_definitions(xml, model)?;
-        type_definitions(xml, model)?;
+        type_definitions(xml, model, form.law())?;
         log_categories(xml)?;
         default_experiment(xml)?;
         parent(xml, "ModelVariables", vec![], |xml| variables.write(xml))?;
@@ -115,7 +135,7 @@ fn describe(model: &ModelType, date: Timestamp, is_of_sources: bool) -> Result<S
     })
 }
 
-fn type_definitions(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
+fn type_definitions(xml: &mut Xml, model: &ModelType, law: Option<OnlyLaw>) -> io::Result<()> {
     parent(xml, "TypeDefinitions", vec![], |xml| {
         for unit in units(model).values() {
             let quantity = unit.quantity;
@@ -124,7 +144,7 @@ fn type_definitions(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
         }
         for enumeration in enumerations(model).values() {
             let attributes = vec![("name", enumeration.name.into())];
-            parent(xml, "EnumerationType", attributes, |xml| items(xml, enumeration))?;
+            parent(xml, "EnumerationType", attributes, |xml| items(xml, enumeration, law))?;
         }
         Ok(())
     })
@@ -167,18 +187,18 @@ fn element(
 /// The variables of a description.
 struct Variables<'a> {
     model: &'a ModelType,
-    is_of_sources: bool,
+    form: Form,
     arrays: Box<[Array]>,
     /// Places of the arrays by their columns.
     owners: BTreeMap<usize, usize>,
 }
 
 impl Variables<'_> {
-    fn of(model: &ModelType, is_of_sources: bool) -> Result<Variables<'_>> {
+    fn of(model: &ModelType, form: Form) -> Result<Variables<'_>> {
         let arrays = arrays::of(model).ok().context("out of memory")?;
         let owned = |(at, array): (usize, &Array)| array.columns.iter().map(move |column| (*column, at)).collect();
         let owners: Vec<Vec<(usize, usize)>> = arrays.iter().enumerate().map(owned).collect();
-        Ok(Variables { model, is_of_sources, owners: owners.into_iter().flatten().collect(), arrays })
+        Ok(Variables { model, form, owners: owners.into_iter().flatten().collect(), arrays })
     }
 
     /// The array of a column.
@@ -237,10 +257,11 @@ impl Variables<'_> {
         let array = self.array(column);
         let name = array.map_or(variable.path, |array| array.path).to_string();
         let columns = array.map_or_else(|| vec![column], |array| array.columns.to_vec());
-        let starts: Vec<String> = columns.iter().map(|column| start(&self.model.table.at(*column))).collect();
+        let begun = |column: usize| only_law::begun(self.form.law(), column, self.model.table.at(column));
+        let starts: Vec<String> = columns.iter().map(|column| start(&begun(*column))).collect();
         let (tag, type_attributes) = element_of(variable.kind);
         let mut attributes = variable_attributes(name, self.reference(column), variable.help, causality(variable));
-        if is_for_intermediate_update(variable) && !self.is_of_sources {
+        if is_for_intermediate_update(variable) && self.form.is_library() {
             attributes.push(("intermediateUpdate", "true".into()));
         }
         attributes.extend(type_attributes);
@@ -260,7 +281,7 @@ impl Variables<'_> {
     }
 
     fn event_indicators(&self) -> usize {
-        if self.model.model_exchange && !self.is_of_sources { self.model.event_indicators } else { 0 }
+        if self.model.model_exchange && self.form.is_library() { self.model.event_indicators } else { 0 }
     }
 
     fn write_event_indicators(&self, xml: &mut Xml) -> io::Result<()> {
@@ -539,7 +560,7 @@ mod tests {
     #[test]
     fn sources_declare_neither_events_nor_what_needs_them() {
         on_every_description(|model, new, _| {
-            let text = source_description(model, release_date()).unwrap();
+            let text = source_description(model, release_date(), None).unwrap();
             let sources = Document::parse(&text).unwrap();
             assert!(!text.contains("<ModelExchange") && !text.contains("ntermediateUpdate=\"true\""), "{}", model.name);
             let interface = sources.descendants().find(|node| node.has_tag_name("CoSimulation")).unwrap();

@@ -13,6 +13,7 @@ pub mod generated;
 pub mod header;
 pub mod interface;
 pub mod models;
+pub mod only_law;
 pub mod rules;
 pub mod structure;
 pub mod terminals;

@@ -8,6 +8,7 @@ use stribeck::instance::Instance;
 use stribeck::model::{Kind, Meaning, ModelType, Role, Variable};
 
 use crate::describe::entry::Entry;
+use crate::describe::only_law::OnlyLaw;
 use crate::describe::text::number;
 use crate::page::curve::Law;
 
@@ -117,10 +118,13 @@ impl Experiment {
         self.model.variables().filter(|(_, variable)| is_result(variable)).map(|(column, _)| column).collect()
     }
 
-    /// Runs the model as a master does that sets inputs, steps, and reads outputs.
-    pub fn run(&self) -> Result<Record> {
+    /// Runs the model as a master does that sets inputs, steps, and reads outputs; with this law, if there is only one.
+    pub fn run(&self, law: Option<OnlyLaw>) -> Result<Record> {
         let results = self.results();
         let mut instance = Instance::new(self.model);
+        if let Some((column, number)) = law.map(|law| law.start()) {
+            instance.set_column(column, number)?;
+        }
         let mut inputs = self.heading(self.signals.iter().map(|signal| signal.column));
         let mut outputs = self.heading(results.iter().copied());
         for step in 0..=STEPS {

@@ -13,6 +13,7 @@ use crate::describe::entry::Entry;
 use crate::describe::fmi2::{self, Choices};
 use crate::describe::fmi3;
 use crate::describe::interface::Version;
+use crate::describe::only_law::OnlyLaw;
 use crate::describe::terminals;
 use crate::pack::archive::{Archiver, Files};
 use crate::pack::sbom::{self, Product};
@@ -52,6 +53,8 @@ impl Form {
 /// Contents that all FMUs of a model share.
 pub struct Contents<'a> {
     entry: &'a Entry,
+    /// The only law of C sources.
+    law: Option<OnlyLaw>,
     page: html::Page,
     icon: Vec<u8>,
     related: Files,
@@ -60,8 +63,13 @@ pub struct Contents<'a> {
 impl Contents<'_> {
     /// Page, icon, presets and results of a model.
     pub fn of(entry: &Entry) -> Result<Contents<'_>> {
+        Contents::with_law(entry, None)
+    }
+
+    /// The same for C sources with this law, if the model has a choice: the results are those of this law.
+    pub fn with_law(entry: &Entry, law: Option<OnlyLaw>) -> Result<Contents<'_>> {
         let (page, icon) = (html::Page::of(entry)?, icon::png(entry.model, entry.family)?);
-        Ok(Contents { entry, page, icon, related: related::files(entry)? })
+        Ok(Contents { entry, law, page, icon, related: related::files(entry, law)? })
     }
 
     /// The files of an FMU that do not depend on its platforms.
@@ -134,10 +142,10 @@ impl Packing<'_> {
         let names: Vec<&str> = sources.files.keys().map(String::as_str).collect();
         let mut files = self.files(contents, form)?;
         let description = match form.version() {
-            Version::Two => fmi2::source_description(model, self.date, &names)?,
+            Version::Two => fmi2::source_description(model, self.date, &names, contents.law)?,
             Version::Three => {
                 files.insert("sources/buildDescription.xml".into(), fmi3::build_description(model, &names)?.into());
-                fmi3::source_description(model, self.date)?
+                fmi3::source_description(model, self.date, contents.law)?
             }
         };
         files.insert("modelDescription.xml".into(), description.into());

@@ -6,6 +6,7 @@ use ssp::parameter_set::ParameterSet;
 use stribeck::model::{ModelType, Preset};
 
 use crate::describe::entry::Entry;
+use crate::describe::only_law::OnlyLaw;
 use crate::describe::terminals::STRUCT;
 use crate::describe::text::number;
 use crate::describe::xml::{Attributes, document, leaf};
@@ -23,13 +24,14 @@ struct Related {
     description: String,
 }
 
-/// The files of both versions of FMI: presets, results and their manifest.
-pub fn files(entry: &Entry) -> Result<Files> {
+/// The files of both versions of FMI: presets, results and their manifest. The results are those of the law, if there is
+/// only one.
+pub fn files(entry: &Entry, law: Option<OnlyLaw>) -> Result<Files> {
     let mut related = Vec::new();
     for preset in entry.model.presets.iter().filter(|preset| !preset.values.is_empty()) {
         related.push(of_preset(entry.model, preset)?);
     }
-    related.extend(of_experiment(entry)?);
+    related.extend(of_experiment(entry, law)?);
     let manifest = manifest(&related)?;
     let mut files: Files = related.into_iter().map(|file| (path(&file.name), file.text.into_bytes())).collect();
     files.insert(path("fmi-ls-manifest.xml"), manifest.into());
@@ -52,9 +54,9 @@ fn of_preset(model: &'static ModelType, preset: &Preset) -> Result<Related> {
     })
 }
 
-fn of_experiment(entry: &Entry) -> Result<Vec<Related>> {
+fn of_experiment(entry: &Entry, law: Option<OnlyLaw>) -> Result<Vec<Related>> {
     let experiment = Experiment::of(entry)?;
-    let Record { inputs, outputs } = experiment.run()?;
+    let Record { inputs, outputs } = experiment.run(law)?;
     let name = entry.model.name;
     let file = |ending: &str, text, role, description| {
         let name = format!("{name}_{ending}.csv");
@@ -115,7 +117,7 @@ mod tests {
     #[test]
     fn manifests_list_every_file() {
         for entry in entries() {
-            let files = files(&entry).unwrap();
+            let files = files(&entry, None).unwrap();
             let manifest = Document::parse(text(&files, "fmi-ls-manifest.xml")).unwrap();
             let related = manifest.root_element().children().filter(|node| node.has_tag_name("Related"));
             let mut listed: Vec<String> = related.map(|node| path(node.attribute("source").unwrap())).collect();
@@ -129,7 +131,7 @@ mod tests {
     #[test]
     fn presets_are_for_both_versions() {
         for entry in entries() {
-            let files = files(&entry).unwrap();
+            let files = files(&entry, None).unwrap();
             for preset in entry.model.presets.iter().filter(|preset| !preset.values.is_empty()) {
                 let set = ParameterSet::from_ssv(entry.model, text(&files, &format!("{}.ssv", preset.name))).unwrap();
                 let values: Vec<(String, f64)> =
@@ -146,7 +148,7 @@ mod tests {
     #[test]
     fn results_move() {
         for entry in entries().into_iter().filter(|entry| entry.model.name != "DamperTemperature") {
-            let files = files(&entry).unwrap();
+            let files = files(&entry, None).unwrap();
             let table = text(&files, &format!("{}_out.csv", entry.model.name));
             let rows: Vec<Vec<&str>> = table.lines().skip(1).map(|line| line.split(',').collect()).collect();
             assert_eq!(rows.len(), 51);

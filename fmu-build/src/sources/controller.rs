@@ -7,7 +7,8 @@ use stribeck::model::{ModelType, Role, Variable};
 use stribeck::serial;
 
 use super::program::{self, Program};
-use super::{CHOICE, INCLUDES, beginning, called};
+use super::{INCLUDES, beginning, called};
+use crate::describe::only_law::OnlyLaw;
 use crate::describe::{header, text};
 use crate::project::VERSION;
 
@@ -40,7 +41,7 @@ const STACK_UNIT: u32 = 256;
 /// The files of a model by name.
 pub fn files(
     model: &ModelType,
-    law: Option<&str>,
+    law: Option<OnlyLaw>,
     name: &str,
     origin: &str,
     library: &[u8],
@@ -60,7 +61,7 @@ pub fn files(
         .replace("TITLE", &format!("{}: {}", model.name, model.summary))
         .replace("ORIGIN", origin)
         .replace("VERSION_TEXT", VERSION)
-        .replace("ONLY\n", &law.map(|law| only(model, law)).transpose()?.unwrap_or_default())
+        .replace("ONLY\n", &law.map(|law| only(model, law)).unwrap_or_default())
         .replace("MEMORY_BYTES", &(memory + BESIDE).to_string())
         .replace("STACK\n", &stack.unwrap_or_default())
         .replace("STATE_BYTES", &serial::size(model).to_string())
@@ -73,25 +74,18 @@ pub fn files(
     Ok(BTreeMap::from([(format!("{name}.h"), header), (format!("{name}.c"), source)]))
 }
 
-/// The variable that chooses a law, and the number of this one.
-fn choice(model: &ModelType, law: &str) -> Result<(Variable, usize)> {
-    let variable = model.find(CHOICE).map(|column| model.table.at(column)).context("no law can be chosen")?;
-    let place = variable.kind.choices().iter().position(|item| item.name == law).context("no law has this name")?;
-    Ok((variable, place + 1))
-}
-
-fn only(model: &ModelType, law: &str) -> Result<String> {
-    let (variable, number) = choice(model, law)?;
-    let text = LAW.replace("NAME", law).replace("VARIABLE", &header::constant(&variable));
-    Ok(text.replace("NUMBER", &number.to_string()))
+/// What the header says about the only law.
+fn only(model: &ModelType, law: OnlyLaw) -> String {
+    let text = LAW.replace("NAME", law.name).replace("VARIABLE", &header::constant(&law.variable(model)));
+    text.replace("NUMBER", &law.number.to_string())
 }
 
 /// The variables, of which that with the choice begins with the only law.
-fn with_law(model: &ModelType, law: Option<&str>, variables: String) -> Result<String> {
+fn with_law(model: &ModelType, law: Option<OnlyLaw>, variables: String) -> Result<String> {
     let Some(law) = law else { return Ok(variables) };
-    let start = format!("default {}", text::start(&choice(model, law)?.0));
+    let start = format!("default {}", text::start(&law.variable(model)));
     ensure!(variables.matches(&start).count() == 1, "{}: not one variable has the {start}", model.name);
-    Ok(variables.replace(&start, &format!("default {law}")))
+    Ok(variables.replace(&start, &format!("default {}", law.name)))
 }
 
 /// A text in which the name of the model stands for "law".
