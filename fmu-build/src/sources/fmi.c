@@ -1,7 +1,6 @@
 /* What FMI 2.0 and 3.0 have in common, over the functions above: FMI(name) is the name with the prefix of the version.
- * Types, names and states are those of the standard; a call that is refused leaves the model as it was, and the logger hears
- * why.
- * Memory is allocated for an instance and for a saved state. */
+ * Types, names and states are those of the standard; a call that is refused leaves the model as it was, and the logger
+ * hears why. Memory is allocated for an instance and for a saved state. */
 
 #if defined _WIN32 || defined __CYGWIN__
 #define EXPORTED __declspec(dllexport)
@@ -515,3 +514,24 @@ static outcome deserialize(void *instance, enum call call, const void *bytes, si
     *state = s;
     return FMI(OK);
 }
+
+/* The functions of states, whose names differ between the versions in more than their prefix. */
+#define STATE_FUNCTIONS(Get, Set, Free, Size, Serialize, Deserialize)                                                  \
+    EXPORTED outcome NAMED(FMI(Get))(void *instance, void **state) {                                                   \
+        return save(instance, Get, state);                                                                             \
+    }                                                                                                                  \
+    EXPORTED outcome NAMED(FMI(Set))(void *instance, void *state) {                                                    \
+        return restore(instance, Set, state);                                                                          \
+    }                                                                                                                  \
+    EXPORTED outcome NAMED(FMI(Free))(void *instance, void **state) {                                                  \
+        return forget(instance, Free, state);                                                                          \
+    }                                                                                                                  \
+    EXPORTED outcome NAMED(FMI(Size))(void *instance, void *state, size_t *size) {                                     \
+        return size_of(instance, Size, state, size);                                                                   \
+    }                                                                                                                  \
+    EXPORTED outcome NAMED(FMI(Serialize))(void *instance, void *state, FMI(Byte) bytes[], size_t size) {              \
+        return write(instance, Serialize, state, bytes, size);                                                         \
+    }                                                                                                                  \
+    EXPORTED outcome NAMED(FMI(Deserialize))(void *instance, const FMI(Byte) bytes[], size_t size, void **state) {     \
+        return deserialize(instance, Deserialize, bytes, size, state);                                                 \
+    }

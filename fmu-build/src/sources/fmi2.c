@@ -306,28 +306,4 @@ EXPORTED fmi2Status NAMED(fmi2GetStringStatus)(fmi2Component component, fmi2Stat
     return no_status(c, GetStringStatus);
 }
 
-EXPORTED fmi2Status NAMED(fmi2GetFMUstate)(fmi2Component component, fmi2FMUstate *FMUstate) {
-    return save(component, GetFMUstate, FMUstate);
-}
-
-EXPORTED fmi2Status NAMED(fmi2SetFMUstate)(fmi2Component component, fmi2FMUstate FMUstate) {
-    return restore(component, SetFMUstate, FMUstate);
-}
-
-EXPORTED fmi2Status NAMED(fmi2FreeFMUstate)(fmi2Component component, fmi2FMUstate *FMUstate) {
-    return forget(component, FreeFMUstate, FMUstate);
-}
-
-EXPORTED fmi2Status NAMED(fmi2SerializedFMUstateSize)(fmi2Component component, fmi2FMUstate FMUstate, size_t *size) {
-    return size_of(component, SerializedFMUstateSize, FMUstate, size);
-}
-
-EXPORTED fmi2Status NAMED(fmi2SerializeFMUstate)(fmi2Component component, fmi2FMUstate FMUstate,
-                                                 fmi2Byte serializedState[], size_t size) {
-    return write(component, SerializeFMUstate, FMUstate, serializedState, size);
-}
-
-EXPORTED fmi2Status NAMED(fmi2DeSerializeFMUstate)(fmi2Component component, const fmi2Byte serializedState[],
-                                                   size_t size, fmi2FMUstate *FMUstate) {
-    return deserialize(component, DeSerializeFMUstate, serializedState, size, FMUstate);
-}
+STATE_FUNCTIONS(GetFMUstate, SetFMUstate, FreeFMUstate, SerializedFMUstateSize, SerializeFMUstate, DeSerializeFMUstate)

@@ -5,7 +5,6 @@
 #endif
 
 typedef void *fmi2Component;
-typedef void *fmi2FMUstate;
 typedef unsigned int fmi2ValueReference;
 typedef double fmi2Real;
 typedef int fmi2Integer;

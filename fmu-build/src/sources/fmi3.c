@@ -616,31 +616,7 @@ EXPORTED fmi3Status NAMED(fmi3GetAdjointDerivative)(fmi3Instance instance, const
     return derivative(instance, GetAdjointDerivative, of_unknowns, of_knowns, seed, nSeed, sensitivity, nSensitivity);
 }
 
-EXPORTED fmi3Status NAMED(fmi3GetFMUState)(fmi3Instance instance, fmi3FMUState *FMUState) {
-    return save(instance, GetFMUState, FMUState);
-}
-
-EXPORTED fmi3Status NAMED(fmi3SetFMUState)(fmi3Instance instance, fmi3FMUState FMUState) {
-    return restore(instance, SetFMUState, FMUState);
-}
-
-EXPORTED fmi3Status NAMED(fmi3FreeFMUState)(fmi3Instance instance, fmi3FMUState *FMUState) {
-    return forget(instance, FreeFMUState, FMUState);
-}
-
-EXPORTED fmi3Status NAMED(fmi3SerializedFMUStateSize)(fmi3Instance instance, fmi3FMUState FMUState, size_t *size) {
-    return size_of(instance, SerializedFMUStateSize, FMUState, size);
-}
-
-EXPORTED fmi3Status NAMED(fmi3SerializeFMUState)(fmi3Instance instance, fmi3FMUState FMUState,
-                                                 fmi3Byte serializedState[], size_t size) {
-    return write(instance, SerializeFMUState, FMUState, serializedState, size);
-}
-
-EXPORTED fmi3Status NAMED(fmi3DeserializeFMUState)(fmi3Instance instance, const fmi3Byte serializedState[], size_t size,
-                                                   fmi3FMUState *FMUState) {
-    return deserialize(instance, DeserializeFMUState, serializedState, size, FMUState);
-}
+STATE_FUNCTIONS(GetFMUState, SetFMUState, FreeFMUState, SerializedFMUStateSize, SerializeFMUState, DeserializeFMUState)
 
 static fmi3Status no_dependencies(void *instance, enum call call) {
     ENTER(instance, call);

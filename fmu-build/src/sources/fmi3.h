@@ -8,7 +8,6 @@
 
 typedef void *fmi3Instance;
 typedef void *fmi3InstanceEnvironment;
-typedef void *fmi3FMUState;
 typedef uint32_t fmi3ValueReference;
 typedef float fmi3Float32;
 typedef double fmi3Float64;
