@@ -1,6 +1,6 @@
 use crate::contact::motion::Motion;
 use crate::contact::quantities::{DISSIPATED_ENERGY, DISSIPATED_POWER, FRICTION_FORCE, MU_K, VELOCITY};
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, ramp, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, ramp, real};
 use crate::number::Real;
 use crate::number::elementary::{exp, exp_m1, ln};
 use crate::numerics::quadrature::integral;
@@ -99,7 +99,7 @@ crate::model! {
         tension_1: input = real("N", 10.0).at_least(0.0).nominal(10.0),
         mu_k: tunable = MU_K,
         /// Angle of wrap, all bends and turns together (default chosen: half a turn).
-        wrap_angle: tunable = real("rad", std::f64::consts::PI).at_least(0.0).shown_in("deg"),
+        wrap_angle: tunable = real("rad", std::f64::consts::PI).at_least(0.0).shown_in("deg").means(Meaning::Shape),
         /// Tension on side 1 without load.
         preload: tunable = real("N", 0.0).at_least(0.0).nominal(10.0),
         /// Distance after which 1/e of a change of the friction share is left (default chosen).

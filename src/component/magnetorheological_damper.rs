@@ -1,5 +1,5 @@
 use crate::contact::quantities::{DISSIPATED_ENERGY, DISSIPATED_POWER, FRICTION_FORCE, VELOCITY};
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, integrate, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, integrate, real};
 use crate::number::Real;
 
 crate::part! {
@@ -20,13 +20,13 @@ crate::part! {
         /// Increase of the stiffness of the hysteresis with the voltage.
         alpha_b: tunable = real("N/(m.V)", 69_500.0).at_least(0.0).nominal(1e4),
         /// Form of the hysteresis: its part that acts in both directions of motion, in m^-n.
-        hysteresis_gamma: tunable = real("1/m2", 3.63e6).at_least(0.0).nominal(1e6),
+        hysteresis_gamma: tunable = real("1/m2", 3.63e6).at_least(0.0).nominal(1e6).means(Meaning::Shape),
         /// Form of the hysteresis: its part that changes sign with the motion, in m^-n; above -hysteresis_gamma.
-        hysteresis_beta: tunable = real("1/m2", 3.63e6).nominal(1e6),
+        hysteresis_beta: tunable = real("1/m2", 3.63e6).nominal(1e6).means(Meaning::Shape),
         /// Slope of the evolutionary variable over the displacement where it is 0.
-        A: tunable = real("1", 301.0).positive().nominal(100.0),
+        A: tunable = real("1", 301.0).positive().nominal(100.0).means(Meaning::Shape),
         /// Exponent of the hysteresis: its transition to the saturated level is sharper if larger.
-        n: tunable = real("1", 2.0).at_least(1.0),
+        n: tunable = real("1", 2.0).at_least(1.0).means(Meaning::Shape),
         /// Rate at which the voltage on the fluid follows that at the driver.
         voltage_rate: tunable = real("1/s", 190.0).positive().nominal(100.0),
     }
@@ -153,9 +153,9 @@ crate::model! {
         /// Displacement at which the accumulator carries nothing.
         x_0: tunable = real("m", 0.143).nominal(0.1),
         /// Displacement of body 1 relative to body 2.
-        displacement: state_output = real("m", 0.0).nominal(1e-2).shown_in("mm").odd(),
+        displacement: state_output = real("m", 0.0).nominal(1e-2).shown_in("mm").odd().means(Meaning::Displacement),
         /// Displacement of the dashpot in series.
-        y: state = real("m", 0.0).nominal(1e-2).shown_in("mm"),
+        y: state = real("m", 0.0).nominal(1e-2).shown_in("mm").means(Meaning::Displacement),
         /// Hysteresis and voltage.
         state: (MagnetorheologicalState),
         dissipated_energy: state_output = DISSIPATED_ENERGY.nominal(1.0),

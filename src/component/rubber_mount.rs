@@ -1,7 +1,7 @@
 use crate::contact::motion::Motion;
 use crate::contact::quantities::{DISSIPATED_ENERGY, DISSIPATED_POWER, FRICTION_FORCE, VELOCITY};
 use crate::contact::time_stepping::{MOVED, PASSED};
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, boolean, ramp, real};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, boolean, ramp, real};
 use crate::number::elementary::{exp, ln_1p};
 use crate::number::{Real, choose};
 
@@ -127,7 +127,7 @@ crate::model! {
         /// Rubber.
         rubber: (Rubber),
         /// Displacement of body 1 relative to body 2.
-        displacement: state_output = real("m", 0.0).nominal(1e-3).shown_in("mm").odd(),
+        displacement: state_output = real("m", 0.0).nominal(1e-3).shown_in("mm").odd().means(Meaning::Displacement),
         /// Friction and damper.
         state: (RubberState),
         dissipated_energy: state_output = DISSIPATED_ENERGY.nominal(0.1),

@@ -115,19 +115,19 @@ crate::model! {
         /// Excess of the static over the kinetic level without load, at 20 degC.
         excess_force: tunable = real("N", 0.0).at_least(0.0).means(Meaning::Preload),
         /// Relative change of excess_force with temperature.
-        excess_by_temperature: tunable = real("1/K", 0.0).nominal(1e-2).means(Meaning::Shape),
+        excess_by_temperature: tunable = real("1/K", 0.0).nominal(1e-2).means(Meaning::EffectOfCondition),
         stribeck_velocity_unloaded: tunable = STRIBECK_VELOCITY
             .help("Speed at which the excess without load has fallen to 1/e, at 20 degC."),
         /// Relative change of stribeck_velocity_unloaded with temperature.
-        velocity_by_temperature: tunable = real("1/K", 0.0).nominal(1e-2).means(Meaning::Shape),
+        velocity_by_temperature: tunable = real("1/K", 0.0).nominal(1e-2).means(Meaning::EffectOfCondition),
         stribeck_exponent: tunable = STRIBECK_EXPONENT,
         viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
         /// Viscous coefficient that is added at 20 degC, less in a warmer joint.
-        viscous_coefficient_cold: tunable = real("N.s/m", 0.0).at_least(0.0).means(Meaning::Shape),
+        viscous_coefficient_cold: tunable = real("N.s/m", 0.0).at_least(0.0).means(Meaning::EffectOfCondition),
         /// Rise of temperature after which 1/e of viscous_coefficient_cold is left (start value chosen).
-        viscous_temperature: tunable = real("K", 20.0).positive().nominal(20.0).means(Meaning::Shape),
+        viscous_temperature: tunable = real("K", 20.0).positive().nominal(20.0).means(Meaning::EffectOfCondition),
         /// Temperature of the lubricant.
-        temperature: tunable = real("K", REFERENCE).at_least(0.0).nominal(300.0).shown_in("degC").means(Meaning::Shape),
+        temperature: tunable = real("K", REFERENCE).at_least(0.0).nominal(300.0).shown_in("degC").means(Meaning::Condition),
         /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         dissipated_energy: state_output = DISSIPATED_ENERGY,

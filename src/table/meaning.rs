@@ -63,6 +63,11 @@ pub enum Meaning {
     ReferenceSpeed,
     /// Exponent, order or share: a shape of the law, which a fit holds unless it is asked to fit it.
     Shape,
+    /// Condition of the surroundings, such as a temperature: a parameter that a record may have at each sample, so that a
+    /// fit holds it.
+    Condition,
+    /// Coefficient of the effect of a condition, which a fit holds unless the condition changes in a record.
+    EffectOfCondition,
     /// Stiffness of the contact.
     Stiffness,
     /// Damping of the contact.
@@ -78,6 +83,8 @@ pub enum Meaning {
     Deflection,
     /// State: strain of one of many bonds, which the motion strains alike.
     Strain,
+    /// State: displacement of the host, from which a record begins.
+    Displacement,
     /// State: energy taken out of the motion.
     Energy,
     /// State: value of a quantity a time lag ago, or filtered.

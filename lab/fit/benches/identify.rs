@@ -9,6 +9,7 @@
 //!   thesis, over eight seeds.
 //! * `joints [SEEDS]`: simulated joints (200), every other one an arm with gravity: how many intervals hold the truth.
 //! * `sliders [SEEDS]`: the same of simulated sliders (200) with LuGre's law.
+//! * `mounts [SEEDS]`: the same of simulated rubber mounts (100).
 //! * `camera`: what a camera of 100 Hz makes of the static level and the Stribeck velocity.
 //!
 //! Without arguments all of them.
@@ -34,7 +35,7 @@ use stribeck_fit::rig::{Faults, VirtualRig};
 use stribeck_measured::{Delay, Record, Setup};
 use stribeck_sheet::Sheet;
 
-use simulated::{Held, Joint, Simulated, Slider};
+use simulated::{Held, Joint, Mount, Simulated, Slider};
 
 const MASS: f64 = 2.0;
 const LOAD: f64 = 20.0;
@@ -48,23 +49,27 @@ fn main() {
             methods();
             joints(SEEDS);
             sliders(SEEDS);
+            mounts(SEEDS / 2);
             camera();
         }
         Some("trust") => trust(&arguments[1..]),
         Some("ranking") => ranking(),
         Some("methods") => methods(),
-        Some("joints") => joints(seeds(&arguments)),
-        Some("sliders") => sliders(seeds(&arguments)),
+        Some("joints") => joints(seeds(&arguments, SEEDS)),
+        Some("sliders") => sliders(seeds(&arguments, SEEDS)),
+        Some("mounts") => mounts(seeds(&arguments, SEEDS / 2)),
         Some("camera") => camera(),
-        Some(other) => eprintln!("no part '{other}': trust, ranking, methods, joints, sliders or camera"),
+        Some(other) => {
+            eprintln!("no part '{other}': trust, ranking, methods, joints, sliders, mounts or camera")
+        }
     }
 }
 
 /// Records of each law, and of each kind that is simulated.
 const SEEDS: u64 = 200;
 
-fn seeds(arguments: &[String]) -> u64 {
-    arguments.get(1).and_then(|text| text.parse().ok()).unwrap_or(SEEDS)
+fn seeds(arguments: &[String], usual: u64) -> u64 {
+    arguments.get(1).and_then(|text| text.parse().ok()).unwrap_or(usual)
 }
 
 fn trust(arguments: &[String]) {
@@ -210,6 +215,10 @@ fn joints(seeds: u64) {
 
 fn sliders(seeds: u64) {
     count("sliders", seeds, |_, random| Box::new(Slider::drawn(random)));
+}
+
+fn mounts(seeds: u64) {
+    count("mounts", seeds, |_, random| Box::new(Mount::drawn(random)));
 }
 
 /// A camera blurs the speeds at which friction falls.

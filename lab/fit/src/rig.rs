@@ -152,8 +152,9 @@ impl VirtualRig {
 
     /// The friction force at the samples of the load cell.
     fn friction(&self, count: usize) -> Result<Vec<f64>, Fault> {
-        let Ports { velocity, load, force, .. } =
-            Ports::of(self.law).ok_or_else(|| self.refused("only laws of one sliding direction have a rig"))?;
+        let along = Ports::of(self.law).and_then(|ports| Some((ports.load?, ports)));
+        let (load, Ports { velocity, force, .. }) =
+            along.ok_or_else(|| self.refused("only laws of one sliding direction have a rig"))?;
         let mut instance = self.instance()?;
         let samples = (count - 1) * FINER + 1;
         let time = |at: usize| at as f64 * INTERVAL / FINER as f64;

@@ -4,17 +4,22 @@
 #[path = "../benches/simulated/mod.rs"]
 mod simulated;
 
-use simulated::{Held, Joint, Simulated, Slider};
+use simulated::{Held, Joint, Mount, Simulated, Slider};
 
 /// The intervals of several simulated things; none has a reason to be warned of.
 fn held(seeds: u64, of: impl Fn(u64, &mut fastrand::Rng) -> Box<dyn Simulated>) -> [u32; 2] {
+    let all = looked(seeds, of);
+    assert_eq!(all.warned, 0, "{:?}", all.counts);
+    all.total()
+}
+
+fn looked(seeds: u64, of: impl Fn(u64, &mut fastrand::Rng) -> Box<dyn Simulated>) -> Held {
     let mut all = Held::default();
     for seed in 0..seeds {
         let mut random = fastrand::Rng::with_seed(seed);
         all.look(&*of(seed, &mut random), &mut random);
     }
-    assert_eq!(all.warned, 0, "{:?}", all.counts);
-    all.total()
+    all
 }
 
 /// Of intervals half as wide, two thirds would hold the truth.
@@ -28,4 +33,13 @@ fn intervals_of_joints_and_arms_hold_the_truth() {
 fn intervals_of_sliders_hold_the_truth() {
     let [told, held] = held(4, |_, random| Box::new(Slider::drawn(random)));
     assert!(told >= 24 && f64::from(held) >= 0.8 * f64::from(told), "{held} of {told}");
+}
+
+/// One of the four is warned of, and gets no numbers.
+#[test]
+fn intervals_of_mounts_hold_the_truth() {
+    let all = looked(4, |_, random| Box::new(Mount::drawn(random)));
+    let [told, held] = all.total();
+    assert!(told >= 12 && f64::from(held) >= 0.8 * f64::from(told), "{held} of {told}");
+    assert!(all.warned <= 1, "{:?}", all.counts);
 }

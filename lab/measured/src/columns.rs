@@ -19,7 +19,8 @@ fn others(quantity: &Quantity) -> &'static [&'static str] {
         "force" => &["F", "drive_force", "load_cell"],
         "displacement" => &["x", "q", "qm", "pos", "position", "disp", "stroke", "joint_position"],
         "velocity" => &["v", "vel", "speed", "qd", "dq", "joint_velocity"],
-        _ => &["N", "Fn", "f_n", "Fz", "f_z"],
+        "normal_force" => &["N", "Fn", "f_n", "Fz", "f_z"],
+        _ => &[],
     }
 }
 
@@ -53,19 +54,29 @@ pub struct Columns {
     pub drive: Drive,
     /// Whether the body turns, as the user says: columns without a unit are then those of a joint.
     pub is_joint: bool,
+    /// Further quantities that are read where a record has them, each in a column of its name.
+    pub further: Vec<Quantity>,
 }
 
 impl Columns {
     /// Whether a record may have a quantity of this name.
-    pub fn knows(name: &str) -> bool {
-        QUANTITIES.iter().any(|known| known.name == name)
+    pub fn knows(&self, name: &str) -> bool {
+        self.quantities().any(|known| known.name == name)
+    }
+
+    fn quantities(&self) -> impl Iterator<Item = &Quantity> {
+        QUANTITIES.into_iter().chain(&self.further)
+    }
+
+    fn is_further(&self, name: &str) -> bool {
+        self.further.iter().any(|known| known.name.eq_ignore_ascii_case(name))
     }
 
     /// Rejects quantities that no record has, factors that are 0 or not finite, and two for one column.
     pub fn check(&self) -> Result<(), MeasuredError> {
-        check_names(&self.names, &QUANTITIES)?;
-        if let Some((name, _)) = self.factors.iter().find(|(name, _)| !Columns::knows(name)) {
-            let wanted = QUANTITIES.map(|quantity| quantity.name).join(", ");
+        check_names(&self.names, &self.quantities().collect::<Vec<_>>())?;
+        if let Some((name, _)) = self.factors.iter().find(|(name, _)| !self.knows(name)) {
+            let wanted = self.quantities().map(|quantity| quantity.name).collect::<Vec<_>>().join(", ");
             return Err(SheetError::Quantity { name: name.clone(), wanted }.into());
         }
         if let Some((name, factor)) = self.factors.iter().find(|(_, factor)| !(factor.is_finite() && *factor != 0.0)) {
@@ -168,15 +179,15 @@ impl Columns {
         }
         let signals = movement.signals();
         for (name, factor) in &self.factors {
-            for quantity in QUANTITIES.into_iter().filter(|quantity| quantity.name == name) {
+            for quantity in self.quantities().filter(|quantity| quantity.name == name) {
                 let quantity = movement.quantity(quantity);
-                record.iter_mut().chain(&mut *motion).for_each(|table| table.scale(quantity, &signals, *factor));
+                record.iter_mut().chain(&mut *motion).for_each(|table| table.scale(&quantity, &signals, *factor));
             }
         }
         for quantity in QUANTITIES {
             let Some(factor) = self.drive.factor(quantity.name) else { continue };
             let (turned, is_force) = (movement.quantity(quantity), quantity.name == FORCE.name);
-            let own = if is_force && self.drive.torque_constant.is_some() { &CURRENT } else { turned };
+            let own = if is_force && self.drive.torque_constant.is_some() { &CURRENT } else { &turned };
             for table in record.iter_mut().chain(&mut *motion) {
                 table.convert(quantity.name, own, factor, turned.units[0].0)?;
             }
@@ -272,7 +283,7 @@ impl Columns {
     /// A note on the quantities that have a unit neither in the file nor by a factor.
     fn assumed_units(&self, record: &[Sheet], motion: &[Sheet], movement: Movement) -> Option<String> {
         let of_motion = if motion.is_empty() { record } else { motion };
-        let columns = QUANTITIES.into_iter().filter(|quantity| !self.is_scaled(quantity)).flat_map(|quantity| {
+        let columns = self.quantities().filter(|quantity| !self.is_scaled(quantity)).flat_map(|quantity| {
             let has_time = quantity.name == TIME.name;
             let is_of_motion = has_time || [DISPLACEMENT.name, VELOCITY.name].contains(&quantity.name);
             let record = record.iter().filter(move |_| !is_of_motion || has_time);
@@ -307,6 +318,7 @@ impl Columns {
         }
         if quantity.name == FORCE.name && candidates.is_empty() {
             candidates = of(if self.drive.torque_constant.is_some() { &CURRENTS } else { &SIGNALS });
+            candidates.retain(|name| !self.is_further(name));
             if let ([column], None) = (candidates.as_slice(), self.factor(quantity)) {
                 return Err(SheetError::NoFactor { column: column.clone() });
             }
@@ -338,7 +350,7 @@ fn with_units<'a>(tables: impl Iterator<Item = &'a mut Sheet>, movement: Movemen
     for table in tables {
         for quantity in [&FORCE, &DISPLACEMENT, &VELOCITY].map(|quantity| movement.quantity(quantity)) {
             if table.unit(quantity.name) == Some("") {
-                table.convert(quantity.name, quantity, 1.0, quantity.units[0].0)?;
+                table.convert(quantity.name, &quantity, 1.0, quantity.units[0].0)?;
             }
         }
     }
@@ -387,11 +399,11 @@ mod tests {
         for heading in ["time,torque [N.m],angle [deg]", "t,Friction torque [N.m],theta [deg]", "t,effort,phi [deg]"] {
             let tables = read(&format!("{heading}\n1,2,90\n"));
             let turned = Movement::Rotation.quantity(&DISPLACEMENT);
-            let angle = tables[0].column(turned).unwrap().unwrap()[0];
+            let angle = tables[0].column(&turned).unwrap().unwrap()[0];
             assert!((angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15, "{heading}: {angle}");
         }
         let tables = read("t,torque [N.m],omega [rpm]\n1,2,60\n");
-        let speed = tables[0].column(Movement::Rotation.quantity(&VELOCITY)).unwrap().unwrap()[0];
+        let speed = tables[0].column(&Movement::Rotation.quantity(&VELOCITY)).unwrap().unwrap()[0];
         assert!((speed - std::f64::consts::TAU).abs() < 1e-15);
         // An angle that stands beside the displacement, such as that of a wheel that steers.
         let tables = read("t,F,x [mm],angle [deg],friction\n1,2,3,4,5\n");
@@ -416,7 +428,7 @@ mod tests {
         assert_eq!(tables[0].column(&DISPLACEMENT).unwrap(), Some(vec![3.0]));
         let mut tables = [Sheet::parse("t,torque,angle\n1,2,3\n").unwrap()];
         Columns { is_joint: true, ..Columns::default() }.apply(&mut tables, &mut [], &Setup::default()).unwrap();
-        assert_eq!(tables[0].column(Movement::Rotation.quantity(&DISPLACEMENT)).unwrap(), Some(vec![3.0]));
+        assert_eq!(tables[0].column(&Movement::Rotation.quantity(&DISPLACEMENT)).unwrap(), Some(vec![3.0]));
     }
 
     /// A camera has no force, whatever its columns are called, and a column is named in the table that has it.

@@ -50,7 +50,7 @@ pub use matched_filter::SLOW;
 pub use movement::{Movement, Units};
 pub use polynomial::correlation_of_slopes;
 pub use quality::noise;
-pub use record::{Delay, Direction, Gap, MatchedFilter, Quality, Record, Setup};
+pub use record::{Channel, Delay, Direction, Gap, MatchedFilter, Quality, Record, Setup};
 pub use reduce::load;
 pub use statistics::extremes;
 pub use statistics::{OF_MEDIAN, median, reversals};

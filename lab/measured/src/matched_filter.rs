@@ -290,8 +290,10 @@ impl Averages {
         let noise = record.quality.noise * self.gains[0];
         let direction = record.direction.as_ref().map(|_| Direction { cosine: column(6), sine: column(7) });
         let clocks = Clocks { delay, ..record.clocks };
+        let chosen = |all: &[f64]| self.chosen.iter().map(|at| all[*at]).collect::<Vec<f64>>();
         Record {
-            time: self.chosen.iter().map(|at| record.time[*at]).collect(),
+            time: chosen(&record.time),
+            channels: record.channels.iter().map(|one| one.with(chosen(&one.values))).collect(),
             matched_filter: Some(MatchedFilter { jerk, least_speed: self.least_speed, noise }),
             displacement,
             velocity,

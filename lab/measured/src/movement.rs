@@ -7,9 +7,7 @@ use serde::Serialize;
 use ts_rs::TS;
 
 use crate::error::MeasuredError;
-use stribeck_sheet::{
-    ANGLE, ANGULAR_VELOCITY, DISPLACEMENT, FORCE, MOMENT, NORMAL_FORCE, Quantity, SLIP, Sheet, VELOCITY,
-};
+use stribeck_sheet::{ANGLE, ANGULAR_VELOCITY, DISPLACEMENT, FORCE, MOMENT, Quantity, SLIP, Sheet, VELOCITY};
 
 /// Movement of a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,16 +33,8 @@ pub struct Units {
 /// Quantities of a record that tell a movement by their units.
 const TELLING: [&Quantity; 3] = [&FORCE, &DISPLACEMENT, &VELOCITY];
 
-/// Quantities of a body that turns, by the names of those of a body that slides.
-const TURNED: [&Quantity; 4] = [
-    &Quantity { name: FORCE.name, units: MOMENT.units },
-    &Quantity { name: DISPLACEMENT.name, units: ANGLE.units },
-    &Quantity { name: VELOCITY.name, units: ANGULAR_VELOCITY.units },
-    &Quantity { name: NORMAL_FORCE.name, units: MOMENT.units },
-];
-
 /// Units of a body that slides, and those in their place for one that turns.
-const UNITS: [(&str, &str); 18] = [
+const UNITS: [(&str, &str); 24] = [
     ("N", "N.m"),
     ("m", "rad"),
     ("m/s", "rad/s"),
@@ -63,6 +53,12 @@ const UNITS: [(&str, &str); 18] = [
     ("J", "J"),
     ("K", "K"),
     ("1/K", "1/K"),
+    ("V", "V"),
+    ("rad", "rad"),
+    ("1/N", "1/(N.m)"),
+    ("1/m2", "1/rad2"),
+    ("N/(m.V)", "N.m/(rad.V)"),
+    ("N.s/(m.V)", "N.m.s/(rad.V)"),
 ];
 
 impl Movement {
@@ -94,9 +90,9 @@ impl Movement {
     }
 
     /// The quantity in place of one of a body that slides.
-    pub fn quantity(self, of_translation: &'static Quantity) -> &'static Quantity {
-        let turned = TURNED.into_iter().find(|turned| turned.name == of_translation.name);
-        turned.filter(|_| self == Movement::Rotation).unwrap_or(of_translation)
+    pub fn quantity(self, of_translation: &Quantity) -> Quantity {
+        let turned = Quantity::of(of_translation.name, self.unit(of_translation.units[0].0));
+        turned.filter(|_| self == Movement::Rotation).unwrap_or(*of_translation)
     }
 
     /// Quantities of signals, which a factor converts: the torque of a drive, its angle, its current in percent; for a

@@ -4,7 +4,7 @@ use crate::clock::Clocks;
 use crate::error::MeasuredError;
 use crate::movement::Movement;
 use stribeck::number::Real;
-use stribeck_sheet::text;
+use stribeck_sheet::{Quantity, text};
 
 /// Properties of a measurement that its file does not have.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +24,8 @@ pub struct Setup {
     pub is_axis: bool,
     /// Whether gravity turns it, so that cosine and sine of its angle are needed.
     pub has_gravity: bool,
+    /// Further quantities that are read where the file has them.
+    pub further: Vec<Quantity>,
 }
 
 /// Delay of the motion behind the force.
@@ -54,6 +56,7 @@ impl Default for Setup {
             skip: 0.0,
             is_axis: false,
             has_gravity: false,
+            further: Vec::new(),
         }
     }
 }
@@ -94,6 +97,27 @@ pub struct Quality {
     pub loads: [f64; 2],
     /// Warnings about what the record cannot determine.
     pub findings: Vec<String>,
+}
+
+/// Samples of a further quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channel {
+    /// The quantity, in its unit for a body that slides or turns.
+    pub quantity: Quantity,
+    /// Its values, in the SI unit.
+    pub values: Vec<f64>,
+}
+
+impl Channel {
+    /// The same with some of its samples.
+    pub fn with(&self, values: Vec<f64>) -> Channel {
+        Channel { values, quantity: self.quantity }
+    }
+
+    /// Its name with its unit in brackets.
+    fn heading(&self) -> String {
+        format!("{} [{}]", self.quantity.name, self.quantity.units[0].0)
+    }
 }
 
 /// Extra columns of a matched-filtered record.
@@ -155,6 +179,8 @@ pub struct Record {
     pub normal_force: Vec<f64>,
     /// Friction force f_f = F - m a, N.
     pub friction_force: Vec<f64>,
+    /// Further quantities that the file has.
+    pub channels: Vec<Channel>,
     /// Direction of an arm that gravity turns.
     pub direction: Option<Direction>,
     /// Window of the filter of the velocity, s; 0 if the velocity was measured.
@@ -211,8 +237,9 @@ impl Record {
             ("normal_force", "N", &self.normal_force),
             ("friction_force", "N", &self.friction_force),
         ];
-        let headings = columns.map(|(name, unit, _)| self.movement.heading(name, unit));
-        let columns = headings.iter().zip(columns).map(|(heading, (.., values))| (heading.as_str(), values));
-        text(&columns.collect::<Vec<_>>())
+        let own = columns.map(|(name, unit, values)| (self.movement.heading(name, unit), values));
+        let further = self.channels.iter().map(|one| (one.heading(), &one.values[..]));
+        let columns: Vec<(String, &[f64])> = own.into_iter().chain(further).collect();
+        text(&columns.iter().map(|(heading, values)| (heading.as_str(), *values)).collect::<Vec<_>>())
     }
 }

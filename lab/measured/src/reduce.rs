@@ -7,11 +7,11 @@ use crate::movement::Movement;
 use crate::plausible;
 use crate::polynomial::Local;
 use crate::quality::{noise, quality, rounding};
-use crate::record::{Delay, Direction, Quality, Record, Setup};
+use crate::record::{Channel, Delay, Direction, Quality, Record, Setup};
 use crate::statistics::{extremes, median};
 use crate::stencil::derivatives;
 use crate::window::{Signal, degree, order, shortest};
-use stribeck_sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, TIME, VELOCITY};
+use stribeck_sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Quantity, Sheet, TIME, VELOCITY};
 
 /// Tolerance of a delay that was estimated without the law, in samples of the motion or standard deviations (chosen):
 /// hysteretic friction looks like a delay, and its displacement is not known before the fit.
@@ -28,7 +28,7 @@ impl Record {
         check(setup, movement)?;
         let time = times(sheet)?;
         check_lengths(setup, &time)?;
-        let force = sheet.required(FORCE.name, movement.quantity(&FORCE))?;
+        let force = sheet.required(FORCE.name, &movement.quantity(&FORCE))?;
         moving("force", &force)?;
         let load = load(sheet, setup, movement)?;
         let motion = match motion {
@@ -38,7 +38,8 @@ impl Record {
         if setup.has_gravity && !(movement == Movement::Rotation && motion.has_displacement) {
             return Err(MeasuredError::NoAngle);
         }
-        let reduction = Reduction { setup, movement, time, force, load, motion };
+        let channels = channels(sheet, setup, movement)?;
+        let reduction = Reduction { setup, movement, time, force, load, channels, motion };
         let record = if setup.is_axis { reduction.matched()? } else { reduction.smoothed()? };
         record.finite()?;
         plausible::check(&record, setup)?;
@@ -109,13 +110,20 @@ fn more_than_noise(name: &'static str, unit: &'static str, values: &[f64]) -> Re
 
 /// Normal force of every sample: the column, or the value given.
 pub fn load(sheet: &Sheet, setup: &Setup, movement: Movement) -> Result<Vec<f64>, MeasuredError> {
-    let Some(loads) = sheet.column(movement.quantity(&NORMAL_FORCE))? else {
+    let Some(loads) = sheet.column(&movement.quantity(&NORMAL_FORCE))? else {
         return setup.normal_force.map(|load| vec![load; sheet.len()]).ok_or(MeasuredError::NoLoad);
     };
     match loads.iter().position(|load| *load < 0.0) {
         Some(at) => Err(MeasuredError::Load { line: sheet.line(at), value: loads[at], unit: movement.unit("N") }),
         None => Ok(loads),
     }
+}
+
+/// The further quantities that a table has.
+fn channels(sheet: &Sheet, setup: &Setup, movement: Movement) -> Result<Vec<Channel>, MeasuredError> {
+    let quantities = setup.further.iter().map(|quantity| movement.quantity(quantity));
+    let read = |quantity: Quantity| Ok(sheet.column(&quantity)?.map(|values| Channel { quantity, values }));
+    quantities.filter_map(|quantity| read(quantity).transpose()).collect()
 }
 
 /// The motion on its own clock.
@@ -132,11 +140,11 @@ impl Motion {
     fn of(sheet: &Sheet, movement: Movement) -> Result<Motion, MeasuredError> {
         let [of_displacement, of_velocity] = [&DISPLACEMENT, &VELOCITY].map(|quantity| movement.quantity(quantity));
         let time = times(sheet)?;
-        let velocity = sheet.column(of_velocity)?;
-        let displacement = match (sheet.column(of_displacement)?, &velocity) {
+        let velocity = sheet.column(&of_velocity)?;
+        let displacement = match (sheet.column(&of_displacement)?, &velocity) {
             (Some(displacement), _) => displacement,
             (None, Some(velocity)) => integral(&time, velocity),
-            (None, None) => sheet.required(DISPLACEMENT.name, of_displacement)?,
+            (None, None) => sheet.required(DISPLACEMENT.name, &of_displacement)?,
         };
         moving("displacement", &displacement)?;
         match &velocity {
@@ -197,6 +205,7 @@ struct Reduction<'a> {
     time: Vec<f64>,
     force: Vec<f64>,
     load: Vec<f64>,
+    channels: Vec<Channel>,
     motion: Motion,
 }
 
@@ -274,8 +283,8 @@ impl Reduction<'_> {
     /// Force and motion on the clock of the force, where both are known.
     fn joined(&self, windows: [f64; 2], clocks: Clocks) -> Result<Record, MeasuredError> {
         let inside = self.overlap(clocks)?;
-        let [time, force, normal_force] =
-            [&self.time, &self.force, &self.load].map(|all| inside.iter().map(|at| all[*at]).collect::<Vec<f64>>());
+        let chosen = |all: &[f64]| inside.iter().map(|at| all[*at]).collect::<Vec<f64>>();
+        let [time, force, normal_force] = [&self.time, &self.force, &self.load].map(|all| chosen(all));
         let motion = time.iter().map(|t| self.motion.at(windows, clocks.of_motion(*t)));
         let (displacement, (velocity, acceleration)): (Vec<f64>, (Vec<f64>, Vec<f64>)) =
             motion.map(|[x, v, a]| (x, (v, a))).unzip();
@@ -284,6 +293,7 @@ impl Reduction<'_> {
             direction: self.setup.has_gravity.then(|| Direction::of(&displacement)),
             friction_force: force.iter().zip(&acceleration).map(|(force, a)| force - self.setup.mass * a).collect(),
             normal_force,
+            channels: self.channels.iter().map(|one| one.with(chosen(&one.values))).collect(),
             is_differentiated: self.motion.velocity.is_none(),
             window: windows[0],
             acceleration_window: windows[1],

@@ -6,7 +6,7 @@ use crate::reduce::integral;
 use stribeck_sheet::{DISPLACEMENT, Quantity, Sheet, SheetError, TIME, VELOCITY};
 
 /// A note on the quantities without a unit in their file, which are assumed to be SI.
-pub(crate) fn assumed(columns: &[(&Sheet, &'static Quantity)]) -> Option<String> {
+pub(crate) fn assumed(columns: &[(&Sheet, Quantity)]) -> Option<String> {
     let mut found: Vec<&Quantity> = Vec::new();
     for (table, quantity) in columns {
         if table.assumes_unit(quantity.name) && found.iter().all(|known| known.name != quantity.name) {
@@ -24,7 +24,7 @@ const CONSISTENT: [f64; 2] = [0.8, 1.2];
 /// A note on which of displacement and velocity is used if a table has both; an error if they contradict each other.
 pub(crate) fn motion(table: &Sheet, movement: Movement) -> Result<Option<String>, MeasuredError> {
     let column = |quantity: &'static Quantity| -> Result<Vec<f64>, SheetError> {
-        table.required(quantity.name, movement.quantity(quantity))
+        table.required(quantity.name, &movement.quantity(quantity))
     };
     if [&TIME, &DISPLACEMENT, &VELOCITY].iter().any(|quantity| !table.has(quantity.name)) {
         return Ok(None);
@@ -113,9 +113,9 @@ mod tests {
     #[test]
     fn units_that_the_file_lacks_are_listed_in_one_note() {
         let sheet = Sheet::parse("time,force [kN],displacement\n1,2,3\n").unwrap();
-        let all = [(&sheet, &TIME), (&sheet, &DISPLACEMENT), (&sheet, &DISPLACEMENT), (&sheet, &VELOCITY)];
+        let all = [TIME, DISPLACEMENT, DISPLACEMENT, VELOCITY].map(|quantity| (&sheet, quantity));
         assert_eq!(assumed(&all).unwrap(), "time, displacement: no unit in the file, taken as s, m");
         let of_a_program = Sheet::of_columns(&[("time".into(), vec![1.0])]).unwrap();
-        assert_eq!(assumed(&[(&of_a_program, &TIME)]), None);
+        assert_eq!(assumed(&[(&of_a_program, TIME)]), None);
     }
 }

@@ -1,12 +1,20 @@
 //! Quantities and their units in files.
 
 /// A quantity, with its possible units in files: SI value = factor (value + offset). The first unit is the SI one.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
     /// Name of the column.
     pub name: &'static str,
     /// Units, factors and offsets.
     pub units: &'static [(&'static str, f64, f64)],
+}
+
+impl Quantity {
+    /// A quantity by its SI unit; None for a unit that no file has.
+    pub fn of(name: &'static str, unit: &str) -> Option<Quantity> {
+        let known = QUANTITIES.into_iter().chain([&VOLTAGE]).find(|known| known.units[0].0 == unit)?;
+        Some(Quantity { name, units: known.units })
+    }
 }
 
 /// Time.
@@ -74,6 +82,8 @@ pub const PRESSURE: Quantity = Quantity {
 };
 /// Electric current.
 pub const CURRENT: Quantity = Quantity { name: "current", units: &[("A", 1.0, 0.0), ("mA", 1e-3, 0.0)] };
+/// Electric voltage. It is none of [`QUANTITIES`]: columns in volts may be signals of any quantity.
+const VOLTAGE: Quantity = Quantity { name: "voltage", units: &[("V", 1.0, 0.0), ("mV", 1e-3, 0.0)] };
 /// Moment.
 pub const MOMENT: Quantity = Quantity {
     name: "moment",

@@ -66,7 +66,7 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     heed_interrupts();
     if !arguments.json {
         let records = data.records.iter().zip(&data.experiments);
-        records.for_each(|((name, record), one)| println!("{}  {}", worth(name, record), one.beginning()));
+        records.for_each(|((name, record), one)| println!("{}  {}", worth(name, record), one.beginning(&laws)));
         data.maps.iter().for_each(|(name, map)| print!("{}", map.worth(name)));
     }
     if arguments.check {
@@ -251,6 +251,7 @@ fn save(arguments: &Arguments, best: &Fit, experiments: &[Experiment]) -> Result
     }
     let left: Vec<&str> = best.undetermined().filter(|name| best.law.find(name).is_some()).collect();
     if outputs::has_ending(path, "toml") {
+        best.refuse_component("a system with a friction law").map_err(|error| Failure::of_file(path, &error))?;
         write(path, best.configuration().text())?;
         if best.physical.gravity != [0.0; 2] {
             notice("not carried over: the gravity of the arm, which the system axis does not have");

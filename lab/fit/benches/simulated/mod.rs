@@ -1,6 +1,7 @@
 //! Records of simulators that share no code with the virtual rig, and how many intervals of fits to them hold the truth.
 
 mod joint;
+mod mount;
 mod slider;
 
 use std::collections::BTreeMap;
@@ -12,6 +13,7 @@ use stribeck_fit::identify::{Estimate, Inquiry, Source, Verdict, Watch};
 use stribeck_sheet::{Sheet, SheetError};
 
 pub use joint::Joint;
+pub use mount::Mount;
 pub use slider::Slider;
 
 /// Something simulated that has friction.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
+use stribeck::model::ModelType;
 use ts_rs::TS;
 
 use super::output::{EARLY, text_of};
@@ -129,9 +130,10 @@ impl Answer {
     pub fn of(ranking: &Ranking, data: &Data) -> Answer {
         let of_records = data.records.iter().map(|(name, record)| (name, &record.quality.findings));
         let of_maps = data.maps.iter().map(|(name, map)| (name, &map.findings));
+        let laws: Vec<&ModelType> = ranking.ranks.iter().map(|place| ranking.fits[place.fit].law).collect();
         let findings = of_records.chain(of_maps).zip(&data.experiments).map(|((name, found), experiment)| {
             let found = found.iter().cloned();
-            (name.clone(), std::iter::once(experiment.beginning().to_owned()).chain(found).collect())
+            (name.clone(), std::iter::once(experiment.beginning(&laws)).chain(found).collect())
         });
         let refused = ranking.refused.iter().map(|(law, reason)| RefusedLaw { law, reason: reason.clone() });
         Answer {

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use stribeck::model::{Kind, ModelType};
+use stribeck::model::{Kind, ModelType, Variable};
 use stribeck_solve::system::Fault;
 
 use super::least_squares::Found;
@@ -41,7 +41,8 @@ pub(super) fn evaluated(mut problem: Problem) -> Result<Fit, Fault> {
 /// The parameters of a law at the values that are given, otherwise at those at which a selection holds them, otherwise at
 /// their start values.
 pub(super) fn held(law: &ModelType, values: &Reference, selection: &Selection) -> Vec<(String, f64)> {
-    let real = known(law).into_iter().filter(|(_, variable)| matches!(variable.kind, Kind::Real(_)));
+    let is_real = |variable: &Variable| variable.role.is_parameter() && matches!(variable.kind, Kind::Real(_));
+    let real = known(law).into_iter().filter(|(_, variable)| is_real(variable));
     let value = |name: &str| values.get(name).copied().or_else(|| selection.fixed(name));
     let named = real.map(|(_, variable)| {
         let name = variable.path.to_string();

@@ -4,7 +4,9 @@ use std::borrow::Cow;
 use std::path::{Component, Path};
 
 use super::map::Rows;
-use stribeck_measured::{Direction, MatchedFilter, Movement, Record};
+use super::ports::Ports;
+use stribeck::model::ModelType;
+use stribeck_measured::{Channel, Direction, MatchedFilter, Movement, Record};
 use stribeck_solve::system::Fault;
 
 /// A run of a rig: the motion and the load that the law is led through, and the force it shall give; of a joint, angles and
@@ -17,6 +19,8 @@ pub struct Experiment {
     pub name: String,
     /// Time, s.
     pub time: Vec<f64>,
+    /// Displacement at the first sample, m.
+    pub displacement: f64,
     /// Velocity, m/s.
     pub velocity: Vec<f64>,
     /// Acceleration, m/s2.
@@ -25,6 +29,8 @@ pub struct Experiment {
     pub normal_force: Vec<f64>,
     /// Force of the load cell: m a + f_f + offset, N.
     pub force: Vec<f64>,
+    /// Further quantities that a law may be led by.
+    pub channels: Vec<Channel>,
     /// Direction of an arm that gravity turns.
     pub direction: Option<Direction>,
     /// Error of the velocity around rest, m/s; 0 if it is not known.
@@ -100,10 +106,12 @@ impl Experiment {
             movement: record.movement,
             name: name.to_owned(),
             time: record.time.clone(),
+            displacement: record.displacement.first().copied().unwrap_or(0.0),
             velocity: record.velocity.clone(),
             acceleration: record.acceleration.clone(),
             normal_force: record.normal_force.clone(),
             force: record.force.clone(),
+            channels: record.channels.clone(),
             direction: record.direction.clone(),
             velocity_error: record.velocity_error,
             acceleration_error: record.acceleration_error,
@@ -260,8 +268,8 @@ impl Experiment {
         let later = self.time.iter().map(|t| t + by);
         let (velocity, acceleration): (Vec<f64>, Vec<f64>) =
             later.map(|t| (at(&self.velocity, Some(&self.acceleration), t), at(&self.acceleration, None, t))).unzip();
-        let direction = self.turned(&velocity, by);
-        Experiment { velocity, acceleration, direction, ..self.clone() }
+        let (direction, displacement) = (self.turned(&velocity, by), self.displacement + by * self.velocity[0]);
+        Experiment { displacement, velocity, acceleration, direction, ..self.clone() }
     }
 
     /// The same for a motion of which the jerk is known; samples may be far apart.
@@ -269,8 +277,13 @@ impl Experiment {
         let moved = self.velocity.iter().zip(&self.acceleration).zip(jerk);
         let moved = moved.map(|((v, a), jerk)| (v + by * (a + 0.5 * by * jerk), a + by * jerk));
         let (velocity, acceleration): (Vec<f64>, Vec<f64>) = moved.unzip();
-        let direction = self.turned(&velocity, by);
-        Experiment { velocity, acceleration, direction, ..self.clone() }
+        let (direction, displacement) = (self.turned(&velocity, by), self.displacement + by * self.velocity[0]);
+        Experiment { displacement, velocity, acceleration, direction, ..self.clone() }
+    }
+
+    /// The samples of a further quantity.
+    pub(super) fn channel(&self, name: &str) -> Option<&[f64]> {
+        self.channels.iter().find(|one| one.quantity.name == name).map(|one| &one.values[..])
     }
 
     /// The direction of an arm that has moved on, with its velocities then.
@@ -296,6 +309,7 @@ impl Experiment {
             acceleration: take(&self.acceleration),
             normal_force: take(&self.normal_force),
             force: take(&self.force),
+            channels: self.channels.iter().map(|one| one.with(take(&one.values))).collect(),
             left_out: self.left_out.iter().copied().step_by(parts).collect(),
             matched_filter,
             map: self.map.as_ref().map(|rows| rows.coarser(parts)),
@@ -314,10 +328,18 @@ impl Experiment {
         self.velocity[0].abs() > 0.01 * fastest
     }
 
-    /// How it is taken to begin.
-    pub fn beginning(&self) -> &'static str {
+    /// How it is taken to begin for some laws.
+    pub fn beginning(&self, laws: &[&ModelType]) -> String {
+        let mut all: Vec<&str> = laws.iter().map(|law| self.beginning_of(law)).collect();
+        all.dedup();
+        all.join("; ")
+    }
+
+    fn beginning_of(&self, law: &ModelType) -> &'static str {
         if self.map.is_some() {
             "each row is taken as steady sliding"
+        } else if Ports::of(law).is_some_and(|ports| ports.has_displacement()) {
+            "taken to begin at its first displacement, at rest and unloaded"
         } else if self.begins_in_motion() {
             "taken to begin in steady sliding"
         } else {
@@ -353,7 +375,7 @@ impl Experiment {
     }
 
     /// Refuses columns that do not fit each other, and values that no rig has.
-    pub(super) fn check(&self) -> Result<(), Fault> {
+    pub(super) fn check(&self, law: &ModelType) -> Result<(), Fault> {
         let Experiment { name, time, velocity, acceleration, normal_force, force, .. } = self;
         let refuse = |text: std::fmt::Arguments| Err(Fault::value(format_args!("{name}: {text}")));
         let columns: [(&str, &[f64]); 5] = [
@@ -367,7 +389,10 @@ impl Experiment {
         if let Some(at) = (1..time.len()).find(|at| time[*at] <= time[at - 1]) {
             return refuse(format_args!("time[{at}] = {}: times must ascend", time[at]));
         }
-        for (column, values) in [("velocity", velocity), ("normal_force", normal_force)] {
+        self.channels.iter().try_for_each(|one| self.check_column(one.quantity.name, &one.values))?;
+        let has_load = Ports::of(law).is_some_and(|ports| ports.load.is_some());
+        let moving = [("velocity", velocity)].into_iter().chain(has_load.then_some(("normal_force", normal_force)));
+        for (column, values) in moving {
             if values.iter().all(|value| *value == 0.0) {
                 return refuse(format_args!("{column} is 0 throughout, so that no friction can be seen"));
             }

@@ -9,7 +9,7 @@ use toml::{Table, Value};
 
 use super::levels::columns_of;
 use super::parameter::refused;
-use super::{Experiment, Fit};
+use super::{Experiment, Fit, Ports};
 use stribeck_measured::Movement;
 
 /// A format of another program.
@@ -42,11 +42,19 @@ impl Fit {
     /// The law in a format of another program, at the mean normal force of the experiments. An error if the data do not
     /// determine what the format needs.
     pub fn exported(&self, format: Format, experiments: &[Experiment]) -> Result<Exported, Fault> {
+        self.refuse_component("a friction law under a normal force")?;
         match format {
             Format::Python => Ok(Exported { text: self.python(), lost: self.undetermined().map(open).collect() }),
             Format::Mujoco => Joint::of(self, experiments).mujoco(),
             Format::Urdf => Joint::of(self, experiments).urdf(),
         }
+    }
+
+    /// Refuses a component where a law of friction is needed.
+    pub fn refuse_component(&self, needed: &str) -> Result<(), Fault> {
+        let is_law = Ports::of(self.law).is_some_and(|ports| ports.load.is_some());
+        let why = format_args!("the file is for {needed}, and it has none: write a parameter set, .csv or .ssv");
+        if is_law { Ok(()) } else { Err(refused(self.law, why)) }
     }
 
     fn python(&self) -> String {

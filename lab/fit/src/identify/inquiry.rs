@@ -17,10 +17,13 @@ use ts_rs::TS;
 use super::judgement::{Given, judge_held};
 use super::map::{self, FrictionMap, MapColumns};
 use super::{
-    Experiment, Method, Ranking, Selection, Settings, Watch, axis, fit_all, held_out, laws_named, names, parameter,
+    Experiment, Led, Method, Ports, Ranking, Selection, Settings, Watch, axis, fit_all, held_out, laws_named, names,
+    parameter,
 };
 use stribeck_measured::{Columns, Delay, Drive, MeasuredError, Record, Setup};
-use stribeck_sheet::{DISPLACEMENT, FORCE, NO_SHEETS, Sheet, SheetError, TIME, VELOCITY, has_sheets, of_file, tables};
+use stribeck_sheet::{
+    DISPLACEMENT, FORCE, NO_SHEETS, Quantity, Sheet, SheetError, TIME, VELOCITY, has_sheets, of_file, tables,
+};
 
 /// Records, what is known of their rig, the laws, and how they are fitted.
 #[derive(Args, Clone, Debug, Default, Deserialize, PartialEq, Serialize, TS)]
@@ -240,17 +243,43 @@ impl Inquiry {
             None if self.axis => Delay::OfController,
             None => Delay::Known(0.0),
         };
-        let normal_force = self.normal_force.or(self.axis.then_some(axis::NORMAL_FORCE));
+        let normal_force = self.normal_force.or(self.axis.then_some(axis::NORMAL_FORCE)).or(self.without_load());
         let (mass, window, skip) = (self.mass(), self.window, self.skip.unwrap_or(0.0));
         let has_gravity = parameter::has_gravity(&self.selection());
-        Setup { mass, normal_force, window, delay, skip, is_axis: self.axis, has_gravity }
+        Setup { mass, normal_force, window, delay, skip, is_axis: self.axis, has_gravity, further: self.further() }
+    }
+
+    /// Normal force where no law has one.
+    fn without_load(&self) -> Option<f64> {
+        let laws = self.laws().unwrap_or_default();
+        (!laws.is_empty() && !laws.iter().any(|law| has_load(law))).then_some(0.0)
+    }
+
+    /// What a record may lead the laws by, with the laws; not what is held, fitted or tied.
+    fn led(&self) -> Vec<(&'static ModelType, Led)> {
+        let laws = self.laws().unwrap_or_default();
+        let all = laws
+            .into_iter()
+            .flat_map(|law| Ports::of(law).into_iter().flat_map(|ports| ports.led).map(move |led| (law, led)));
+        let selection = self.selection();
+        let is_left = |name: &str| selection.fixed(name).is_none() && !selection.fits(name) && !selection.is_tied(name);
+        all.filter(|(_, led)| is_left(led.name)).collect()
+    }
+
+    /// The quantities of these.
+    fn further(&self) -> Vec<Quantity> {
+        let mut found: Vec<Quantity> =
+            self.led().iter().filter_map(|(_, led)| Quantity::of(led.name, led.unit)).collect();
+        found.dedup_by_key(|quantity| quantity.name);
+        found
     }
 
     fn columns(&self) -> Result<Columns, Fault> {
         let names = self.column.iter().map(|Entry(name, column)| (name.clone(), column.clone())).collect();
         let (torque_constant, gear_ratio) = (self.torque_constant, self.gear_ratio);
         let drive = Drive { torque_constant, gear_ratio, motor_side: self.motor_side.clone() };
-        let columns = Columns { names, factors: pairs(&self.scale), drive, is_joint: self.joint };
+        let further = self.further();
+        let columns = Columns { names, factors: pairs(&self.scale), drive, is_joint: self.joint, further };
         columns.check().map_err(Fault::value)?;
         Ok(columns)
     }
@@ -391,41 +420,86 @@ impl Inquiry {
     }
 
     fn map(&self, path: &Path, mut table: Sheet, from: &dyn Source) -> Result<FrictionMap, Fault> {
-        let setup = self.setup();
+        self.refuse_load()?;
+        let (setup, columns) = (self.setup(), self.columns()?);
         let refused = |error: MeasuredError| match error {
             MeasuredError::NoLoad => unreadable(path, &format!("{error}; {}", map::LOAD)),
-            error => unreadable(path, &with_remedy(&error)),
+            error => unreadable(path, &with_remedy(&error, &columns)),
         };
         map::refuse_unheeded(self).map_err(|fault| unreadable(path, &fault))?;
-        let (movement, said) = self.columns()?.apply_to_map(&mut table, &setup).map_err(refused)?;
-        from.check(path, &table, &Columns::knows)?;
+        let (movement, mut said) = columns.apply_to_map(&mut table, &setup).map_err(refused)?;
+        from.check(path, &table, &|quantity| columns.knows(quantity))?;
+        let conditions = self.refuse_led(&table).and_then(|()| self.conditions(&table));
+        said.extend(conditions.map_err(|error| unreadable(path, &error))?);
         let columns = MapColumns::of(&table, &setup, movement).map_err(refused)?;
         FrictionMap::of(columns, said).map_err(|fault| unreadable(path, &fault))
     }
 
     fn record(&self, path: &Path, mut own: Vec<Sheet>, from: &dyn Source) -> Result<Record, Fault> {
+        self.refuse_load()?;
         let (setup, columns) = (self.setup(), self.columns()?);
         let read = |path: &Path| self.read(path, from);
         let mut motion = self.motion.as_deref().map(read).transpose()?.unwrap_or_default();
         let refused = |error: MeasuredError| match (error, &self.motion) {
-            (MeasuredError::Motion(error), Some(camera)) => unreadable(camera, &with_remedy(&error)),
-            (error, _) => unreadable(path, &with_remedy(&error)),
+            (MeasuredError::Motion(error), Some(camera)) => unreadable(camera, &with_remedy(&error, &columns)),
+            (error, _) => unreadable(path, &with_remedy(&error, &columns)),
         };
         let said = columns.apply(&mut own, &mut motion, &setup).map_err(refused)?;
         let is_elsewhere = |quantity: &str| self.motion.is_some() && is_of_motion(quantity);
         for table in &own {
-            from.check(path, table, &|quantity| Columns::knows(quantity) && !is_elsewhere(quantity))?;
+            from.check(path, table, &|quantity| columns.knows(quantity) && !is_elsewhere(quantity))?;
         }
         for (camera, table) in self.motion.iter().flat_map(|camera| motion.iter().map(move |table| (camera, table))) {
             from.check(camera, table, &|quantity| quantity == TIME.name || is_of_motion(quantity))?;
         }
         let (own, others) = with_force(own);
+        let conditions = self.conditions(&own).map_err(|error| unreadable(path, &error))?;
         // The channels of a file may have several clocks.
         let apart = if has_motion(&own) { None } else { with_motion(others) };
         let motion = with_motion(motion).or(apart);
         let mut record = Record::of(&own, motion.as_ref(), &setup).map_err(refused)?;
-        record.quality.findings.splice(0..0, said);
+        record.quality.findings.splice(0..0, said.into_iter().chain(conditions));
         Ok(record)
+    }
+
+    /// Refuses a normal force that no law has.
+    fn refuse_load(&self) -> Result<(), Fault> {
+        match (self.normal_force, self.without_load(), &self.law[..]) {
+            (Some(load), Some(_), laws) => {
+                Err(Fault::value(format_args!("normal_force = {load}: {} has none: leave it out", laws.join(", "))))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses the columns of a map by which a record would lead a law.
+    fn refuse_led(&self, table: &Sheet) -> Result<(), Fault> {
+        match self.led().iter().find(|(_, led)| table.has(led.name)) {
+            Some((_, Led { name, unit, .. })) => Err(Fault::value(format_args!(
+                "column {name}: a map is of one {name}; --fix {name}=VALUE holds it, in {unit}"
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// What conditions are taken to be that a table does not have; an error for an input that it does not have.
+    fn conditions(&self, table: &Sheet) -> Result<Vec<String>, Fault> {
+        let missing = self.led().into_iter().filter(|(_, led)| !table.has(led.name));
+        let said = |(law, Led { name, unit, column, is_input }): (&ModelType, Led)| {
+            let law_name = law.name;
+            if is_input {
+                return Err(Fault::value(format_args!(
+                    "{}: it drives {law_name}, in {unit}; --column {name}=NAME names it, --fix {name}=VALUE holds it",
+                    table.missing(name)
+                )));
+            }
+            let start = law.table.at(column).start;
+            Ok(format!(
+                "no column {name} [{unit}]: {law_name} has its start value, {start} {unit}, unless --fix {name}=VALUE holds \
+                 another one"
+            ))
+        };
+        missing.map(said).collect()
     }
 
     fn experiments(&self, tables: &[(String, Table)], laws: &[&'static ModelType]) -> Result<Vec<Experiment>, Fault> {
@@ -558,10 +632,15 @@ fn unreadable(path: &Path, error: &dyn std::fmt::Display) -> Fault {
     Fault::File(of_file(path, error))
 }
 
+/// Whether a law has a normal force.
+fn has_load(law: &ModelType) -> bool {
+    Ports::of(law).is_none_or(|ports| ports.load.is_some())
+}
+
 /// An error about a record; how to name a column that was not found.
-fn with_remedy(error: &MeasuredError) -> String {
+fn with_remedy(error: &MeasuredError, columns: &Columns) -> String {
     match error {
-        MeasuredError::Sheet(SheetError::Column { wanted, .. }) if Columns::knows(wanted) => {
+        MeasuredError::Sheet(SheetError::Column { wanted, .. }) if columns.knows(wanted) => {
             format!("{error}; --column {wanted}=NAME names it, --scale {wanted}=FACTOR turns it into the SI unit")
         }
         _ => error.to_string(),

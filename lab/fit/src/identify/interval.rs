@@ -540,7 +540,7 @@ mod tests {
             columns.push((column("sigma_0"), stiffness));
             columns.push((column("sigma_1"), damping));
             let mut instance = stribeck::instance::Instance::new(problem.law);
-            let forces = super::super::response::forces(&mut instance, problem.ports, &columns, &data[0], fit.parts);
+            let forces = super::super::response::forces(&mut instance, &problem.ports, &columns, &data[0], fit.parts);
             forces.unwrap().iter().zip(&data[0].force).map(|(a, b)| (a - b).powi(2)).sum::<f64>()
         };
         let stiffness = estimate(&fit, "sigma_0").value;

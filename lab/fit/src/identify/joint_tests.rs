@@ -193,20 +193,21 @@ fn columns_of_bodies_that_slide_and_turn_are_not_mixed() {
         assert_eq!((scaled.movement, scaled.time.len()), (Movement::Rotation, plain.time.len()));
         assert!(scaled.force.iter().zip(&plain.force).all(|(a, b)| (a - b).abs() < 1e-12));
     }
+    let coulomb = laws().next().unwrap();
     let slides = Experiment { movement: Movement::Translation, ..Experiment::default() };
     let turns = Experiment { name: "arm".into(), movement: Movement::Rotation, ..Experiment::default() };
-    let found = super::check(&[slides, turns], &Settings::default()).unwrap_err().to_string();
+    let found = super::check(coulomb, &[slides, turns], &Settings::default()).unwrap_err().to_string();
     assert!(found.ends_with("arm in N.m: one body slides, the other turns: fit them one at a time"), "{found}");
 }
 
 /// So that no result of a joint is shown in newtons or metres.
 #[test]
 fn every_unit_that_a_fit_shows_has_one_for_joints() {
-    let of_laws = laws().flat_map(|law| parameter::known(law).into_iter().map(|(_, variable)| variable.kind));
+    let of_laws = fittable().flat_map(|law| parameter::known(law).into_iter().map(|(_, variable)| variable.kind));
     let units = of_laws.filter_map(|kind| if let Kind::Real(unit) = kind { Some(unit.name) } else { None });
     for unit in units.chain(["N", "m", "m/s", "m/s2", "kg", "s"]).collect::<BTreeSet<_>>() {
         let turned = Movement::Rotation.unit(unit);
-        assert_eq!(turned == unit, ["1", "s", "1/s", "J", "K", "1/K"].contains(&unit), "{unit} {turned}");
+        assert_eq!(turned == unit, ["1", "s", "1/s", "J", "K", "1/K", "V", "rad"].contains(&unit), "{unit} {turned}");
         assert_eq!(Movement::Translation.unit(unit), unit);
     }
 }

@@ -14,6 +14,8 @@ mod answer;
 pub mod axis;
 #[cfg(test)]
 mod axis_tests;
+#[cfg(test)]
+mod component_tests;
 pub mod damper;
 #[cfg(test)]
 mod direction_tests;
@@ -38,6 +40,7 @@ mod loss;
 pub mod map;
 mod output;
 mod parameter;
+mod ports;
 mod problem;
 mod rank;
 mod refine;
@@ -73,9 +76,9 @@ pub use judgement::{Judgement, Outside};
 pub use map::{FrictionMap, LackOfFit, reference_curve, steady_curve};
 pub use output::{Difference, EARLY, Reference, difference, known, of_law, preset, respond};
 pub use parameter::{Parameter, Scale, Target};
+pub use ports::{Led, Ports};
 pub use problem::Physical;
 pub use rank::{APART, Rank, rank};
-pub use response::Ports;
 pub use search::{Method, Searches, Watch};
 pub use selection::Selection;
 pub use strut::{StrutFriction, strut_friction};
@@ -211,15 +214,24 @@ impl Fit {
 
 /// The laws that can be fitted: those of one sliding direction.
 pub fn laws() -> impl Iterator<Item = &'static ModelType> {
-    catalogue::documented(Family::Friction).map(|(law, _)| law).filter(|law| Ports::of(law).is_some())
+    along(Family::Friction)
 }
 
-/// The laws of these names, or all that can be fitted for the name `all`.
+/// The laws and components that can be fitted.
+pub fn fittable() -> impl Iterator<Item = &'static ModelType> {
+    laws().chain(along(Family::Component))
+}
+
+fn along(family: Family) -> impl Iterator<Item = &'static ModelType> {
+    catalogue::documented(family).map(|(model, _)| model).filter(|model| Ports::of(model).is_some())
+}
+
+/// The laws and components of these names, or all laws for the name `all`.
 pub fn laws_named(names: &[String]) -> Result<Vec<&'static ModelType>, Fault> {
     if names.iter().any(|name| name == "all") {
         return Ok(laws().collect());
     }
-    let known = || laws().map(|law| law.name);
+    let known = || fittable().map(|law| law.name);
     if let Some(twice) = (1..names.len()).map(|at| &names[at]).zip(1..).find(|(name, at)| names[..*at].contains(name)) {
         return Err(Fault::value(format_args!("friction law '{}' is given twice", twice.0)));
     }
@@ -438,7 +450,7 @@ fn at_rest_anew(problem: &Problem, point: &[f64]) -> Option<Vec<Experiment>> {
 }
 
 /// Refuses experiments and tasks with which nothing can be fitted.
-fn check(experiments: &[Experiment], task: &Settings) -> Result<(), Fault> {
+fn check(law: &ModelType, experiments: &[Experiment], task: &Settings) -> Result<(), Fault> {
     if experiments.is_empty() {
         return Err(Fault::value("no experiment was given"));
     }
@@ -452,7 +464,7 @@ fn check(experiments: &[Experiment], task: &Settings) -> Result<(), Fault> {
         check_folds(task.folds, experiments.len())?;
     }
     check_movements(experiments)?;
-    experiments.iter().try_for_each(Experiment::check)
+    experiments.iter().try_for_each(|one| one.check(law))
 }
 
 /// Refuses experiments of bodies that slide together with those of bodies that turn.
@@ -486,7 +498,7 @@ fn too_few(samples: usize, experiments: &[Experiment], parameters: usize, law: &
 /// Problem of a fit, with everything checked.
 fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Settings) -> Result<Problem<'a>, Fault> {
     let ports = Ports::of(law).ok_or_else(|| refused(law, "only laws of one sliding direction can be fitted"))?;
-    check(experiments, task)?;
+    check(law, experiments, task)?;
     let parameters = parameter::parameters(law, experiments, &task.selection)?;
     let selection = &task.selection;
     let of_law = selection.fixed.iter().filter(|(name, _)| !OF_RIG.contains(&name.as_str()));

@@ -8,7 +8,8 @@ use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 
 use super::levels::pairs_of_levels;
-use super::response::{Ports, forces};
+use super::ports::Ports;
+use super::response::forces;
 use super::selection::OF_RIG;
 use super::uncertainty::digits;
 use super::{Estimate, Experiment, Fit, Searches, Verdict};
@@ -52,7 +53,7 @@ pub fn respond(law: &'static ModelType, values: &Reference, record: &Record, par
     let refused = |reason: &dyn std::fmt::Display| Fault::value(format_args!("{}: {reason}", law.name));
     let ports = Ports::of(law).ok_or_else(|| refused(&"only laws of one sliding direction can be fitted"))?;
     let experiment = Experiment::new("record", record);
-    forces(&mut Instance::new(law), ports, &columns, &experiment, parts).map_err(|reason| refused(&reason))
+    forces(&mut Instance::new(law), &ports, &columns, &experiment, parts).map_err(|reason| refused(&reason))
 }
 
 /// The columns of a law that are parameters, with these values of theirs; refuses a variable that the law does not have.
@@ -117,9 +118,11 @@ impl Fit {
     /// The parameters of the law that the data determine, and those that were held; what is not determined is left out.
     pub fn values(&self) -> Vec<(String, f64)> {
         // Some laws have a parameter mass as well, which is not that of the rig.
-        let is_of_law = |name: &str| !OF_RIG.contains(&name) && self.law.find(name).is_some();
+        let is_parameter = |column: usize| self.law.table.at(column).role.is_parameter();
+        let is_of_law = |name: &str| !OF_RIG.contains(&name) && self.law.find(name).is_some_and(is_parameter);
         let is_determined = |one: &&Estimate| one.verdict == Verdict::Determined && is_of_law(&one.name);
-        let held = self.held.iter().map(|(column, value)| (self.name_of(*column), *value));
+        let held = self.held.iter().filter(|(column, _)| is_parameter(*column));
+        let held = held.map(|(column, value)| (self.name_of(*column), *value));
         let determined = self.estimates.iter().filter(is_determined).map(|one| (one.name.clone(), one.value));
         held.chain(determined).collect()
     }

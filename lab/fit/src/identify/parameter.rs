@@ -6,6 +6,7 @@ use stribeck::model::{Kind, Meaning, ModelType, Role, Variable};
 use stribeck::number::Real;
 
 use super::levels::{kinetic_of, pairs_of_levels};
+use super::ports::{Led, Ports};
 use super::selection::{OF_RIG, Selection};
 use super::{Experiment, tie};
 use stribeck_measured::Movement;
@@ -156,17 +157,34 @@ pub(super) struct Magnitudes {
     dissipated: f64,
     /// Whether they are of maps, which have no way and no time.
     is_map: bool,
+    /// Whether the law has a normal force, by which levels are coefficients.
+    has_load: bool,
+    /// Largest voltage, V; 1 V where the experiments have none.
+    voltage: f64,
+    /// Largest distance of a condition from its start value, such as a temperature in K; 0 where it does not change.
+    condition: f64,
 }
 
 /// The same part from which the contact slides (chosen): sliding dissipates most of it, pre-sliding gives much of it back.
 const ELASTIC: f64 = 0.3;
 
 impl Magnitudes {
-    pub fn of(experiments: &[Experiment]) -> Magnitudes {
+    pub fn of(law: &ModelType, experiments: &[Experiment]) -> Magnitudes {
         let most = |f: &dyn Fn(&Experiment) -> f64| experiments.iter().map(f).fold(f64::MIN_POSITIVE, f64::max);
         let least = |f: &dyn Fn(&Experiment) -> f64| experiments.iter().map(f).fold(f64::INFINITY, f64::min);
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        let ports = Ports::of(law);
+        let led = || ports.iter().flat_map(|ports| &ports.led);
+        let farthest = |led: &Led, from: f64| {
+            let of = |one: &Experiment| one.channel(led.name).map_or(0.0, |values| farthest(values, from));
+            experiments.iter().map(of).fold(0.0, f64::max)
+        };
+        let volts = led().filter(|led| led.unit == "V").map(|led| farthest(led, 0.0));
+        let conditions = led().filter(|led| !led.is_input && changes(experiments, led));
         Magnitudes {
+            has_load: ports.as_ref().is_some_and(|ports| ports.load.is_some()),
+            voltage: volts.filter(|volts| *volts > 0.0).reduce(f64::max).unwrap_or(1.0),
+            condition: conditions.map(|led| farthest(led, law.table.at(led.column).start)).fold(0.0, f64::max),
             movement: experiments.first().map_or(Movement::Translation, |one| one.movement),
             force: most(&|one| one.force.iter().fold(0.0, |most: f64, force| most.max(force.abs()))),
             load: least(&|one| mean(&one.normal_force)).max(f64::MIN_POSITIVE),
@@ -199,6 +217,8 @@ impl Magnitudes {
         let yields = if dissipated < ELASTIC { 0.05 } else { 2.0 };
         let (range, scale) = match unit {
             "m" | "N/m" | "s" if is_map && variable.start > 0.0 => around_start(variable),
+            "1/K" if self.condition > 0.0 => ([-1.0 / self.condition, 10.0 / self.condition], Scale::Linear),
+            _ if !self.has_load => self.range_without_load(variable, unit),
             "1" if is_level(variable.meaning) => ([0.0, 2.0 * force / load], Scale::Linear),
             "m/s" => ([1e-4 * speed, speed], Scale::Logarithmic),
             "m" => ([1e-5 * travel, 0.5 * travel], Scale::Logarithmic),
@@ -220,6 +240,39 @@ impl Magnitudes {
     }
 }
 
+impl Magnitudes {
+    /// As [`Magnitudes::range`], of a component, which may do without any of its parts (chosen).
+    fn range_without_load(&self, variable: &Variable, unit: &str) -> ([f64; 2], Scale) {
+        let Magnitudes { force, speed, travel, voltage, .. } = *self;
+        let from_zero = |size: f64| ([0.0, 1e3 * size], Scale::Mixed(1e-3 * size));
+        match unit {
+            "N" => from_zero(force),
+            "N/m" => from_zero(force / travel),
+            "N.s/m" => from_zero(force / speed),
+            "N/(m.V)" => from_zero(force / (travel * voltage)),
+            "N.s/(m.V)" => from_zero(force / (speed * voltage)),
+            "1/N" => from_zero(1.0 / force),
+            "1" if is_level(variable.meaning) => ([0.0, 10.0], Scale::Mixed(1e-3)),
+            "m" if variable.bound.min() < 0.0 => ([-10.0 * travel, 10.0 * travel], Scale::Linear),
+            "m" => ([1e-5 * travel, 10.0 * travel], Scale::Logarithmic),
+            "m/s" => ([1e-4 * speed, speed], Scale::Logarithmic),
+            _ if variable.start > 0.0 => around_start(variable),
+            _ => ([0.0, 100.0], Scale::Mixed(0.01)),
+        }
+    }
+}
+
+/// Largest distance of values from a value.
+fn farthest(values: &[f64], from: f64) -> f64 {
+    values.iter().fold(0.0, |most: f64, value| most.max((value - from).abs()))
+}
+
+/// Whether a channel changes, within an experiment or from one to another.
+fn changes(experiments: &[Experiment], led: &Led) -> bool {
+    let mut all = experiments.iter().filter_map(|one| one.channel(led.name)).flatten();
+    all.next().is_some_and(|first| all.any(|value| value != first))
+}
+
 /// Range of a variable of which the data have no measure.
 fn around_start(variable: &Variable) -> ([f64; 2], Scale) {
     ([1e-2 * variable.start, 1e2 * variable.start], Scale::Logarithmic)
@@ -227,9 +280,14 @@ fn around_start(variable: &Variable) -> ([f64; 2], Scale) {
 
 /// Whether a variable is fitted unless it is named: a real parameter of the contact, no exponent, no share of an
 /// element, no speed that another level makes up for, no option that is off at its start value.
-fn is_usual(variable: &Variable) -> bool {
+fn is_usual(variable: &Variable, magnitudes: &Magnitudes) -> bool {
     let is_off = variable.start == 0.0 && matches!(variable.kind, Kind::Real(unit) if unit.name == "m/s");
-    is_parameter(variable) && !is_off && ![Meaning::Shape, Meaning::ReferenceSpeed].contains(&variable.meaning)
+    let is_held = match variable.meaning {
+        Meaning::Shape | Meaning::ReferenceSpeed | Meaning::Condition => true,
+        Meaning::EffectOfCondition => magnitudes.condition == 0.0,
+        _ => false,
+    };
+    is_parameter(variable) && !is_off && !is_held
 }
 
 /// Whether it is the coefficient of a level of friction.
@@ -267,10 +325,17 @@ pub(super) fn has_gravity(selection: &Selection) -> bool {
     fitted_gravity(selection).next().is_some() || GRAVITY_COEFFICIENTS.into_iter().any(is_held)
 }
 
-/// The parameters of a law that can be fitted.
+/// The parameters of a law that can be fitted, and the inputs that can be held or fitted instead of measured.
 pub(super) fn known(law: &ModelType) -> Vec<(usize, Variable)> {
     let can_be_set = |variable: &Variable| matches!(variable.role, Role::Fixed | Role::Tunable);
-    law.variables().filter(|(_, variable)| is_parameter(variable) && can_be_set(variable)).collect()
+    let all = law.variables().filter(|(_, variable)| is_parameter(variable) && can_be_set(variable));
+    all.chain(inputs(law)).collect()
+}
+
+/// Inputs that a rig may hold, such as a voltage.
+fn inputs(law: &ModelType) -> impl Iterator<Item = (usize, Variable)> {
+    let led = Ports::of(law).map(|ports| ports.led).unwrap_or_default();
+    led.into_iter().filter(|led| led.is_input).map(|led| (led.column, law.table.at(led.column)))
 }
 
 /// Name of the excess of a static level over a kinetic one.
@@ -287,12 +352,12 @@ pub(super) fn parameters(
     let known = known(law);
     check_names(law, &known, selection)?;
     tie::check(law, &known, selection)?;
-    let magnitudes = Magnitudes::of(experiments);
+    let magnitudes = Magnitudes::of(law, experiments);
     let idle = tie::idle_speeds(law, &tie::columns(law, selection));
     let is_chosen = |(column, variable): &&(usize, Variable)| {
         let name = variable.path.to_string();
         let is_open = selection.fixed(&name).is_none() && !selection.is_tied(&name);
-        is_open && (is_usual(variable) && !idle.contains(column) || selection.fits(&name))
+        is_open && (is_usual(variable, &magnitudes) && !idle.contains(column) || selection.fits(&name))
     };
     let chosen = known.iter().filter(is_chosen);
     let mut list: Vec<Parameter> =

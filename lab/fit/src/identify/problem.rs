@@ -12,7 +12,8 @@ pub(super) use super::least_squares::Found;
 use super::least_squares::LeastSquares;
 use super::loss::Loss;
 use super::parameter::{Parameter, Target};
-use super::response::{Exact, Plain, Ports, forces};
+use super::ports::Ports;
+use super::response::{Exact, Plain, forces};
 use stribeck_measured::{Direction, Movement};
 
 /// A law, the experiments it is fitted to, and the parameters.
@@ -330,9 +331,9 @@ impl Problem<'_> {
             ControlFlow::Continue(())
         };
         let columns = &physical.columns;
-        let lead = |plain: Plain| plain.lead(instance, self.ports, columns, (experiment, parts), take);
+        let lead = |plain: Plain| plain.lead(instance, &self.ports, columns, (experiment, parts), take);
         // The instance says what it refuses.
-        if self.plain.is_some_and(lead) { Ok(found) } else { forces(instance, self.ports, columns, experiment, parts) }
+        if self.plain.is_some_and(lead) { Ok(found) } else { forces(instance, &self.ports, columns, experiment, parts) }
     }
 
     /// The cost at a point, or infinity if it is above a limit: most points of a search are, long before the last sample.
@@ -350,7 +351,7 @@ impl Problem<'_> {
                 at += 1;
                 if 0.5 * sum > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             };
-            let is_led = plain.lead(&mut instance, self.ports, &physical.columns, (&experiment, self.parts), add);
+            let is_led = plain.lead(&mut instance, &self.ports, &physical.columns, (&experiment, self.parts), add);
             if !is_led || 0.5 * sum > most {
                 return f64::INFINITY;
             }
@@ -446,7 +447,7 @@ impl Problem<'_> {
         let _ = instance.set_all(Phase::Setup, physical.columns.iter().copied());
         let start = instance.row().to_vec();
         let forces = |one: Cow<Experiment>| {
-            exact.forces(&start, self.ports, seeds, &one, self.parts).into_iter().map(|force| force.slope)
+            exact.forces(&start, &self.ports, seeds, &one, self.parts).into_iter().map(|force| force.slope)
         };
         self.weighed(self.counting(self.delayed(physical).flat_map(forces).collect()))
     }

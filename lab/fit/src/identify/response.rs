@@ -8,60 +8,41 @@ use std::convert::Infallible;
 use std::ops::ControlFlow;
 
 use stribeck::instance::{Instance, Phase, Refused};
-use stribeck::model::{InLanes, Law, Meaning, Model, ModelType, Steps, Visitor, model_in, model_of};
+use stribeck::model::{InLanes, Law, Model, ModelType, Steps, Visitor, model_in, model_of};
 use stribeck::number::Dual;
 
 use super::Experiment;
 use super::map::{Sliding, steady_forces};
-
-/// Columns of a law that a rig drives and reads.
-#[derive(Clone, Copy, Debug)]
-pub struct Ports {
-    /// Input: velocity.
-    pub velocity: usize,
-    /// Input: normal force.
-    pub load: usize,
-    /// Output: friction force.
-    pub force: usize,
-    /// Input of the laws that differ as the contact speeds up or slows down.
-    pub acceleration: Option<usize>,
-}
+use super::ports::{Led, Ports};
 
 impl Ports {
-    /// None for a law of a contact that slides in two directions.
-    pub fn of(law: &ModelType) -> Option<Ports> {
-        let of = |meaning| law.table.of(meaning);
-        if of(Meaning::VelocityY).is_some() {
-            return None;
-        }
-        let [velocity, load, force] = [Meaning::Velocity, Meaning::NormalForce, Meaning::FrictionForce].map(of);
-        let acceleration = of(Meaning::Acceleration);
-        Some(Ports { velocity: velocity?, load: load?, force: force?, acceleration })
-    }
-
-    /// Refuses a motion or a load that an instance does not take.
-    fn check(self, instance: &mut Instance, experiment: &Experiment) -> Result<(), Refused> {
-        let Experiment { velocity, normal_force, acceleration, .. } = experiment;
+    /// Refuses a motion, a load or a condition that an instance does not take.
+    fn check(&self, instance: &mut Instance, experiment: &Experiment) -> Result<(), Refused> {
+        let inputs = self.inputs(experiment);
         for most in [f64::min, f64::max] {
-            let motion =
-                [velocity, normal_force, acceleration].map(|values| values.iter().copied().fold(values[0], most));
-            self.inputs(motion).try_for_each(|(column, value)| instance.set_column(column, value))?;
+            let end = |values: &[f64]| values.iter().copied().fold(values[0], most);
+            inputs.iter().try_for_each(|(column, values)| instance.set_column(*column, end(values)))?;
+            if !self.led.is_empty() {
+                instance.check().map_err(Refused::Value)?;
+            }
         }
         Ok(())
     }
 
-    /// Columns and values of the inputs for velocity, load and acceleration.
-    fn inputs(self, [v, n, a]: [f64; 3]) -> impl Iterator<Item = (usize, f64)> {
-        self.acceleration.map(|column| (column, a)).into_iter().chain([(self.velocity, v), (self.load, n)])
+    /// Columns of the inputs with the samples of an experiment that lead them.
+    fn inputs<'a>(&self, experiment: &'a Experiment) -> Vec<(usize, &'a [f64])> {
+        let channel = |led: &Led| Some((led.column, experiment.channel(led.name)?));
+        let acceleration = self.acceleration.map(|column| (column, &experiment.acceleration[..]));
+        let load = self.load.map(|column| (column, &experiment.normal_force[..]));
+        let motion = acceleration.into_iter().chain([(self.velocity, &experiment.velocity[..])]).chain(load);
+        motion.chain(self.led.iter().filter_map(channel)).collect()
     }
 
-    /// Writes them into a row.
-    fn write<T: From<f64>>(self, [v, n, a]: [f64; 3], row: &mut [T]) {
-        row[self.velocity] = v.into();
-        row[self.load] = n.into();
-        if let Some(column) = self.acceleration {
-            row[column] = a.into();
-        }
+    /// Columns and values of the inputs in steady sliding.
+    fn steady(&self, [v, n]: [f64; 2]) -> Vec<(usize, f64)> {
+        let acceleration = self.acceleration.map(|column| (column, 0.0));
+        let load = self.load.map(|column| (column, n));
+        acceleration.into_iter().chain([(self.velocity, v)]).chain(load).collect()
     }
 }
 
@@ -69,16 +50,47 @@ impl Ports {
 const WAY: f64 = 0.1;
 const TIME: f64 = 1.0;
 
-/// Time for which the first velocity is held before the record begins, if it begins in motion.
-fn run_up(experiment: &Experiment) -> Option<f64> {
-    experiment.begins_in_motion().then(|| f64::max(TIME, WAY / experiment.velocity[0].abs()))
+/// An experiment as a law is led through it, with each interval divided into parts.
+struct Course<'a> {
+    experiment: &'a Experiment,
+    ports: &'a Ports,
+    inputs: Vec<(usize, &'a [f64])>,
+    parts: usize,
 }
 
-/// Velocity, load and acceleration a share of the way from the sample before to a sample.
-fn between(experiment: &Experiment, at: usize, share: f64) -> [f64; 3] {
-    let mean = |values: &[f64]| values[at - 1] + share * (values[at] - values[at - 1]);
-    let Experiment { velocity, normal_force, acceleration, .. } = experiment;
-    [mean(velocity), mean(normal_force), mean(acceleration)]
+impl<'a> Course<'a> {
+    fn of(ports: &'a Ports, experiment: &'a Experiment, parts: usize) -> Course<'a> {
+        Course { experiment, ports, inputs: ports.inputs(experiment), parts }
+    }
+
+    /// Time for which the first velocity is held before the record begins, if it begins in motion, or for which a law that
+    /// integrates the displacement of its host is held at rest, so that its other inputs have come into effect.
+    fn run_up(&self) -> Option<f64> {
+        let velocity = self.experiment.velocity[0].abs();
+        match self.ports.has_displacement() {
+            true => Some(TIME),
+            false => self.experiment.begins_in_motion().then(|| f64::max(TIME, WAY / velocity)),
+        }
+    }
+
+    /// Inputs in the run-up.
+    fn before(&self) -> impl Iterator<Item = (usize, f64)> {
+        let rests = self.ports.has_displacement();
+        let value =
+            move |column: usize, values: &[f64]| if rests && column == self.ports.velocity { 0.0 } else { values[0] };
+        self.inputs.iter().map(move |(column, values)| (*column, value(*column, values)))
+    }
+
+    /// Inputs at a sample.
+    fn at(&self, at: usize) -> impl Iterator<Item = (usize, f64)> {
+        self.inputs.iter().map(move |(column, values)| (*column, values[at]))
+    }
+
+    /// Inputs a share of the way from the sample before to a sample.
+    fn between(&self, at: usize, share: f64) -> impl Iterator<Item = (usize, f64)> {
+        let mean = move |values: &[f64]| values[at - 1] + share * (values[at] - values[at - 1]);
+        self.inputs.iter().map(move |(column, values)| (*column, mean(values)))
+    }
 }
 
 /// A contact that is led through an experiment.
@@ -86,8 +98,8 @@ trait Contact {
     type Force;
     type Error;
 
-    /// Sets velocity, load and acceleration.
-    fn drive(&mut self, motion: [f64; 3]) -> Result<(), Self::Error>;
+    /// Sets columns of inputs.
+    fn drive(&mut self, inputs: impl Iterator<Item = (usize, f64)>) -> Result<(), Self::Error>;
 
     /// Advances in time.
     fn step(&mut self, dt: f64) -> Result<(), Self::Error>;
@@ -96,37 +108,37 @@ trait Contact {
     fn force(&mut self) -> Result<Self::Force, Self::Error>;
 }
 
-/// Leads a contact through an experiment, with each interval divided into `parts`, and hands over its force at each sample;
-/// ends early where that is not continued.
+/// Leads a contact along a course, and hands over its force at each sample; ends early where that is not continued.
 fn lead<C: Contact>(
     contact: &mut C,
-    (experiment, parts): (&Experiment, usize),
+    course: &Course,
     mut take: impl FnMut(C::Force) -> ControlFlow<()>,
 ) -> Result<(), C::Error> {
-    let Experiment { time, velocity: v, normal_force: n, acceleration: a, .. } = experiment;
-    contact.drive([v[0], n[0], a[0]])?;
-    if let Some(time) = run_up(experiment) {
+    let (time, parts) = (&course.experiment.time, course.parts);
+    if let Some(time) = course.run_up() {
+        contact.drive(course.before())?;
         contact.step(time)?;
     }
+    contact.drive(course.at(0))?;
     let mut next = take(contact.force()?);
     for at in 1..time.len() {
         if next.is_break() {
             break;
         }
         for part in 0..parts {
-            contact.drive(between(experiment, at, (part as f64 + 0.5) / parts as f64))?;
+            contact.drive(course.between(at, (part as f64 + 0.5) / parts as f64))?;
             contact.step((time[at] - time[at - 1]) / parts as f64)?;
         }
-        contact.drive([v[at], n[at], a[at]])?;
+        contact.drive(course.at(at))?;
         next = take(contact.force()?);
     }
     Ok(())
 }
 
 /// Forces of a contact at all samples.
-fn all<C: Contact>(contact: &mut C, experiment: &Experiment, parts: usize) -> Result<Vec<C::Force>, C::Error> {
-    let mut found = Vec::with_capacity(experiment.time.len());
-    lead(contact, (experiment, parts), |force| {
+fn all<C: Contact>(contact: &mut C, course: &Course) -> Result<Vec<C::Force>, C::Error> {
+    let mut found = Vec::with_capacity(course.experiment.time.len());
+    lead(contact, course, |force| {
         found.push(force);
         ControlFlow::Continue(())
     })?;
@@ -136,15 +148,15 @@ fn all<C: Contact>(contact: &mut C, experiment: &Experiment, parts: usize) -> Re
 /// An instance, which refuses what is not finite.
 struct Checked<'a> {
     instance: &'a mut Instance,
-    ports: Ports,
+    force: usize,
 }
 
 impl Contact for Checked<'_> {
     type Force = f64;
     type Error = Refused;
 
-    fn drive(&mut self, motion: [f64; 3]) -> Result<(), Refused> {
-        self.ports.inputs(motion).try_for_each(|(column, value)| self.instance.set_column(column, value))
+    fn drive(&mut self, mut inputs: impl Iterator<Item = (usize, f64)>) -> Result<(), Refused> {
+        inputs.try_for_each(|(column, value)| self.instance.set_column(column, value))
     }
 
     fn step(&mut self, dt: f64) -> Result<(), Refused> {
@@ -152,32 +164,39 @@ impl Contact for Checked<'_> {
     }
 
     fn force(&mut self) -> Result<f64, Refused> {
-        self.instance.get_column(self.ports.force)
+        self.instance.get_column(self.force)
     }
 }
 
 /// Friction force at the samples of an experiment, with each interval divided into `parts`.
 pub(super) fn forces(
     instance: &mut Instance,
-    ports: Ports,
+    ports: &Ports,
     values: &[(usize, f64)],
     experiment: &Experiment,
     parts: usize,
 ) -> Result<Vec<f64>, Refused> {
     if experiment.map.is_some() {
-        let inputs = |[v, n]: [f64; 2]| ports.inputs([v, n, 0.0]).collect();
-        let sliding = Sliding { inputs: &inputs, force: ports.force };
+        let sliding = Sliding { inputs: &|motion| ports.steady(motion), force: ports.force };
         return steady_forces(instance, &sliding, values, experiment);
     }
-    prepare(instance, values)?;
-    all(&mut Checked { instance, ports }, experiment, parts)
+    prepare(instance, ports, values, experiment)?;
+    all(&mut Checked { instance, force: ports.force }, &Course::of(ports, experiment, parts))
 }
 
-/// Gives an instance its parameters.
-fn prepare(instance: &mut Instance, values: &[(usize, f64)]) -> Result<(), Refused> {
+/// Gives an instance its parameters and the displacement from which an experiment begins, after a look at what the
+/// experiment does.
+fn prepare(
+    instance: &mut Instance,
+    ports: &Ports,
+    values: &[(usize, f64)],
+    experiment: &Experiment,
+) -> Result<(), Refused> {
     instance.reset();
     instance.set_all(Phase::Setup, values.iter().copied())?;
-    instance.check().map_err(Refused::Value)
+    instance.check().map_err(Refused::Value)?;
+    instance.set_all(Phase::Setup, ports.displacements.iter().map(|column| (*column, experiment.displacement)))?;
+    ports.check(instance, experiment)
 }
 
 /// Steps and outputs of a law without the checks that an instance makes each time, and without the dissipated energy where
@@ -214,20 +233,20 @@ impl Plain {
     pub fn lead(
         self,
         instance: &mut Instance,
-        ports: Ports,
+        ports: &Ports,
         values: &[(usize, f64)],
         (experiment, parts): (&Experiment, usize),
         mut take: impl FnMut(f64) -> ControlFlow<()>,
     ) -> bool {
-        if prepare(instance, values).and_then(|()| ports.check(instance, experiment)).is_err() {
+        if prepare(instance, ports, values, experiment).is_err() {
             return false;
         }
         let mut row = instance.row().to_vec();
         let memory = vec![0.0; (self.memory_in_use)(&mut row)];
         let Plain { step, output, .. } = self;
-        let mut contact = Unchecked { step, output, ports, row, memory };
+        let mut contact = Unchecked { step, output, force: ports.force, row, memory };
         let mut is_finite = true;
-        let Ok(()) = lead(&mut contact, (experiment, parts), |force: f64| {
+        let Ok(()) = lead(&mut contact, &Course::of(ports, experiment, parts), |force: f64| {
             is_finite &= force.is_finite();
             if is_finite { take(force) } else { ControlFlow::Break(()) }
         });
@@ -239,7 +258,7 @@ impl Plain {
 struct Unchecked<T> {
     step: fn(&mut [T], &mut [T], f64),
     output: fn(&mut [T], &mut [T]),
-    ports: Ports,
+    force: usize,
     row: Vec<T>,
     memory: Vec<T>,
 }
@@ -248,8 +267,8 @@ impl<T: Copy + From<f64>> Contact for Unchecked<T> {
     type Force = T;
     type Error = Infallible;
 
-    fn drive(&mut self, motion: [f64; 3]) -> Result<(), Infallible> {
-        self.ports.write(motion, &mut self.row);
+    fn drive(&mut self, inputs: impl Iterator<Item = (usize, f64)>) -> Result<(), Infallible> {
+        inputs.for_each(|(column, value)| self.row[column] = value.into());
         Ok(())
     }
 
@@ -260,7 +279,7 @@ impl<T: Copy + From<f64>> Contact for Unchecked<T> {
 
     fn force(&mut self) -> Result<T, Infallible> {
         (self.output)(&mut self.row, &mut self.memory);
-        Ok(self.row[self.ports.force])
+        Ok(self.row[self.force])
     }
 }
 
@@ -297,7 +316,7 @@ impl Exact {
     pub fn forces(
         self,
         start: &[f64],
-        ports: Ports,
+        ports: &Ports,
         seeds: &[(usize, f64)],
         experiment: &Experiment,
         parts: usize,
@@ -306,8 +325,12 @@ impl Exact {
         for (column, component) in seeds {
             row[*column].slope += component;
         }
-        let Exact { step, output } = self;
-        let Ok(found) = all(&mut Unchecked { step, output, ports, row, memory: Vec::new() }, experiment, parts);
+        for column in &ports.displacements {
+            row[*column] = experiment.displacement.into();
+        }
+        let (Exact { step, output }, force) = (self, ports.force);
+        let mut contact = Unchecked { step, output, force, row, memory: Vec::new() };
+        let Ok(found) = all(&mut contact, &Course::of(ports, experiment, parts));
         found
     }
 }
@@ -332,7 +355,7 @@ mod tests {
             found.push(force);
             ControlFlow::Continue(())
         };
-        let ports = Ports::of(law).unwrap();
+        let ports = &Ports::of(law).unwrap();
         let is_led = Plain::of(law).unwrap().lead(&mut Instance::new(law), ports, values, (experiment, parts), take);
         is_led.then_some(found)
     }
@@ -350,7 +373,7 @@ mod tests {
         for law in laws() {
             for values in [vec![]].into_iter().chain(many(law)) {
                 for parts in [1, 3] {
-                    let ports = Ports::of(law).unwrap();
+                    let ports = &Ports::of(law).unwrap();
                     let checked = forces(&mut Instance::new(law), ports, &values, &experiment, parts).unwrap();
                     assert_eq!(plain(law, &values, &experiment, parts).unwrap(), checked, "{} {parts}", law.name);
                 }
@@ -368,7 +391,7 @@ mod tests {
         for (values, experiment) in
             [(&[][..], &pulled), (&[(column("viscous_coefficient"), 1e10)], &huge), (&levels, &standard(50))]
         {
-            assert!(forces(&mut Instance::new(law), Ports::of(law).unwrap(), values, experiment, 1).is_err());
+            assert!(forces(&mut Instance::new(law), &Ports::of(law).unwrap(), values, experiment, 1).is_err());
             assert_eq!(plain(law, values, experiment, 1), None);
         }
     }

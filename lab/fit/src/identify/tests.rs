@@ -44,7 +44,7 @@ pub(super) fn measured(law: &str, values: &[(&str, f64)], experiment: &Experimen
     let law = by_name(law).unwrap();
     let columns: Vec<(usize, f64)> = values.iter().map(|(name, value)| (law.find(name).unwrap(), *value)).collect();
     let mut instance = Instance::new(law);
-    let forces = response::forces(&mut instance, Ports::of(law).unwrap(), &columns, experiment, 8).unwrap();
+    let forces = response::forces(&mut instance, &Ports::of(law).unwrap(), &columns, experiment, 8).unwrap();
     let level = forces.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
     let noise = noise(seed, forces.len());
     let force = forces.iter().zip(noise).map(|(force, noise)| force + part * level * noise).collect();
@@ -107,7 +107,7 @@ fn sensitivities_are_those_of_differences() {
         let Ok(values) = problem.predicted(&mut instance, &physical, 1) else { continue };
         instance.reset();
         instance.set_all(stribeck::instance::Phase::Setup, physical.columns.into_iter()).unwrap();
-        let duals = exact.forces(instance.row(), problem.ports, &[], &experiments[0], 1);
+        let duals = exact.forces(instance.row(), &problem.ports, &[], &experiments[0], 1);
         assert!(duals.iter().zip(&values).all(|(dual, value)| dual.value == *value), "{}", law.name);
         for (number, exactly) in problem.sensitivities(&point).into_iter().enumerate() {
             let differences = problem.differences(&point, number, 1e-6);

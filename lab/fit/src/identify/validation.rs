@@ -4,7 +4,8 @@
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 
-use super::response::{Ports, forces};
+use super::ports::Ports;
+use super::response::forces;
 use super::{Experiment, Fit, Settings, Watch, fit};
 use stribeck_solve::system::Fault;
 
@@ -49,11 +50,11 @@ impl Validation {
 pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Validation>, Fault> {
     let refused = |name: &str, reason: String| Fault::value(format_args!("{name}: {}: {reason}", fit.law.name));
     let one = |experiment: &Experiment| {
-        experiment.check()?;
+        experiment.check(fit.law)?;
         let name = &experiment.name;
         let ports = Ports::of(fit.law).ok_or_else(|| refused(name, "slides in more than one direction".into()))?;
-        let experiment = &as_fitted(fit, ports, experiment);
-        let friction = forces(&mut Instance::new(fit.law), ports, &fit.physical.columns, experiment, fit.parts);
+        let experiment = &as_fitted(fit, &ports, experiment);
+        let friction = forces(&mut Instance::new(fit.law), &ports, &fit.physical.columns, experiment, fit.parts);
         let friction = friction.map_err(|reason| refused(name, reason.to_string()))?;
         let left = |at: usize| {
             let inertia = fit.physical.mass * experiment.acceleration[at];
@@ -74,7 +75,7 @@ pub fn held_out(fit: &Fit, experiments: &[Experiment]) -> Result<Vec<Validation>
 
 /// A record as those that were fitted: with the delay that was found, if its own is not known; for a law with two
 /// branches without samples whose branch is not known, and for a mass that was found with all of the acceleration.
-fn as_fitted(fit: &Fit, ports: Ports, experiment: &Experiment) -> Experiment {
+fn as_fitted(fit: &Fit, ports: &Ports, experiment: &Experiment) -> Experiment {
     let found = match fit.physical.delay {
         Some(delay) if experiment.delay_range.is_some() => {
             experiment.at_delay(delay).with_delay(fit.physical.delay).into_owned()

@@ -16,8 +16,8 @@ impl MapColumns {
     pub fn of(table: &Sheet, setup: &Setup, movement: Movement) -> Result<MapColumns, MeasuredError> {
         Ok(MapColumns {
             movement,
-            velocity: table.required(VELOCITY.name, movement.quantity(&VELOCITY))?,
-            force: table.required(FORCE.name, movement.quantity(&FORCE))?,
+            velocity: table.required(VELOCITY.name, &movement.quantity(&VELOCITY))?,
+            force: table.required(FORCE.name, &movement.quantity(&FORCE))?,
             normal_force: load(table, setup, movement)?,
         })
     }

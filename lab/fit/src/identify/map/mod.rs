@@ -29,7 +29,8 @@ use stribeck_solve::system::Fault;
 
 use super::output::{Reference, parameters};
 use super::parameter::refused;
-use super::response::{Ports, forces};
+use super::ports::Ports;
+use super::response::forces;
 use super::uncertainty::digits;
 use super::{Experiment, Fit, Inquiry};
 use stribeck_measured::{Movement, extremes};
@@ -89,7 +90,7 @@ fn steady(fit: &Fit, columns: &[(usize, f64)], inputs: &[[f64; 2]]) -> Result<Ve
         map: Some(Rows::default()),
         ..Experiment::default()
     };
-    let found = forces(&mut Instance::new(fit.law), ports, columns, &rows, 1);
+    let found = forces(&mut Instance::new(fit.law), &ports, columns, &rows, 1);
     let found = found.map_err(|reason| refused(fit.law, reason))?;
     Ok(found.into_iter().map(|force| force + fit.physical.offset).collect())
 }

@@ -27,7 +27,7 @@ fn points(count: usize) -> impl Iterator<Item = Vec<f64>> {
 /// ranges. An error for a law without such a force.
 pub(in crate::identify) fn hold_untold(problem: &mut Problem) -> Result<(), Fault> {
     for one in problem.experiments.iter() {
-        forces(&mut Instance::new(problem.law), problem.ports, &[], one, 1).map_err(|reason| {
+        forces(&mut Instance::new(problem.law), &problem.ports, &[], one, 1).map_err(|reason| {
             refused(problem.law, format_args!("has no force of steady sliding, which a map needs: {reason}"))
         })?;
     }
