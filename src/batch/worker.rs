@@ -169,7 +169,8 @@ impl<'a> Worker<'a> {
         let done = self.begin(instance, runs, 0, begin).is_ok_and(|is_memoryless| {
             is_memoryless
                 && batch.load(0..SAMPLES, instance.row())
-                && along(&mut batch, runs, 0, arrays, 0, cancel).is_ok()
+                && along(&mut batch, runs, 0, cancel, |batch, samples| read_outputs(batch, runs, arrays, samples))
+                    .is_ok()
         });
         self.samples = Some(batch);
         done
@@ -228,15 +229,20 @@ impl<'a> Worker<'a> {
                 Ok(is_memoryless) => is_memoryless,
                 Err(not) => return Some(Err(not)),
             };
-            let chain =
+            let mut chain =
                 Chain::of(instance, runs).filter(|_| some.len() <= FEW && no_step_fails(instance, runs, &self.course));
             let is_loaded = (is_memoryless || chain.is_some()) && batch.load(0..SAMPLES, instance.row());
+            if !is_loaded {
+                return None;
+            }
             let first = place * runs.samples;
-            let done = match chain {
-                _ if !is_loaded => return None,
-                Some(chain) => chain.along(batch, runs, run, arrays, first, cancel),
-                None => along(batch, runs, run, arrays, first, cancel),
-            };
+            let done = along(batch, runs, run, cancel, |batch, samples| {
+                let places = first + samples.start..first + samples.end;
+                match &mut chain {
+                    Some(chain) => chain.read(batch, runs, arrays, places, samples.end == runs.samples),
+                    None => read_outputs(batch, runs, arrays, places),
+                }
+            });
             if done.is_err() {
                 return Some(done);
             }
@@ -344,14 +350,14 @@ fn across(
     Ok(())
 }
 
-/// Makes a run with its samples in lanes: none of its results depends on the samples before.
+/// Drives a batch with a run, some samples at a time. `make` makes the results at these samples, and returns whether all
+/// numbers are finite.
 fn along(
     batch: &mut Batch,
     runs: &Runs,
     run: usize,
-    arrays: &mut [&mut [f64]],
-    first: usize,
     cancel: &AtomicBool,
+    mut make: impl FnMut(&mut Batch, Range<usize>) -> bool,
 ) -> Result<(), Not> {
     for rows in runs.inputs.iter().filter(|rows| rows.width == 1) {
         batch.fill(rows.column, rows.at(run, 0));
@@ -361,22 +367,23 @@ fn along(
             return Err(Not::Cancelled);
         }
         let samples = from..runs.samples.min(from + SAMPLES);
-        drive(batch, runs, run, samples.clone());
-        if !batch.output() {
-            return Err(Not::Together);
+        for rows in runs.inputs.iter().filter(|rows| rows.width > 1) {
+            batch.set_from(rows.column, &rows.row(run)[samples.clone()]);
         }
-        for (column, array) in runs.results.iter().zip(arrays.iter_mut()) {
-            batch.read(*column, &mut array[first + samples.start..first + samples.end]);
+        if !make(batch, samples) {
+            return Err(Not::Together);
         }
     }
     Ok(())
 }
 
-/// Gives rows the inputs of some samples of a run.
-fn drive(batch: &mut Batch, runs: &Runs, run: usize, samples: Range<usize>) {
-    for rows in runs.inputs.iter().filter(|rows| rows.width > 1) {
-        batch.set_from(rows.column, &rows.row(run)[samples.clone()]);
+/// Writes results that do not depend on the samples before to these places. False if one is not finite.
+fn read_outputs(batch: &mut Batch, runs: &Runs, arrays: &mut [&mut [f64]], places: Range<usize>) -> bool {
+    let is_finite = batch.output();
+    for (column, array) in runs.results.iter().zip(arrays.iter_mut()) {
+        batch.read(*column, &mut array[places.clone()]);
     }
+    is_finite
 }
 
 /// States that are all that a run carries from sample to sample: one that relaxes, and the energy.
@@ -401,41 +408,17 @@ impl Chain {
         runs.are_held().then_some(Chain { state, value: row[state], energy, spent, dt })
     }
 
-    /// Makes a run: what a step does to its state, whatever that is, is found for several samples at once; then only that is
-    /// left to be done one after the other.
-    fn along(
-        mut self,
-        batch: &mut Batch,
-        runs: &Runs,
-        run: usize,
-        arrays: &mut [&mut [f64]],
-        first: usize,
-        cancel: &AtomicBool,
-    ) -> Result<(), Not> {
-        for rows in runs.inputs.iter().filter(|rows| rows.width == 1) {
-            batch.fill(rows.column, rows.at(run, 0));
-        }
-        for from in (0..runs.samples).step_by(SAMPLES) {
-            if from % PATIENCE == 0 && cancel.load(Ordering::Relaxed) {
-                return Err(Not::Cancelled);
-            }
-            let samples = from..runs.samples.min(from + SAMPLES);
-            drive(batch, runs, run, samples.clone());
-            let places = first + samples.start..first + samples.end;
-            self.some(batch, runs, arrays, places, samples.end == runs.samples)?;
-        }
-        Ok(())
-    }
-
-    /// Results at some samples, whose inputs are there. They go to these places; `are_last` if no step follows.
-    fn some(
+    /// Writes results at some samples, whose inputs are there, to these places; `are_last` if no step follows. What a step
+    /// does to the state, whatever that is, is found for all of them at once; then only that is left to be done one after
+    /// the other. False if a number is not finite.
+    fn read(
         &mut self,
         batch: &mut Batch,
         runs: &Runs,
         arrays: &mut [&mut [f64]],
         places: Range<usize>,
         are_last: bool,
-    ) -> Result<(), Not> {
+    ) -> bool {
         let (mut values, mut value) = ([0.0; SAMPLES], self.value);
         batch.relax(self.dt, |place, relaxation| {
             values[place] = value;
@@ -457,7 +440,7 @@ impl Chain {
         if let Some(energy) = self.energy {
             is_finite &= self.spend(batch, energy, runs, arrays, places, are_last);
         }
-        if is_finite { Ok(()) } else { Err(Not::Together) }
+        is_finite
     }
 
     /// The energies at some samples: that of each step is added to that before. False if one is not finite.
