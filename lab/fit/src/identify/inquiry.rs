@@ -270,6 +270,7 @@ impl Inquiry {
     fn further(&self) -> Vec<Quantity> {
         let mut found: Vec<Quantity> =
             self.led().iter().filter_map(|(_, led)| Quantity::of(led.name, led.unit)).collect();
+        found.sort_by_key(|quantity| quantity.name);
         found.dedup_by_key(|quantity| quantity.name);
         found
     }
