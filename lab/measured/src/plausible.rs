@@ -9,6 +9,9 @@ const SHORTEST_MATCHED: f64 = 3.0;
 /// Longest time between two samples, s (chosen): longer ones are counts of nanoseconds, or ticks of a clock.
 const LONGEST: f64 = 100.0;
 
+/// Turns from which the longest way back to the same place is looked for (chosen).
+const TURNS: usize = 8;
+
 /// Rejects times that are not in s, a window that is too short for the samples, and friction that drives the slider.
 pub(crate) fn check(record: &Record, setup: &Setup) -> Result<(), MeasuredError> {
     if record.quality.interval > LONGEST {
@@ -34,12 +37,19 @@ pub(crate) fn check(record: &Record, setup: &Setup) -> Result<(), MeasuredError>
 fn work(record: &Record, setup: &Setup) -> f64 {
     let (f, x) = (&record.friction_force, &record.displacement);
     let turns = || (1..x.len()).filter(|at| record.velocity[at - 1] * record.velocity[*at] <= 0.0);
-    if setup.has_gravity {
-        // It gives its energy back where the arm returns to the angle of a turn; what the arm has of it is of the drive.
-        let Some(first) = turns().next() else { return 0.0 };
-        let returns = |at: &usize| (x[at - 1] - x[first]) * (x[*at] - x[first]) <= 0.0;
-        let last = (first + 2..x.len()).rev().find(returns).unwrap_or(first + 1);
-        return (first + 1..last).map(|at| 0.5 * (f[at] + f[at - 1]) * (x[at] - x[at - 1])).sum();
+    if setup.has_gravity || setup.is_elastic {
+        // Both give their energy back where the body returns to the place of a turn; what it has of it is of the drive.
+        let last = |first: usize| {
+            let returns = |at: &usize| (x[at - 1] - x[first]) * (x[*at] - x[first]) <= 0.0;
+            (first + 2..x.len()).rev().find(returns).unwrap_or(first + 1)
+        };
+        let ways = turns().take(TURNS).map(|first| (first, last(first)));
+        let Some((first, last)) = ways.max_by_key(|(first, last)| last - first) else { return 0.0 };
+        let work = (first + 1..last).map(|at| 0.5 * (f[at] + f[at - 1]) * (x[at] - x[at - 1])).sum::<f64>();
+        // It returns between two samples.
+        let most = f.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
+        let is_certain = work.abs() > most * (x[last - 1] - x[first]).abs();
+        return if is_certain { work } else { 0.0 };
     }
     let part = match (turns().next(), turns().next_back()) {
         _ if setup.mass > 0.0 => 1..x.len(),
@@ -78,6 +88,26 @@ mod tests {
         assert!(refusal.contains(" s apart, must be at most 100 s: "), "{refusal}");
         let interval = read("time [ns],force,displacement").unwrap().quality.interval;
         assert!((interval - 2e-3).abs() < 1e-6, "{interval}");
+    }
+
+    /// A spring that ends stretched less than it began gives energy back; where it is as long as before, friction has not.
+    #[test]
+    fn a_spring_that_gives_energy_back_is_not_taken_for_friction_that_drives() {
+        let text = |sign: f64| {
+            let rows = (0..2200).map(|k| 0.3 + f64::from(k) * 1e-3).map(|t| {
+                let [(slow, sine), (fast, quick)] = [6.0 * t, 40.0 * t].map(|angle: f64| (angle.cos(), angle.sin()));
+                let [x, v] = [3e-3 * (1.0 - slow) + 2e-4 * (1.0 - fast), 1.8e-2 * sine + 8e-3 * quick];
+                format!("{t},{},{x}\n", 1e5 * x + sign * 20.0 * v.signum())
+            });
+            "time,force,displacement\n".to_owned() + &rows.collect::<String>()
+        };
+        let is_refused = |text: &str, is_elastic: bool| {
+            let setup = Setup { normal_force: Some(0.0), is_elastic, ..Setup::default() };
+            let sheet = stribeck_sheet::Sheet::parse(text).unwrap();
+            matches!(Record::of(&sheet, None, &setup), Err(MeasuredError::Drives { .. }))
+        };
+        assert!(is_refused(&text(1.0), false) && !is_refused(&text(1.0), true));
+        assert!(is_refused(&text(-1.0), true), "friction that drives");
     }
 
     /// A body that the force brakes gives energy back; without its mass that says nothing about signs, except from turn to

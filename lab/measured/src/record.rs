@@ -24,6 +24,8 @@ pub struct Setup {
     pub is_axis: bool,
     /// Whether gravity turns it, so that cosine and sine of its angle are needed.
     pub has_gravity: bool,
+    /// Whether the force may be that of a spring.
+    pub is_elastic: bool,
     /// Further quantities that are read where the file has them.
     pub further: Vec<Quantity>,
 }
@@ -56,6 +58,7 @@ impl Default for Setup {
             skip: 0.0,
             is_axis: false,
             has_gravity: false,
+            is_elastic: false,
             further: Vec::new(),
         }
     }

@@ -246,7 +246,9 @@ impl Inquiry {
         let normal_force = self.normal_force.or(self.axis.then_some(axis::NORMAL_FORCE)).or(self.without_load());
         let (mass, window, skip) = (self.mass(), self.window, self.skip.unwrap_or(0.0));
         let has_gravity = parameter::has_gravity(&self.selection());
-        Setup { mass, normal_force, window, delay, skip, is_axis: self.axis, has_gravity, further: self.further() }
+        let is_elastic = self.laws().is_ok_and(|laws| laws.iter().any(|law| !has_load(law)));
+        let (is_axis, further) = (self.axis, self.further());
+        Setup { mass, normal_force, window, delay, skip, is_axis, has_gravity, is_elastic, further }
     }
 
     /// Normal force where no law has one.
