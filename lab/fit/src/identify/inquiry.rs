@@ -63,7 +63,7 @@ pub struct Inquiry {
     /// Table of the motion on its own clock (a camera), for a single record
     #[arg(long, value_name = "FILE")]
     pub motion: Option<PathBuf>,
-    /// Friction laws; several, or `all`, are ranked (default: none; for an axis CoulombViscous)
+    /// Friction laws or components; several, or `all` laws, are ranked (default: none; for an axis CoulombViscous)
     #[arg(long, alias = "laws", num_args = 1.., value_delimiter = ',')]
     #[serde(deserialize_with = "job::names")]
     pub law: Vec<String>,

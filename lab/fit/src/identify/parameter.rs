@@ -253,7 +253,7 @@ impl Magnitudes {
             "N.s/(m.V)" => from_zero(force / (speed * voltage)),
             "1/N" => from_zero(1.0 / force),
             "1" if is_level(variable.meaning) => ([0.0, 10.0], Scale::Mixed(1e-3)),
-            "m" if variable.bound.min() < 0.0 => ([-10.0 * travel, 10.0 * travel], Scale::Linear),
+            "m" if variable.bound.min() < 0.0 => ([-100.0 * travel, 100.0 * travel], Scale::Linear),
             "m" => ([1e-5 * travel, 10.0 * travel], Scale::Logarithmic),
             "m/s" => ([1e-4 * speed, speed], Scale::Logarithmic),
             _ if variable.start > 0.0 => around_start(variable),
