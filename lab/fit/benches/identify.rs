@@ -10,6 +10,7 @@
 //! * `joints [SEEDS]`: simulated joints (200), every other one an arm with gravity: how many intervals hold the truth.
 //! * `sliders [SEEDS]`: the same of simulated sliders (200) with LuGre's law.
 //! * `mounts [SEEDS]`: the same of simulated rubber mounts (100).
+//! * `dampers [SEEDS]`: the same of simulated magnetorheological dampers (100), about a minute each.
 //! * `camera`: what a camera of 100 Hz makes of the static level and the Stribeck velocity.
 //!
 //! Without arguments all of them.
@@ -35,7 +36,7 @@ use stribeck_fit::rig::{Faults, VirtualRig};
 use stribeck_measured::{Delay, Record, Setup};
 use stribeck_sheet::Sheet;
 
-use simulated::{Held, Joint, Mount, Simulated, Slider};
+use simulated::{Damper, Held, Joint, Mount, Simulated, Slider};
 
 const MASS: f64 = 2.0;
 const LOAD: f64 = 20.0;
@@ -50,6 +51,7 @@ fn main() {
             joints(SEEDS);
             sliders(SEEDS);
             mounts(SEEDS / 2);
+            dampers(SEEDS / 2);
             camera();
         }
         Some("trust") => trust(&arguments[1..]),
@@ -58,9 +60,10 @@ fn main() {
         Some("joints") => joints(seeds(&arguments, SEEDS)),
         Some("sliders") => sliders(seeds(&arguments, SEEDS)),
         Some("mounts") => mounts(seeds(&arguments, SEEDS / 2)),
+        Some("dampers") => dampers(seeds(&arguments, SEEDS / 2)),
         Some("camera") => camera(),
         Some(other) => {
-            eprintln!("no part '{other}': trust, ranking, methods, joints, sliders, mounts or camera")
+            eprintln!("no part '{other}': trust, ranking, methods, joints, sliders, mounts, dampers or camera")
         }
     }
 }
@@ -219,6 +222,10 @@ fn sliders(seeds: u64) {
 
 fn mounts(seeds: u64) {
     count("mounts", seeds, |_, random| Box::new(Mount::drawn(random)));
+}
+
+fn dampers(seeds: u64) {
+    count("dampers", seeds, |_, random| Box::new(Damper::drawn(random)));
 }
 
 /// A camera blurs the speeds at which friction falls.

@@ -4,7 +4,30 @@
 #[path = "../benches/simulated/mod.rs"]
 mod simulated;
 
-use simulated::{Held, Joint, Mount, Simulated, Slider};
+use stribeck_fit::identify::{Estimate, Inquiry};
+use stribeck_solve::job::Entry;
+
+use simulated::{Damper, Held, Joint, Mount, Simulated, Slider};
+
+/// A damper of which only the length of the accumulator is to be found, in few evaluations: all other parameters are held at
+/// the truth.
+struct OfAccumulator(Damper);
+
+impl Simulated for OfAccumulator {
+    fn asked(&self) -> Inquiry {
+        let held = self.0.values.into_iter().filter(|(name, _)| *name != "x_0");
+        let fix = held.map(|(name, value)| Entry(name.to_owned(), value)).collect();
+        Inquiry { fix, budget: Some(20), ..self.0.asked() }
+    }
+
+    fn record(&self, random: &mut fastrand::Rng) -> String {
+        self.0.record(random)
+    }
+
+    fn truth(&self, one: &Estimate) -> Option<f64> {
+        self.0.truth(one)
+    }
+}
 
 /// The intervals of several simulated things; none has a reason to be warned of.
 fn held(seeds: u64, of: impl Fn(u64, &mut fastrand::Rng) -> Box<dyn Simulated>) -> [u32; 2] {
@@ -42,4 +65,11 @@ fn intervals_of_mounts_hold_the_truth() {
     let [told, held] = all.total();
     assert!(told >= 12 && f64::from(held) >= 0.8 * f64::from(told), "{held} of {told}");
     assert!(all.warned <= 1, "{:?}", all.counts);
+}
+
+/// The other values are held at the truth: without a warning of residuals that are no noise, simulator and law are the same.
+#[test]
+fn a_damper_whose_other_parameters_are_known_tells_its_accumulator() {
+    let [told, held] = held(1, |_, random| Box::new(OfAccumulator(Damper::drawn(random))));
+    assert_eq!([told, held], [1, 1]);
 }

@@ -1,5 +1,6 @@
 //! Records of simulators that share no code with the virtual rig, and how many intervals of fits to them hold the truth.
 
+mod damper;
 mod joint;
 mod mount;
 mod slider;
@@ -12,6 +13,7 @@ use std::sync::atomic::AtomicBool;
 use stribeck_fit::identify::{Estimate, Inquiry, Source, Verdict, Watch};
 use stribeck_sheet::{Sheet, SheetError};
 
+pub use damper::Damper;
 pub use joint::Joint;
 pub use mount::Mount;
 pub use slider::Slider;
