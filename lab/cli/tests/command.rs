@@ -329,6 +329,28 @@ fn a_virtual_rig_is_identified_and_the_result_runs() {
     assert!(text(Path::new(csv)).contains("sigma_0"));
 }
 
+/// An elastic mount, which no normal force presses together.
+#[test]
+fn a_mount_is_identified_without_a_system_to_run() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let [record, csv, toml, report] = ["mount.csv", "set.csv", "set.toml", "report.html"].map(file);
+    let row =
+        |t: f64| format!("{t},{},{}\n", 3e5 * (1.0 - (6.0 * t).cos()) + (1e4 * t * t).sin(), 1.0 - (6.0 * t).cos());
+    let rows: String = (0..1000).map(|k| row(f64::from(k) * 2e-3)).collect();
+    std::fs::write(&record, format!("time [s],force [N],displacement [m]\n{rows}")).expect("a file");
+    let held = ["F_max=0", "x_2=1e-3", "k_v=0", "c=1"].iter().flat_map(|one| ["--fix", one]);
+    let known: Vec<&str> =
+        ["identify", &record, "--law", "RubberMount", "--repetitions", "0"].into_iter().chain(held).collect();
+    let output = stribeck(&[&known[..], &["--out", &csv, "--report", &report]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(text(Path::new(&csv)).contains("\nk_e,"), "{}", text(Path::new(&csv)));
+    let page = text(Path::new(&report));
+    assert!(page.contains(">k_e</td>") && !page.contains("stribeck run"), "{page}");
+    let refused = refusal(&[&known[..], &["--out", &toml]].concat());
+    assert!(refused.ends_with("RubberMount: the file is for a system with a friction law, and it has none: write a parameter set, .csv or .ssv"), "{refused}");
+}
+
 /// The values of the rig, judged beside a fit in terminal and report, and alone in JSON.
 #[test]
 fn given_values_are_judged() {

@@ -50,11 +50,15 @@ impl Fit {
         }
     }
 
+    /// Whether it is a law of a contact, which has a normal force, and not a component.
+    pub fn has_load(&self) -> bool {
+        Ports::of(self.law).is_some_and(|ports| ports.load.is_some())
+    }
+
     /// Refuses a component where a law of friction is needed.
     pub fn refuse_component(&self, needed: &str) -> Result<(), Fault> {
-        let is_law = Ports::of(self.law).is_some_and(|ports| ports.load.is_some());
         let why = format_args!("the file is for {needed}, and it has none: write a parameter set, .csv or .ssv");
-        if is_law { Ok(()) } else { Err(refused(self.law, why)) }
+        if self.has_load() { Ok(()) } else { Err(refused(self.law, why)) }
     }
 
     fn python(&self) -> String {

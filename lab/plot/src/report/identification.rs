@@ -45,9 +45,11 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
     }
     correlations(&mut page, best);
     settings(&mut page, facts);
-    page.heading("To run a system with it");
-    page.listing("stribeck run --config fitted.toml      # with this in fitted.toml:");
-    page.listing(&best.configuration().text());
+    if best.has_load() {
+        page.heading("To run a system with it");
+        page.listing("stribeck run --config fitted.toml      # with this in fitted.toml:");
+        page.listing(&best.configuration().text());
+    }
     versions_of(&mut page, [best.law]);
     Ok(page.end())
 }
