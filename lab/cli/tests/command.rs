@@ -364,6 +364,7 @@ fn given_values_are_judged() {
     let (shown, page) = (String::from_utf8(output.stdout).expect("text"), text(Path::new(&report)));
     assert!([&shown, &page].iter().all(|text| text.contains("truth.toml: RMS residual 0.")), "{shown}\n{page}");
     assert!(page.contains("Values that were given") && page.contains(">sigma_0</td>"), "{page}");
+    assert_eq!(page.matches(">30000</td>").count(), 2, "beside the fit and among the values: {page}");
 
     let output = stribeck(&[&known[..], &["--evaluate", &reference, "--json"]].concat());
     let found: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");

@@ -98,7 +98,10 @@ fn judgement(page: &mut Page, best: &Fit) {
         page.paragraph(class, &format!("{}: {line}", judgement.source));
     }
     judgement.note.iter().for_each(|note| page.paragraph("warning", note));
-    let row = |(name, value): (&String, &f64)| [name.clone(), digits(*value)];
+    // As in the table of the parameters, where it is one of them.
+    let of = |name: &str| best.estimates.iter().find(|one| one.name == name);
+    let text = |name: &str, value: f64| of(name).map_or_else(|| digits(value), |one| one.beside(value));
+    let row = |(name, value): (&String, &f64)| [name.clone(), text(name, *value)];
     page.table(&["Parameter", "#Value"], judgement.values.iter().map(row));
 }
 
