@@ -322,7 +322,7 @@ fn runs_of_a_worker_allocate_nothing() {
     }
 }
 
-/// Values of runs that are stepped are taken all or none, whichever of them there is no memory for.
+/// Stepped runs take all of their values or, if memory runs out at any of them, none.
 #[test]
 fn values_that_lack_memory_are_not_taken() {
     let law = catalogue::by_name("LuGre").expect("a law");

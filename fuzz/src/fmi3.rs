@@ -185,7 +185,7 @@ pub fn sizes_of(model: &'static ModelType) -> Vec<arrays::Size> {
     sizes
 }
 
-/// The columns of a variable, one or those of the elements of an array; None if there is no such variable.
+/// Columns of a variable: one, or those of the elements of an array. None if there is no such variable.
 pub fn columns(model: &'static ModelType, numbers: &[f64], reference: u32) -> Option<Vec<usize>> {
     if let Some(array) = arrays_of(model).iter().find(|array| array.reference() == reference) {
         let count = array.size.map_or(array.columns.len(), |size| size_in(model, numbers, size));

@@ -41,7 +41,7 @@ pub fn check_row(row: &[f64]) -> Result<(), Fault> {
 pub fn choose(module: &mut Module) -> Outcome {
     match (LAW, only()) {
         (None, _) => Ok(()),
-        (Some(law), None) => refuse(Status::UnknownModel, format_args!("{}: there is no law {law}", MODEL.name)),
+        (Some(law), None) => refuse(Status::UnknownModel, format_args!("{} has no law {law}", MODEL.name)),
         (Some(_), Some((column, law))) => Ok(module.instance.set_column(column, law)?),
     }
 }

@@ -172,7 +172,7 @@ impl Stepped {
     ///
     /// # Panics
     ///
-    /// If a column that is given is no input, or has neither one value nor one for each run.
+    /// If a given column is not an input, or has neither one value nor one for each run.
     pub fn step(&mut self, dt: f64, inputs: &[Given], result: usize, take: Take) -> Result<(), Stopped> {
         for (column, _) in inputs {
             assert!(self.model.table.role(*column) == Role::Input, "only inputs are given to a step");

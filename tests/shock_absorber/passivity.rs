@@ -247,7 +247,7 @@ fn start_values_give_energy_back_unless_a_damper_takes_it() {
         let power = strut.get("dissipated_power");
         assert_eq!(power < 0.0, gives_back, "{scale} {power} W");
     }
-    // A damper that heats up, yields, or is no straight line, promises nothing.
+    // A damper that heats up, yields or is not linear promises nothing.
     for set in [("thermal.enabled", 1.0), ("damper.k_series", 1e6), ("damper.mode", 2.0)] {
         assert!(said(&strut(&[set])).is_some(), "{set:?}");
     }

@@ -101,7 +101,7 @@ pub fn build_description(model: &ModelType, files: &[&str]) -> Result<String> {
     })
 }
 
-/// What an FMU consists of: libraries, or C sources, with one law if the model has a choice.
+/// Contents of an FMU: libraries, or C sources, which have one law if the model has a choice.
 #[derive(Clone, Copy)]
 enum Form {
     Library,

@@ -41,7 +41,7 @@ impl OnlyLaw {
         model.table.at(self.column)
     }
 
-    /// What the sources do by default, by its column.
+    /// Column of the choice, and its start value.
     pub fn start(&self) -> (usize, f64) {
         (self.column, self.number as f64)
     }

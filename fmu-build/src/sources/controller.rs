@@ -74,7 +74,7 @@ pub fn files(
     Ok(BTreeMap::from([(format!("{name}.h"), header), (format!("{name}.c"), source)]))
 }
 
-/// What the header says about the only law.
+/// Paragraph of the header about the only law.
 fn only(model: &ModelType, law: OnlyLaw) -> String {
     let text = LAW.replace("NAME", law.name).replace("VARIABLE", &header::constant(&law.variable(model)));
     text.replace("NUMBER", &law.number.to_string())

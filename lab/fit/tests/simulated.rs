@@ -67,7 +67,7 @@ fn intervals_of_mounts_hold_the_truth() {
     assert!(all.warned <= 1, "{:?}", all.counts);
 }
 
-/// The other values are held at the truth: without a warning of residuals that are no noise, simulator and law are the same.
+/// The other values are held at the truth. A fit without a warning has residuals that are noise: simulator and law agree.
 #[test]
 fn a_damper_whose_other_parameters_are_known_tells_its_accumulator() {
     let [told, held] = held(1, |_, random| Box::new(OfAccumulator(Damper::drawn(random))));

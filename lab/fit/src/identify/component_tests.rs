@@ -62,7 +62,7 @@ fn a_mount_is_fitted_from_the_displacement_of_its_record() {
     }
 }
 
-/// What drives a model has to be measured or held; a normal force that nothing has is refused.
+/// An input has to be measured or held, and a normal force is refused where no model has one.
 #[test]
 fn an_input_is_a_column_or_is_held() {
     let plain = record("force [N]", 0.0, |_, [_, v]| (1000.0 * v).to_string());

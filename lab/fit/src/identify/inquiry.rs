@@ -257,7 +257,7 @@ impl Inquiry {
         (!laws.is_empty() && !laws.iter().any(|law| has_load(law))).then_some(0.0)
     }
 
-    /// What a record may lead the laws by, with the laws; not what is held, fitted or tied.
+    /// Columns by which a record may lead the laws, each with its law, without those that are held, fitted or tied.
     fn led(&self) -> Vec<(&'static ModelType, Led)> {
         let laws = self.laws().unwrap_or_default();
         let all = laws
@@ -485,7 +485,7 @@ impl Inquiry {
         }
     }
 
-    /// What conditions are taken to be that a table does not have; an error for an input that it does not have.
+    /// Notes on start values that stand for conditions which a table lacks. An error for an input that it lacks.
     fn conditions(&self, table: &Sheet) -> Result<Vec<String>, Fault> {
         let missing = self.led().into_iter().filter(|(_, led)| !table.has(led.name));
         let said = |(law, Led { name, unit, column, is_input }): (&ModelType, Led)| {
