@@ -18,7 +18,7 @@ from cyclonedx.schema import SchemaVersion
 from cyclonedx.validation.json import JsonStrictValidator
 
 from release import made
-from release.making import PROJECT, VERSION, Release, cargo_home
+from release.making import VERSION, Release, foreign
 
 
 class NotChecked(Exception):
@@ -98,14 +98,14 @@ def sums(release: Path, _: Path) -> str:
 
 def places(release: Path, _: Path) -> str:
     """No file, also within archives, names a folder of the machine that built it."""
-    foreign = [str(path).encode() for path in (PROJECT, cargo_home(), Path.home() / ".rustup")]
+    places = foreign()
     count = 0
     for path in sorted(release.rglob("*")):
         for name, content in made.within(path.name, path.read_bytes()) if path.is_file() else ():
             count += 1
-            for folder in foreign:
-                if folder in content:
-                    raise Failed(f"{path.name}: {name} contains {folder.decode()}")
+            for place in places:
+                if place in content:
+                    raise Failed(f"{path.name}: {name} contains {place.decode()}")
     return f"{count} files, those within archives included"
 
 

@@ -48,6 +48,12 @@ def cargo_home() -> Path:
     return Path(os.environ.get("CARGO_HOME", Path.home() / ".cargo"))
 
 
+def foreign() -> list[bytes]:
+    """What names of files begin with that only this machine has."""
+    places = (PROJECT, cargo_home(), Path.home() / ".rustup")
+    return [f"{place}{os.sep}".encode() for place in places]
+
+
 def flags() -> str:
     """Flags for rustc, in cargo's encoding: nothing that is released holds a path of this machine."""
     names = {cargo_home() / "registry" / "src": "/crates", PROJECT: "/stribeck"}

@@ -3,9 +3,8 @@
 import shutil
 import sys
 from importlib.util import find_spec
-from pathlib import Path
 
-from release.making import FMU_BUILD, PROJECT, STAGE, TARGET, VERSION, Release, contents, flags, has_rust_for, run
+from release.making import FMU_BUILD, STAGE, TARGET, VERSION, Release, contents, flags, foreign, has_rust_for, run
 
 # For each platform of fmu-build: Rust's name of the target, and flags for rustc. On Linux the program is static and
 # runs with any C library; Rust's own linker needs no compiler of the other processor. One for macOS needs Apple's SDK.
@@ -40,9 +39,9 @@ def build(target: str, flag: str) -> bytes:
     )
     name = "stribeck.exe" if "windows" in target else "stribeck"
     program = (TARGET / "program" / target / "release" / name).read_bytes()
-    for path in (PROJECT, Path.home()):
-        if str(path).encode() in program:
-            sys.exit(f"the program for {target} contains the path {path}")
+    for place in foreign():
+        if place in program:
+            sys.exit(f"the program for {target} contains the path {place.decode()}")
     return program
 
 
