@@ -30,28 +30,36 @@ pub fn dormand_prince_from<const N: usize>(
     at: [f64; N],
     h: f64,
 ) -> Done<N> {
-    const A: [&[f64]; 6] = [
-        &[1.0 / 5.0],
-        &[3.0 / 40.0, 9.0 / 40.0],
-        &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
-        &[19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0],
-        &[9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0],
-        &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
-    ];
-    const C: [f64; 6] = [1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0];
+    const A_2: [f64; 1] = [1.0 / 5.0];
+    const A_3: [f64; 2] = [3.0 / 40.0, 9.0 / 40.0];
+    const A_4: [f64; 3] = [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0];
+    const A_5: [f64; 4] = [19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0];
+    const A_6: [f64; 5] = [9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0];
+    const B: [f64; 6] = [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0];
     const E: [f64; 7] =
         [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
     let mut k = [[0.0; N]; 7];
     k[0] = first;
-    let change = |k: &[[f64; N]; 7], weights: &[f64], i: usize| {
-        h * weights.iter().zip(k).map(|(weight, rates)| weight * rates[i]).sum::<f64>()
-    };
-    let mut next = at;
-    for (stage, weights) in A.iter().enumerate() {
-        next = std::array::from_fn(|i| at[i] + change(&k, weights, i));
-        k[stage + 1] = rates(C[stage] * h, next);
-    }
-    Done { end: next, error: std::array::from_fn(|i| change(&k, &E, i)), rates: k[6] }
+    k[1] = rates(1.0 / 5.0 * h, along(at, &k, A_2, h));
+    k[2] = rates(3.0 / 10.0 * h, along(at, &k, A_3, h));
+    k[3] = rates(4.0 / 5.0 * h, along(at, &k, A_4, h));
+    k[4] = rates(8.0 / 9.0 * h, along(at, &k, A_5, h));
+    k[5] = rates(h, along(at, &k, A_6, h));
+    let end = along(at, &k, B, h);
+    k[6] = rates(h, end);
+    Done { end, error: std::array::from_fn(|i| h * weighted(&k, E, i)), rates: k[6] }
+}
+
+/// A state that moves for the time h at the mean of the first rates with these weights.
+#[inline(always)]
+fn along<const S: usize, const N: usize>(at: [f64; N], k: &[[f64; N]; 7], weights: [f64; S], h: f64) -> [f64; N] {
+    std::array::from_fn(|i| at[i] + h * weighted(k, weights, i))
+}
+
+/// The rate of state i, as the mean of the first rates with these weights.
+#[inline(always)]
+fn weighted<const S: usize, const N: usize>(k: &[[f64; N]; 7], weights: [f64; S], i: usize) -> f64 {
+    (1..S).fold(weights[0] * k[0][i], |sum, stage| sum + weights[stage] * k[stage][i])
 }
 
 /// Factor from the length of a step to that of the next one, by the error as a multiple of the tolerated one. The
