@@ -1,5 +1,6 @@
 use crate::contact::quantities::{DISSIPATED_ENERGY, DISSIPATED_POWER, FRICTION_FORCE, VELOCITY};
-use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, integrate, real};
+use crate::model::integrate::{self, Moving};
+use crate::model::{Derivatives, Fault, Law, Meaning, Model, ModelExchange, Preset, real};
 use crate::number::Real;
 
 crate::part! {
@@ -102,10 +103,11 @@ crate::model! {
     /// # Step
     /// Displacement, $y$, $z$, $u$ and the energy are integrated together by the method of Dormand and Prince with
     /// error control, to 1e-10 of each, for held inputs and for inputs that move linearly; so the result does not
-    /// depend on how an interval is divided. The saturated hysteresis follows its level at the rate
+    /// depend on how an interval is divided. The hysteresis follows its level at the rate
     /// $n A |dx/dt - dy/dt| / z_max$, which is 93,500 1/s at 1 m/s for the start values: the pieces of a step are as
-    /// short as that. The damper does not know the displacement of the host: it integrates the velocity, from the start
-    /// value of `displacement`. With held velocities it follows a host that does the same.
+    /// short as that, until it has reached its level to 1e-10, where it is held. The damper does not know the
+    /// displacement of the host: it integrates the velocity, from the start value of `displacement`. With held
+    /// velocities it follows a host that does the same.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness $alpha A$ and
     /// the damping $c_0 c_1 / (c_0 + c_1)$.
@@ -213,11 +215,71 @@ impl<T: Real> MagnetorheologicalDamper<T> {
         within.force + self.k_1 * (self.displacement - self.x_0)
     }
 
-    /// dz/dt at dx/dt - dy/dt.
-    fn evolution(&self, slip: T) -> T {
+    /// dz/dt at dx/dt - dy/dt, with |z|^n.
+    fn evolution(&self, slip: T, power: T) -> T {
         let (fluid, z) = (&self.fluid, self.state.z);
-        let saturation = (fluid.hysteresis_gamma * (slip * z).sign() + fluid.hysteresis_beta) * z.abs().powf(fluid.n);
+        let saturation = (fluid.hysteresis_gamma * (slip * z).sign() + fluid.hysteresis_beta) * power;
         (fluid.A - saturation) * slip
+    }
+
+    /// Rates of x, y, z, u and the energy, with |z|^n.
+    fn rates(&self, within: &Within<T>, power: T) -> [T; 5] {
+        [
+            self.velocity,
+            within.force / within.dashpot,
+            self.evolution(within.slip, power),
+            self.fluid.voltage_rate * (self.voltage - self.state.filtered_voltage),
+            self.force(within) * self.velocity,
+        ]
+    }
+
+    /// States x, y, z, u and the energy.
+    fn states(&mut self) -> [&mut T; 5] {
+        let MagnetorheologicalState { z, filtered_voltage } = &mut self.state;
+        [&mut self.displacement, &mut self.y, z, filtered_voltage, &mut self.dissipated_energy]
+    }
+}
+
+/// A damper within a step, with inputs that begin at these values and move at these rates.
+struct Driven<'a> {
+    damper: &'a mut MagnetorheologicalDamper,
+    begin: [f64; 2],
+    slope: [f64; 2],
+}
+
+impl Driven<'_> {
+    fn put(&mut self, time: f64, at: [f64; 5]) {
+        let inputs = [0, 1].map(|i| self.begin[i] + self.slope[i] * time);
+        [self.damper.velocity, self.damper.voltage] = inputs;
+        for (state, value) in self.damper.states().into_iter().zip(at) {
+            *state = value;
+        }
+    }
+}
+
+impl Moving<5> for Driven<'_> {
+    fn rates(&mut self, time: f64, at: [f64; 5]) -> [f64; 5] {
+        self.put(time, at);
+        let (damper, within) = (&self.damper, self.damper.within());
+        let (z, n) = (damper.state.z.abs(), damper.fluid.n);
+        // The exponent of most published dampers, without its costly power.
+        let mut rates = damper.rates(&within, if n == 2.0 { z * z } else { Real::powf(z, n) });
+        // A saturated hysteresis does not move, to the tolerance: it is drawn there faster than anything else moves, and
+        // the pieces of a step would be as short as that.
+        if rates[2].abs() <= integrate::TOLERANCE * (n * damper.fluid.A * within.slip).abs() {
+            rates[2] = 0.0;
+        }
+        rates
+    }
+}
+
+impl MagnetorheologicalDamper {
+    /// Advances by `dt` while velocity and voltage move at these rates.
+    fn advance(&mut self, slope: [f64; 2], dt: f64) {
+        let at = self.states().map(|state| *state);
+        let mut driven = Driven { begin: [self.velocity, self.voltage], damper: self, slope };
+        let end = integrate::moved(&mut driven, at, integrate::nominal::<Self, 5>(), dt);
+        driven.put(dt, end.unwrap_or([f64::NAN; 5]));
     }
 }
 
@@ -247,12 +309,10 @@ impl<T: Real> Law for MagnetorheologicalDamper<T> {
 
 impl<T: Real> Derivatives for MagnetorheologicalDamper<T> {
     fn derivatives(&self, rate: &mut Self) {
-        let within = self.within();
-        rate.displacement = self.velocity;
-        rate.y = within.force / within.dashpot;
-        rate.state.z = self.evolution(within.slip);
-        rate.state.filtered_voltage = self.fluid.voltage_rate * (self.voltage - self.state.filtered_voltage);
-        rate.dissipated_energy = self.force(&within) * self.velocity;
+        let rates = self.rates(&self.within(), self.state.z.abs().powf(self.fluid.n));
+        for (state, value) in rate.states().into_iter().zip(rates) {
+            *state = value;
+        }
     }
 }
 
@@ -283,11 +343,11 @@ impl Model for MagnetorheologicalDamper {
     }
 
     fn step(&mut self, dt: f64) {
-        integrate::held::<_, 5>(self, dt);
+        self.advance([0.0; 2], dt);
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        integrate::advance::<_, 5>(self, slope, dt);
+        self.advance([slope.velocity, slope.voltage], dt);
     }
 }
 

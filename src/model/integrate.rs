@@ -5,7 +5,7 @@ use crate::model::{Described, Model, row_of, row_of_mut};
 use crate::numerics::runge_kutta::{dormand_prince, growth};
 
 /// Error allowed in a piece of a step, relative to the larger of the state and its nominal value (chosen).
-const TOLERANCE: f64 = 1e-10;
+pub(crate) const TOLERANCE: f64 = 1e-10;
 
 /// Length of a piece in s within which the model may change its branch (chosen: where the rate of the rate jumps by j,
 /// it leaves an error of less than j times its square, 1e-10 m/s for a wheel that lands at 1 m/s).
@@ -19,6 +19,60 @@ const MOST_PIECES_TIMES_STATES: u32 = 2_000_000;
 const OUTLOOKS: u32 = 10;
 const HOPELESS: f64 = 10.0;
 
+/// States that move continuously through a step.
+pub(crate) trait Moving<const N: usize> {
+    /// Rates at a time after the beginning of the step and at these states.
+    fn rates(&mut self, time: f64, at: [f64; N]) -> [f64; N];
+
+    /// Whether a piece of this length that ends here leaves the branch on which it began; if not, the next one begins
+    /// here.
+    fn leaves(&mut self, _end: f64, _next: [f64; N], _length: f64) -> bool {
+        false
+    }
+}
+
+/// The states after `dt`, from those before; none if the step would take too many pieces. Errors are relative to the
+/// larger of a state and its nominal value.
+pub(crate) fn moved<const N: usize>(
+    moving: &mut impl Moving<N>,
+    mut at: [f64; N],
+    nominal: [f64; N],
+    dt: f64,
+) -> Option<[f64; N]> {
+    let (mut time, mut piece) = (0.0, dt);
+    let most = const { MOST_PIECES_TIMES_STATES / N as u32 };
+    let mut last_look = 0.0;
+    for count in 1..=most {
+        // A remainder hardly longer than the piece is made in one.
+        let end = if time + 1.01 * piece >= dt { dt } else { time + piece };
+        let length = end - time;
+        let (next, error) = dormand_prince(|since, at| moving.rates(time + since, at), at, length);
+        let error = largest(&nominal, next, error) / TOLERANCE;
+        piece = length * growth(error);
+        if error <= 1.0 {
+            if moving.leaves(end, next, length) {
+                piece = 0.25 * length;
+                continue;
+            }
+            (time, at) = (end, next);
+            if time >= dt {
+                return Some(at);
+            }
+        }
+        if time + piece <= time {
+            return None;
+        }
+        if count.is_multiple_of(most / OUTLOOKS) {
+            let pace = f64::from(OUTLOOKS) * (time - last_look);
+            if dt - time > HOPELESS * pace {
+                return None;
+            }
+            last_look = time;
+        }
+    }
+    None
+}
+
 /// Advances the `N` states of `model` by `dt` while its inputs are held.
 pub(crate) fn held<M: Model, const N: usize>(model: &mut M, dt: f64) {
     advance_by::<M, N>(model, None, dt);
@@ -31,7 +85,8 @@ pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f6
 }
 
 /// A model within a step, with workspace for its rates: a car's row is long, and the stack of a host may be small.
-struct Motion<'a, M, const N: usize> {
+struct Motion<'a, M: Model, const N: usize> {
+    branches: u32,
     model: &'a mut M,
     begin: Inputs,
     rate: M,
@@ -50,53 +105,33 @@ impl<M: Model, const N: usize> Motion<'_, M, N> {
             row_of_mut(self.model)[*column] = value;
         }
     }
+}
 
+impl<M: Model, const N: usize> Moving<N> for Motion<'_, M, N> {
     fn rates(&mut self, time: f64, at: [f64; N]) -> [f64; N] {
         self.put(time, at);
         self.model.rate(&mut self.rate);
         self.columns.map(|column| row_of(&self.rate)[column])
     }
+
+    fn leaves(&mut self, end: f64, next: [f64; N], length: f64) -> bool {
+        self.put(end, next);
+        let branches = self.model.branches();
+        let leaves = branches != self.branches && length > CHANGE;
+        if !leaves {
+            self.branches = branches;
+        }
+        leaves
+    }
 }
 
 fn advance_by<M: Model, const N: usize>(model: &mut M, slope: Option<&M>, dt: f64) {
     let columns = states::<M, N>();
-    let mut motion = Motion { begin: Inputs::of(model), rate: *model, model, slope, columns };
-    let (mut time, mut piece) = (0.0, dt);
-    let mut at = columns.map(|column| row_of(motion.model)[column]);
-    let mut branches = motion.model.branches();
-    let most = const { MOST_PIECES_TIMES_STATES / N as u32 };
-    let mut last_look = 0.0;
-    for count in 1..=most {
-        // A remainder hardly longer than the piece is made in one.
-        let end = if time + 1.01 * piece >= dt { dt } else { time + piece };
-        let length = end - time;
-        let (next, error) = dormand_prince(|since, at| motion.rates(time + since, at), at, length);
-        let error = largest::<M, N>(&columns, next, error) / TOLERANCE;
-        piece = length * growth(error);
-        if error <= 1.0 {
-            motion.put(end, next);
-            let after = motion.model.branches();
-            if after != branches && length > CHANGE {
-                piece = 0.25 * length;
-                continue;
-            }
-            (time, at, branches) = (end, next, after);
-            if time >= dt {
-                return;
-            }
-        }
-        if time + piece <= time {
-            break;
-        }
-        if count.is_multiple_of(most / OUTLOOKS) {
-            let pace = f64::from(OUTLOOKS) * (time - last_look);
-            if dt - time > HOPELESS * pace {
-                break;
-            }
-            last_look = time;
-        }
-    }
-    motion.put(dt, [f64::NAN; N]);
+    let branches = model.branches();
+    let mut motion = Motion { branches, begin: Inputs::of(model), rate: *model, model, slope, columns };
+    let at = columns.map(|column| row_of(motion.model)[column]);
+    let end = moved(&mut motion, at, nominal::<M, N>(), dt);
+    motion.put(dt, end.unwrap_or([f64::NAN; N]));
 }
 
 /// Columns of the states that move with time.
@@ -108,9 +143,14 @@ fn states<M: Described, const N: usize>() -> [usize; N] {
     columns
 }
 
+/// Their nominal values.
+pub(crate) fn nominal<M: Described, const N: usize>() -> [f64; N] {
+    states::<M, N>().map(|column| M::COLUMNS.nominal(column))
+}
+
 /// The largest error of a state, relative to the larger of its value and its nominal value.
-fn largest<M: Described, const N: usize>(columns: &[usize; N], at: [f64; N], error: [f64; N]) -> f64 {
-    let relative = |i: usize| (error[i] / at[i].abs().max(M::COLUMNS.nominal(columns[i]))).abs();
+fn largest<const N: usize>(nominal: &[f64; N], at: [f64; N], error: [f64; N]) -> f64 {
+    let relative = |i: usize| (error[i] / at[i].abs().max(nominal[i])).abs();
     // `f64::max` would hide NaN.
     (0..N).map(relative).fold(0.0, |largest, error| if error > largest || error.is_nan() { error } else { largest })
 }
