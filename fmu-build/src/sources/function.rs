@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 use anyhow::{Context, Result, bail, ensure};
 use wasmparser::{BrTable, Operator};
 
+use super::frame::{Frame, FrameSearch};
 use super::kind::Kind;
 use super::module::Module;
 use super::operators::{division, expression, load, store};
@@ -67,18 +68,6 @@ pub struct Facts {
     pub variables: usize,
 }
 
-/// Bytes of the stack that a function takes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Frame {
-    #[default]
-    None,
-    Bytes(u32),
-    /// The next two operators say by how much it moves.
-    Begun,
-    /// It is not known.
-    Unknown,
-}
-
 /// Name of a function in C.
 pub fn name(function: u32) -> String {
     format!("f{function}")
@@ -135,13 +124,13 @@ impl<'a> Function<'a> {
             self.exit = "return 0;";
         }
         self.open(false, false, result);
-        let mut before = [const { None }; 2];
+        let mut frame = FrameSearch::default();
         for operator in body.get_operators_reader()? {
             let operator = operator?;
-            self.facts.frame = frame(self.facts.frame, &before, &operator);
+            frame.add(&operator);
             self.add(&operator)?;
-            before = [before[1].take(), Some(operator)];
         }
+        self.facts.frame = frame.found;
         self.facts.variables = self.locals.len() + self.stack.variables.len();
         let mut text = format!("static {} {{\n", signature(module, function, true)?);
         for (at, kind) in self.locals.iter().enumerate().skip(arguments) {
@@ -470,20 +459,6 @@ impl<'a> Function<'a> {
     }
 }
 
-/// The stack of a function that has one more operator. A function moves the end of the stack once, by a constant.
-fn frame(known: Frame, before: &[Option<Operator>; 2], operator: &Operator) -> Frame {
-    match (before, operator) {
-        ([Some(Operator::GlobalGet { .. }), Some(Operator::I32Const { value })], Operator::I32Sub)
-            if known == Frame::Begun && *value >= 0 =>
-        {
-            Frame::Bytes(*value as u32)
-        }
-        (_, Operator::GlobalGet { .. }) if known == Frame::None => Frame::Begun,
-        (_, Operator::GlobalGet { .. }) => Frame::Unknown,
-        _ => known,
-    }
-}
-
 /// A number in C, exactly: in hexadecimal digits, or by its bits if it is not finite.
 pub fn double(value: f64) -> String {
     let bits = value.to_bits();
@@ -494,32 +469,4 @@ pub fn double(value: f64) -> String {
     let (lead, power) = if exponent == 0 { (0, -1022) } else { (1, exponent as i64 - 1023) };
     let text = if mantissa == 0 && lead == 0 { "0.0".to_owned() } else { format!("0x{lead}.{mantissa:013x}p{power}") };
     if sign == 1 { format!("(-{text})") } else { text }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn frame_of(operators: &[Operator]) -> Frame {
-        let mut before = [const { None }; 2];
-        let mut found = Frame::None;
-        for operator in operators {
-            found = frame(found, &before, operator);
-            before = [before[1].take(), Some(operator.clone())];
-        }
-        found
-    }
-
-    #[test]
-    fn a_frame_is_known_if_the_stack_moves_once_by_a_constant() {
-        let (end, size, minus) =
-            (Operator::GlobalGet { global_index: 0 }, Operator::I32Const { value: 48 }, Operator::I32Sub);
-        let once = [end.clone(), size.clone(), minus.clone()];
-        assert_eq!(frame_of(&[]), Frame::None);
-        assert_eq!(frame_of(&once), Frame::Bytes(48));
-        assert_eq!(frame_of(&[once.clone(), once.clone()].concat()), Frame::Unknown);
-        let aligned = [end.clone(), Operator::LocalTee { local_index: 1 }, size, minus];
-        assert_eq!(frame_of(&aligned), Frame::Begun);
-        assert_eq!(frame_of(&[Operator::Nop, end]), Frame::Begun);
-    }
 }

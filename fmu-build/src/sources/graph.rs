@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use anyhow::{Context, Result};
 
-use super::function::{Facts, Frame, Function, Rules};
+use super::frame::Frame;
+use super::function::{Facts, Function, Rules};
 use super::module::Module;
 
 /// Bytes of C's stack that a call takes beside variables: registers, the return address, and a function of the runtime.
@@ -70,7 +71,7 @@ impl Graph<'_> {
         self.deepest(roots, |facts| match facts.frame {
             Frame::None => Some(0),
             Frame::Bytes(bytes) => Some(bytes),
-            Frame::Begun | Frame::Unknown => None,
+            Frame::Unknown => None,
         })
     }
 

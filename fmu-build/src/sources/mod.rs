@@ -16,6 +16,7 @@ use crate::project::VERSION;
 
 mod controller;
 mod fmu;
+mod frame;
 mod function;
 mod graph;
 mod kind;
