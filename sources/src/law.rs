@@ -1,28 +1,31 @@
 //! The only law of a model that has a choice: the others are not in the module, and are refused.
 
 use stribeck::model::{Fault, Variable};
-use stribeck::shock_absorber::choice_of_law;
+use stribeck::shock_absorber::{NO_LAW, choice_of_law};
 
 use crate::model::{LAW, MODEL};
 use crate::state::{Module, Outcome, Status, fault, refuse};
 
-/// The choice of no friction.
-const NONE: f64 = 1.0;
+/// The number of a choice.
+fn number(column: usize, name: &str) -> Option<f64> {
+    let place = MODEL.table.at(column).kind.choices().iter().position(|item| item.name == name)?;
+    Some((place + 1) as f64)
+}
 
 /// The column of the choice, and the number of the law.
 fn only() -> Option<(usize, f64)> {
-    let (law, column) = (LAW?, choice_of_law(&MODEL)?);
-    let place = MODEL.table.at(column).kind.choices().iter().position(|item| item.name == law)?;
-    Some((column, (place + 1) as f64))
+    let column = choice_of_law(&MODEL)?;
+    Some((column, number(column, LAW?)?))
 }
 
 /// Refuses another law than the only one.
 pub fn check(column: usize, value: f64) -> Result<(), Fault> {
     match only() {
-        Some((choice, law)) if choice == column && value != law && value != NONE => {
+        Some((choice, law)) if choice == column && value != law && Some(value) != number(column, NO_LAW.name) => {
             let Variable { path, kind, .. } = MODEL.table.at(column);
             let name = |number: f64| kind.choices().get((number as usize).wrapping_sub(1)).map_or("", |item| item.name);
-            let available = format_args!("must be {NONE} (None) or {law} ({})", name(law));
+            let none = format_args!("{} ({})", number(column, NO_LAW.name).unwrap_or_default(), NO_LAW.name);
+            let available = format_args!("must be {none} or {law} ({})", name(law));
             Err(Fault::new(format_args!(
                 "{path} = {value} ({}): {available}; no other law is in these sources",
                 name(value)

@@ -108,11 +108,14 @@ pub(super) const WIDEST: usize = {
     widest
 };
 
+/// The choice without friction: the first one of a law.
+pub const NO_LAW: Item = Item { name: "None", help: "No friction." };
+
 /// Choices of a law: none, then the laws in the order of the catalogue.
 pub static FRICTION_MODEL: Enumeration = Enumeration { name: "FrictionModel", items: &ITEMS };
 
 static ITEMS: [Item; COUNT + 1] = {
-    let mut items = [const { Item { name: "None", help: "No friction." } }; COUNT + 1];
+    let mut items = [NO_LAW; COUNT + 1];
     let mut at = 0;
     while at < COUNT {
         items[at + 1] = Item { name: LAWS[at].model.name, help: LAWS[at].model.summary };

@@ -28,7 +28,7 @@ mod mounted;
 mod presets;
 mod setting;
 
-pub use law_list::choice_of_law;
+pub use law_list::{NO_LAW, choice_of_law};
 
 /// Largest number of internal steps within a communication step (chosen); beyond it, they become longer than requested.
 const MOST_SUBSTEPS: u32 = 10_000;

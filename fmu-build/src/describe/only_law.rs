@@ -4,10 +4,7 @@ use std::ptr;
 
 use anyhow::{Result, bail};
 use stribeck::model::{Enumeration, Item, Kind, ModelType, Variable};
-use stribeck::shock_absorber::choice_of_law;
-
-/// The choice without friction, which all sources have.
-const NONE: &str = "None";
+use stribeck::shock_absorber::{NO_LAW, choice_of_law};
 
 /// The law that sources contain.
 #[derive(Clone, Copy)]
@@ -28,9 +25,9 @@ impl OnlyLaw {
         let Some((column, Kind::Enumeration(choices))) = choice else {
             return law.map_or(Ok(None), |law| bail!("{name}: --law {law}: it has no choice of law"));
         };
-        let laws: Vec<&str> = choices.items.iter().map(|item| item.name).filter(|name| *name != NONE).collect();
+        let laws: Vec<&str> = choices.items.iter().map(|item| item.name).filter(|name| *name != NO_LAW.name).collect();
         let Some(law) = law else { bail!("{name}: C sources contain one law: --law with one of {}", laws.join(", ")) };
-        match choices.items.iter().position(|item| item.name == law && law != NONE) {
+        match choices.items.iter().position(|item| item.name == law && law != NO_LAW.name) {
             Some(at) => Ok(Some(OnlyLaw { name: choices.items[at].name, number: at + 1, column, choices })),
             None => bail!("{name}: --law {law}: must be one of {}", laws.join(", ")),
         }
@@ -49,7 +46,7 @@ impl OnlyLaw {
 
 /// Whether sources with this law, or all laws, have this choice.
 pub fn has(law: Option<OnlyLaw>, choices: &Enumeration, item: &Item) -> bool {
-    law.is_none_or(|law| !ptr::eq(choices, law.choices) || [NONE, law.name].contains(&item.name))
+    law.is_none_or(|law| !ptr::eq(choices, law.choices) || [NO_LAW.name, law.name].contains(&item.name))
 }
 
 /// The variable of a column, as it begins with this law.
