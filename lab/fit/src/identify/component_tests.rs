@@ -88,6 +88,19 @@ fn an_input_is_a_column_or_is_held() {
     assert!(refusal(&other, &plain).contains("voltage"), "{}", refusal(&other, &plain));
 }
 
+/// A rope of which the noise hides how a preload differs from a steeper growth: what helps is another tension, since there
+/// is no normal force.
+#[test]
+fn what_helps_a_component_is_another_value_of_its_input() {
+    let level = |v: f64| 10.0 * (0.12 * std::f64::consts::PI * v.signum() * f64::from(v != 0.0)).exp_m1();
+    let ripple = |t: f64| 0.3 * (1e4 * t * t).sin();
+    let record = record("force [N],tension_1 [N]", 0.0, |t, [_, v]| format!("{},10", level(v) + ripple(t)));
+    let cheap = Inquiry { budget: Some(60), ..asked("Capstan", &[("relaxation_distance", 1e-6)]) };
+    let fit = found(&cheap, &record);
+    let verdict = super::tests::estimate(&fit, "preload").verdict.to_string();
+    assert!(verdict.ends_with("; add runs with other values of tension_1"), "{verdict}");
+}
+
 /// Each input of each component has a unit that files may have.
 #[test]
 fn every_model_is_led_by_quantities_that_files_have() {

@@ -29,6 +29,7 @@ use super::levels::levels_by_direction;
 use super::loss::Loss;
 use super::map::{by_velocity, neighbours, student};
 use super::parameter::{Parameter, Target, is_level};
+use super::ports::Ports;
 use super::problem::{Found, Problem, dot, minus, moved};
 use super::velocity_error;
 use stribeck_measured::OF_MEDIAN;
@@ -430,7 +431,7 @@ impl Uncertainty {
                 Some(other) => format!("only in combination with {}", problem.parameters[other].name),
                 None => "only in combination with others".to_owned(),
             };
-            Some(format!("{why}; {}", remedy(parameter)))
+            Some(format!("{why}; {}", remedy(parameter, &problem.ports)))
         } else if is_blurred || is_lost(problem, values, number) {
             Some("the velocity is not known well enough; measure it, or sample the motion faster".to_owned())
         } else {
@@ -576,24 +577,34 @@ fn not_apart(problem: &Problem, number: usize) -> Option<String> {
 }
 
 /// The experiment that would determine a parameter.
-fn remedy(parameter: &Parameter) -> &'static str {
-    match (parameter.target, parameter.meaning) {
-        (Target::Excess { .. }, _) => return "move more slowly around rest, and break away from rest",
-        (Target::Delay, _) => return "move with several frequencies",
-        (Target::Mass, _) => return "accelerate more",
-        (Target::Cosine | Target::Sine, _) => return "turn through a wider range of angles",
-        (_, meaning) if is_level(meaning) => return "slide longer at several speeds",
-        (_, Meaning::Damping) => return "reverse faster, and sample the reversals more often",
-        (_, Meaning::Viscous | Meaning::GrowsWithSpeed) => return "slide faster",
-        _ => {}
-    }
-    match parameter.unit {
+fn remedy(parameter: &Parameter, ports: &Ports) -> String {
+    let text = match (parameter.target, parameter.meaning) {
+        (Target::Excess { .. }, _) => "move more slowly around rest, and break away from rest",
+        (Target::Delay, _) => "move with several frequencies",
+        (Target::Mass, _) => "accelerate more",
+        (Target::Cosine | Target::Sine, _) => "turn through a wider range of angles",
+        (_, meaning) if is_level(meaning) => "slide longer at several speeds",
+        (_, Meaning::Damping) => "reverse faster, and sample the reversals more often",
+        (_, Meaning::Viscous | Meaning::GrowsWithSpeed) => "slide faster",
+        _ => return remedy_by_unit(parameter.unit, ports),
+    };
+    text.to_owned()
+}
+
+/// The same for a parameter that plays no part of its own.
+fn remedy_by_unit(unit: &str, ports: &Ports) -> String {
+    let text = match unit {
         "N/m" | "m" => "reverse often, with strokes shorter than the pre-sliding displacement",
         "m/s" | "s/m" => "move more slowly around rest",
         "s" => "let it rest for different times, and change the speed quickly",
-        "N" => "add runs with other normal forces",
+        "N" if ports.load.is_some() => "add runs with other normal forces",
+        "N" if !ports.led.is_empty() => {
+            let names: Vec<&str> = ports.led.iter().map(|led| led.name).collect();
+            return format!("add runs with other values of {}", names.join(", "));
+        }
         _ => "excite it more",
-    }
+    };
+    text.to_owned()
 }
 
 #[cfg(test)]
