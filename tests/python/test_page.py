@@ -70,6 +70,58 @@ def test_fits_are_those_of_the_package(ask, tmp_path):
     assert abs(values["mu_k"] - files["truth"]["mu_k"]) < 0.01 * files["truth"]["mu_k"]
 
 
+def test_a_component_is_led_by_its_inputs(ask):
+    catalogue, _ = ask({"ask": "catalogue"})
+    fitted = {one["name"]: one for one in catalogue["fitted"]}
+    assert [name for name, one in fitted.items() if not one["has_load"]] == [m["name"] for m in catalogue["components"]]
+    for model in catalogue["components"]:
+        inputs = [one["name"] for one in model["variables"] if one["role"] == "Input" and one["name"] != "velocity"]
+        drives = fitted[model["name"]]["drives"]
+        assert [drive["name"] for drive in drives] == inputs
+        assert all(drive["usual"] is None for drive in drives)
+    (temperature,) = fitted["JointFriction"]["drives"]
+    assert temperature["usual"] == 293.15
+    assert fitted["Capstan"]["drives"][0]["units"] == ["N", "N.m"]
+
+
+def rope(tension):
+    """A record of a rope around half a drum, mu_k = 0.12 and 1 mm of pre-sliding, under a tension that grows."""
+    share, before, rows = 1.0, 0.0, ["time [s],displacement [m],force [N],tension_1 [N]\n"]
+    for time in (0.004 * number for number in range(250)):
+        way = 4e-3 * math.sin(2 * math.pi * time)
+        sense = math.copysign(1.0, way - before)
+        share = sense - (sense - share) * math.exp(-abs(way - before) / 1e-3)
+        before, now = way, tension + 3.0 * time
+        noise = 0.01 * math.sin(1e4 * time * time)
+        rows.append(f"{time},{way},{now * math.expm1(0.12 * math.pi * share) + noise},{now}\n")
+    return "".join(rows)
+
+
+def test_a_component_is_fitted_as_by_the_package(ask, tmp_path):
+    table, record = rope(10.0), tmp_path / "rope.csv"
+    fit = {"records": "rope.csv", "law": "Capstan", "fix": "preload=0", "budget": "60", "repetitions": "0"}
+    here, _ = ask({"ask": "fit", "fit": fit, "files": {"rope.csv": table}})
+    settings = {"fix": {"preload": 0.0}, "budget": 60, "repetitions": 0}
+    record.write_text(table)
+    there = stribeck.identify(str(record), "Capstan", **settings).best
+    (law,) = here["ranking"]["laws"]
+    assert law["values"] == dict(there.values)
+    low, high = next(one["interval"] for one in law["estimates"] if one["name"] == "mu_k")
+    assert 0.119 < low < 0.12 < high < 0.121
+    # No system runs it in place of a law.
+    assert here["toml"] is None
+    assert 'name="mu_k"' in here["ssv"]
+    # A column that is missing is refused in the words of the package; held, it is not needed.
+    table = table.replace("tension_1", "pull")
+    answer, _ = ask(quality(table, law="Capstan"))
+    record.write_text(table)
+    with pytest.raises(ValueError, match="it drives Capstan, in N") as refused:
+        stribeck.identify(str(record), "Capstan", **settings)
+    assert str(refused.value).endswith(answer["refused"].removeprefix("r.csv"))
+    answer, _ = ask(quality(table, law="Capstan", fix="tension_1=10"))
+    assert answer["record"]["samples"] == 250
+
+
 def test_a_map_of_a_joint_has_the_curve_of_its_law(ask):
     speeds = [-3.0, -2.0, -1.0, -0.5, 0.5, 1.0, 2.0, 3.0]
     rows = [(v, math.copysign(1.5, v) + 0.25 * v + noise) for v in speeds for noise in (0.02, -0.02)]

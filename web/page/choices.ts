@@ -25,13 +25,13 @@ export function select(
   return h("div", { class: "choice" }, h("label", { for: id }, label), list);
 }
 
-/** A field for a number with a label. */
+/** A field for a number with a label; `usual` stands in it while it is empty. */
 export function field(
   label: string,
   id: string,
   now: string,
   unit: string,
-  usual: number | undefined,
+  usual: number | string | undefined,
   change: (text: string) => void,
 ): HTMLElement {
   const input = h("input", { id, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false" });
@@ -41,16 +41,21 @@ export function field(
   return h("div", { class: "choice" }, h("label", { for: id }, label), input, h("span", { class: "unit" }, unit));
 }
 
+const has = (model: Model, meaning: string) => model.variables.some((variable) => variable.meaning === meaning);
+/** Whether no normal force presses a model together. */
+const isComponent = (model: Model) => !has(model, "NormalForce");
+
 /** Laws by their inputs: without memory they need the external force at rest, in the plane a second velocity. */
 export function families(laws: Model[]): [string, Model[]][] {
-  const has = (model: Model, meaning: string) => model.variables.some((variable) => variable.meaning === meaning);
+  const components = laws.filter(isComponent);
   const flat = laws.filter((model) => has(model, "VelocityY"));
   const instant = laws.filter((model) => has(model, "ExternalForce"));
-  const others = laws.filter((model) => !flat.includes(model) && !instant.includes(model));
+  const others = laws.filter((model) => ![...components, ...flat, ...instant].includes(model));
   return [
     ["Static: force from the velocity", instant],
     ["Dynamic: with memory", others],
     ["In the plane and in space", flat],
+    ["Components: without a normal force", components],
   ];
 }
 
@@ -72,7 +77,7 @@ export class LawPicker {
     this.root = h(
       "div",
       { class: "laws" },
-      h("strong", {}, "Friction laws"),
+      h("strong", {}, laws.some(isComponent) ? "Friction laws and components" : "Friction laws"),
       this.chips,
       h(
         "details",

@@ -1,4 +1,4 @@
-/** Fit: laws against records of a rig, in a worker; nothing is uploaded. */
+/** Fit: laws and components against records of a rig, in a worker; nothing is uploaded. */
 
 import type { Page } from "./bench";
 import { field, LawPicker, select } from "./choices";
@@ -6,6 +6,7 @@ import { faultText } from "./controls";
 import { checkLaws } from "./asked";
 import { h, save } from "./dom";
 import type { Curve, Diagram } from "./drawing";
+import { Drives } from "./drives";
 import { Lane, Superseded } from "./engine";
 import { short, unitText } from "./format";
 import { intro } from "./intros";
@@ -52,10 +53,11 @@ interface Measured {
 export class FitView {
   readonly root: HTMLElement;
   private readonly picker: LawPicker;
+  private readonly drives: Drives;
   private readonly form = h("div", { class: "choices" });
   private readonly known = h("div", { class: "choices" });
   private readonly options = h("div", { class: "choices" });
-  /** Data for which the fields of the rig were made: unit of the force, and whether they are from a file. */
+  /** What the fields of the rig were made for: unit of the force, whether it is of a file, what drives the laws. */
   private knownOf = "";
   private readonly drop: HTMLElement;
   private readonly file = h("input", { type: "file", id: "record", multiple: true, accept: ".csv,.tsv,.txt,text/csv" });
@@ -68,8 +70,8 @@ export class FitView {
   private readonly take: TakeAway;
   private readonly questions = new Lane();
   private readonly worker = new Lane();
-  /** Whether there is, or was, something to fit. */
-  private isBegun = false;
+  /** What drove the laws for which the record was read last. */
+  private readFor: string | undefined;
   private isEnding = false;
   private data: Data | undefined;
   private measured: Measured | undefined;
@@ -79,11 +81,10 @@ export class FitView {
     private readonly page: Page,
     private readonly state: State,
   ) {
-    const laws = page.catalogue.laws.filter(({ name }) => page.catalogue.fitted.includes(name));
-    this.picker = new LawPicker("fit", laws, state, () => {
-      page.changed(true);
-      this.picker.show();
-    });
+    const { laws, components, fitted } = page.catalogue;
+    const models = [...laws, ...components].filter(({ name }) => fitted.some((one) => one.name === name));
+    this.drives = new Drives(fitted, state);
+    this.picker = new LawPicker("fit", models, state, () => this.choose());
     const [time, loops] = [new Cursor(), new Cursor()];
     const timePlot: TimePlot = new TimePlot("friction-over-time", time, (range) => timePlot.zoom(range));
     this.plots = [
@@ -130,14 +131,29 @@ export class FitView {
     return KNOWN.includes(name) && this.isFromFile() ? "" : RIG[name]!;
   }
 
+  /** Whether the record is, or has to be, from another rig than the virtual one. */
   private isFromFile(): boolean {
-    return this.data !== undefined && this.data.truth === undefined;
+    return this.data ? this.data.truth === undefined : !this.drives.areLaws;
   }
 
   private set(name: string, text: string): void {
     if (text === this.usual(name) || text === "") delete this.state.set[`rig.${name}`];
     else this.state.set[`rig.${name}`] = text;
     this.page.changed(true);
+  }
+
+  /** Others were chosen: the record is read again if they need something else of it. */
+  private choose(): void {
+    this.drives.forget();
+    this.page.changed(true);
+    this.picker.show();
+    if (this.readFor === this.drives.key) return;
+    this.showKnown();
+    this.again(() => this.begin());
+  }
+
+  private begin(): Promise<void> {
+    return this.data ? this.measure() : this.first();
   }
 
   private setOption(name: string, text: string): void {
@@ -155,9 +171,10 @@ export class FitView {
 
   /** Reports what the state has and this view does not; returns whether there is nothing. */
   private checkState(): boolean {
-    const names = [...Object.keys(RIG).map((name) => `rig.${name}`), ...IDENTIFICATION.map(({ name }) => `fit.${name}`)];
+    const own = [...Object.keys(RIG).map((name) => `rig.${name}`), ...IDENTIFICATION.map(({ name }) => `fit.${name}`)];
+    const names = [...own, ...this.drives.names];
     const unknown = Object.keys(this.state.set).find((name) => !names.includes(name));
-    const stranger = this.state.laws.find((law) => !this.page.catalogue.fitted.includes(law));
+    const stranger = this.state.laws.find((law) => !this.page.catalogue.fitted.some(({ name }) => name === law));
     try {
       if (unknown !== undefined) throw new RangeError(`'${unknown}' is unknown`);
       if (stranger !== undefined) throw new RangeError(`friction law '${stranger}' does not exist, or cannot be fitted`);
@@ -169,8 +186,13 @@ export class FitView {
     }
   }
 
-  /** A record to begin with, from the virtual rig, and its fit; several laws take long, and wait for the button. */
+  /**
+   * A record to begin with, from the virtual rig, and its fit; several laws take long, and wait for the button, components
+   * for a record of theirs.
+   */
   private async first(): Promise<void> {
+    this.readFor = this.drives.key;
+    if (!this.drives.areLaws) return this.draw();
     this.root.dataset.running = "1";
     await this.virtual();
     if (this.measured && this.data?.truth && !this.fitted && this.state.laws.length === 1) await this.fit();
@@ -184,7 +206,7 @@ export class FitView {
     this.options.replaceChildren(
       h("details", { class: "solver" }, h("summary", {}, "Options"), ...IDENTIFICATION.map((option) => this.option(option))),
     );
-    const laws = this.page.catalogue.fitted.map((name) => ({ name, text: name }));
+    const laws = this.page.catalogue.fitted.filter(({ has_load }) => has_load).map(({ name }) => ({ name, text: name }));
     const faults = h("input", { type: "checkbox", id: "rig-faults" });
     faults.checked = this.value("faults") === "true";
     faults.addEventListener("change", () => this.set("faults", String(faults.checked)));
@@ -201,13 +223,10 @@ export class FitView {
         h("button", { type: "button", id: "measure-rig", onclick: () => this.again(() => this.virtual()) }, "Measure on the virtual rig"),
       ),
     );
-    if (isGood && !this.isBegun) {
-      this.isBegun = true;
-      void this.first();
-    }
+    if (isGood && this.readFor !== this.drives.key) void this.begin();
   }
 
-  /** Fields for what is known of the rig. */
+  /** Fields for what is known of the rig, and for what drives the laws. */
   private showKnown(): void {
     const unit = this.measured?.quality.labels.force.unit ?? "N";
     const turns = unit !== "N";
@@ -215,12 +234,16 @@ export class FitView {
     this.knownOf = this.knownNow();
     this.known.replaceChildren(
       this.number(turns ? "Moment of inertia" : "Mass", "mass", turns ? "kg.m2" : "kg", again),
-      this.number(turns ? "Load" : "Normal force", "normal_force", unit, again),
+      this.drives.hasLoad ? this.number(turns ? "Load" : "Normal force", "normal_force", unit, again) : "",
+      ...this.drives.fields(turns, () => {
+        this.page.changed(true);
+        again();
+      }),
     );
   }
 
   private knownNow(): string {
-    return `${this.measured?.quality.labels.force.unit} ${this.isFromFile()}`;
+    return `${this.measured?.quality.labels.force.unit} ${this.isFromFile()} ${this.drives.key}`;
   }
 
   private number(label: string, name: string, unit: string, then = () => {}): HTMLElement {
@@ -251,7 +274,7 @@ export class FitView {
       { class: "drop", id: "drop" },
       h("label", { for: "record" }, "Record of a rig: drop a CSV here, or choose it"),
       this.file,
-      h("p", { class: "note" }, "Columns time, force, displacement or velocity, perhaps normal_force, with units in brackets: time [s]. A joint has a torque, an angle and an angular velocity. Without a time it is a map of friction at constant speeds. A second file is the motion on its own clock. The files stay in this page; nothing is uploaded."),
+      h("p", { class: "note" }, "Columns time, force, displacement or velocity, perhaps normal_force, with units in brackets: time [s]. A component has no normal force, but columns of what drives it, such as voltage. A joint has a torque, an angle and an angular velocity. Without a time it is a map of friction at constant speeds. A second file is the motion on its own clock. The files stay in this page; nothing is uploaded."),
     );
     const over = (isOver: boolean) => (event: DragEvent) => {
       event.preventDefault();
@@ -303,7 +326,6 @@ export class FitView {
 
   private async open(data: Data): Promise<void> {
     this.data = data;
-    this.isBegun = true;
     this.measured = undefined;
     await this.measure();
   }
@@ -311,9 +333,12 @@ export class FitView {
   /** The identification. */
   private asked(data: Data): Fit {
     const camera = data.motion === undefined ? {} : { motion: data.motion.file, delay: "find" };
-    const known = KNOWN.map((name) => [name, this.value(name)]).filter(([, text]) => text !== "");
+    const rig = KNOWN.filter((name) => name !== "normal_force" || this.drives.hasLoad);
+    const known = rig.map((name) => [name, this.value(name)]).filter(([, text]) => text !== "");
     const given = IDENTIFICATION.map(({ name }) => [name, this.state.set[`fit.${name}`]]).filter(([, text]) => text !== undefined);
-    return { records: data.record.file, law: this.state.laws.join(), ...camera, ...Object.fromEntries([...known, ...given]) };
+    const held = [...given.filter(([name]) => name === "fix").map(([, text]) => text), ...this.drives.fixed];
+    const all = Object.fromEntries([...known, ...given, ...(held.length > 0 ? [["fix", held.join()]] : [])]);
+    return { records: data.record.file, law: this.state.laws.join(), ...camera, ...all };
   }
 
   /** Looks at the record. */
@@ -321,6 +346,7 @@ export class FitView {
     const { data } = this;
     if (!data) return;
     this.stop();
+    this.readFor = this.drives.key;
     this.root.dataset.running = "1";
     this.fitted = undefined;
     try {
@@ -443,7 +469,8 @@ export class FitView {
 
   private showWorth(): void {
     if (!this.measured || !this.data) {
-      this.worth.replaceChildren();
+      const isWanted = !this.data && !this.drives.areLaws;
+      this.worth.replaceChildren(isWanted ? h("p", { class: "note" }, this.drives.wanted) : "");
       return;
     }
     const { record, map, labels, findings } = this.measured.quality;
@@ -466,10 +493,12 @@ export class FitView {
     const [best] = ranking.laws;
     const of = unitText(ranking.units.force);
     if (!best) return;
+    const isLaw = this.drives.isLaw(best.law);
     this.outcome.replaceChildren(
       h("h2", {}, `${best.law}: RMS residual ${short(best.rms)} ${of} of ${short(level)} ${of}`),
       early === null ? "" : h("p", { class: "note" }, early),
-      this.estimates(best, data?.truth),
+      isLaw ? "" : h("p", { class: "note" }, `${best.law} is a component: save its values as SSV; TOML and the view of a law are for laws.`),
+      this.estimates(best, isLaw ? data?.truth : undefined),
       h("ul", { class: "findings" }, ...best.warnings.map((text) => h("li", {}, text))),
       ranking.laws.length + ranking.refused.length > 1 ? places(ranking) : "",
     );
@@ -502,14 +531,15 @@ export class FitView {
     const { state } = this;
     const best = () => this.fitted!.answer;
     const [hasData, isFitted] = [() => this.data !== undefined, () => this.fitted !== undefined];
+    const isLaw = () => isFitted() && this.drives.isLaw(best().best);
     const items = (take: TakeAway) => [
       { text: "Copy link", id: "copy-link", does: () => take.copy("Link", location.href.split("#")[0] + toHash({ view: "fit", state })) },
       { text: "Copy as Python", id: "copy-python", does: () => take.copyOf("python", this.job()), isReady: hasData },
       { text: "Copy as command line", id: "copy-command", does: () => take.copyOf("command", this.job()), isReady: hasData },
       { text: "Save record", id: "save-csv", does: () => this.saveRecord(), isReady: hasData },
-      { text: "Save TOML", id: "save-toml", does: () => save(`${best().best}.toml`, best().toml, "application/toml"), isReady: isFitted },
+      { text: "Save TOML", id: "save-toml", does: () => save(`${best().best}.toml`, best().toml!, "application/toml"), isReady: isLaw },
       { text: "Save SSV", id: "save-ssv", does: () => save(`${best().best}.ssv`, best().ssv, "application/xml"), isReady: isFitted },
-      { text: "Show the fitted law", id: "to-law", does: () => this.toLaw(best()), isReady: isFitted },
+      { text: "Show the fitted law", id: "to-law", does: () => this.toLaw(best()), isReady: isLaw },
     ];
     return new TakeAway("fit", items, this.page.fault);
   }

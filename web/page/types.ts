@@ -163,9 +163,29 @@ text: string, };
 
 export type Catalogue = { version: string, laws: Array<Model>, shock_absorber: Array<Model>, hosts: Array<Model>, components: Array<Model>, systems: Array<SystemEntry>, solvers: Array<Named>, 
 /**
- * Laws that can be fitted.
+ * Laws and components that can be fitted.
  */
-fitted: Array<string>, thesis: Thesis, palette: Palette, };
+fitted: Array<Fittable>, thesis: Thesis, palette: Palette, };
+
+export type Fittable = { name: string, 
+/**
+ * Whether a normal force presses it together; a component has none.
+ */
+has_load: boolean, 
+/**
+ * What drives it beside its motion and normal force.
+ */
+drives: Array<Drive>, };
+
+export type Drive = { name: string, 
+/**
+ * Its units for a body that slides and for one that turns.
+ */
+units: [string, string], 
+/**
+ * Its value where a record has no such column; none if it must be given.
+ */
+usual: number | null, help: string, };
 
 export type Thesis = { classes: [string, string, string, string], times: Array<[string, [number | null, number | null, number | null, number | null]]>, };
 
@@ -329,7 +349,11 @@ curves: Array<string>,
 /**
  * Description of a fit that was cancelled.
  */
-early: string | null, condition: number, toml: string, ssv: string, };
+early: string | null, condition: number, 
+/**
+ * The file for `stribeck run`; none for a component, which no system has in place of a law.
+ */
+toml: string | null, ssv: string, };
 
 export type Ranking = { 
 /**

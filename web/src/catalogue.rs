@@ -7,7 +7,9 @@ use serde::Serialize;
 use ssp::parameter_set::text_of;
 use stribeck::catalogue::{Family, documented};
 use stribeck::model::{ModelType, Variable};
+use stribeck_fit::identify::{self, Led, Ports};
 use stribeck_fit::thesis::{CLASSES, TABLE_6_5};
+use stribeck_measured::Movement;
 use stribeck_plot::palette::{self, DARK, DASHES, LIGHT};
 use stribeck_solve::run::Solver;
 use stribeck_solve::system::{BUILT_IN, Description, Fault};
@@ -25,10 +27,31 @@ pub struct Catalogue {
     components: Vec<Model>,
     systems: Vec<SystemEntry>,
     solvers: Vec<Named>,
-    /// Laws that can be fitted.
-    fitted: Vec<&'static str>,
+    /// Laws and components that can be fitted.
+    fitted: Vec<Fittable>,
     thesis: Thesis,
     palette: Palette,
+}
+
+/// A law or component that can be fitted.
+#[derive(Debug, Serialize, TS)]
+pub struct Fittable {
+    name: &'static str,
+    /// Whether a normal force presses it together; a component has none.
+    has_load: bool,
+    /// What drives it beside its motion and normal force.
+    drives: Vec<Drive>,
+}
+
+/// A quantity that drives a model: a column of a record, or a value at which it is held.
+#[derive(Debug, Serialize, TS)]
+pub struct Drive {
+    name: &'static str,
+    /// Its units for a body that slides and for one that turns.
+    units: [&'static str; 2],
+    /// Its value where a record has no such column; none if it must be given.
+    usual: Option<f64>,
+    help: &'static str,
 }
 
 /// Solvers of the thesis, and its times in s for each law; null where it did not converge.
@@ -124,6 +147,9 @@ pub fn catalogue() -> Result<Answer, Fault> {
         name: solver.get_name().to_owned(),
         help: solver.get_help().map_or(String::new(), ToString::to_string),
     };
+    // In one loop, from which the compiler sees that the pages of the models are not read: they stay out of the library.
+    let mut fitted = Vec::new();
+    identify::fittable().for_each(|model| fitted.extend(fittable(model)));
     Ok(Answer::plain(Catalogue {
         version: env!("CARGO_PKG_VERSION"),
         laws: family(Family::Friction),
@@ -135,7 +161,7 @@ pub fn catalogue() -> Result<Answer, Fault> {
             .filter_map(|(name, text)| system(name, text).transpose())
             .collect::<Result<_, Fault>>()?,
         solvers: Solver::value_variants().iter().filter_map(ValueEnum::to_possible_value).map(solver).collect(),
-        fitted: stribeck_fit::identify::laws().map(|law| law.name).collect(),
+        fitted,
         thesis: Thesis { classes: CLASSES, times: TABLE_6_5 },
         palette: Palette { light: colours(&LIGHT), dark: colours(&DARK), dashes: DASHES },
     }))
@@ -143,6 +169,16 @@ pub fn catalogue() -> Result<Answer, Fault> {
 
 fn colours(&palette::Colours { paper, ink, grid, axis, laws }: &palette::Colours) -> Colours {
     Colours { paper, ink, grid, axis, laws }
+}
+
+fn fittable(model: &'static ModelType) -> Option<Fittable> {
+    let Ports { load, led, .. } = Ports::of(model)?;
+    let drive = |Led { column, name, unit, is_input }: Led| {
+        let variable = model.table.at(column);
+        let units = [Movement::Translation, Movement::Rotation].map(|movement| movement.unit(unit));
+        Drive { name, units, usual: (!is_input).then_some(variable.start), help: variable.help }
+    };
+    Some(Fittable { name: model.name, has_load: load.is_some(), drives: led.into_iter().map(drive).collect() })
 }
 
 /// A system in which laws can be compared.

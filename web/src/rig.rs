@@ -125,7 +125,8 @@ pub struct Fitted {
     /// Description of a fit that was cancelled.
     early: Option<&'static str>,
     condition: f64,
-    toml: String,
+    /// The file for `stribeck run`; none for a component, which no system has in place of a law.
+    toml: Option<String>,
     ssv: String,
 }
 
@@ -243,7 +244,7 @@ pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)
         curves,
         early: best.is_cancelled.then_some(EARLY),
         condition: best.condition,
-        toml: best.configuration().text(),
+        toml: best.has_load().then(|| best.configuration().text()),
         ssv: best.parameter_set(best.law.name)?.to_ssv(),
     };
     Ok(Answer::with(answer, arrays))

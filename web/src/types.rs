@@ -51,6 +51,8 @@ fn answers() -> String {
     declared!(
         answer::Text,
         catalogue::Catalogue,
+        catalogue::Fittable,
+        catalogue::Drive,
         catalogue::Thesis,
         catalogue::Palette,
         catalogue::Colours,

@@ -89,6 +89,7 @@ test("a wrong link says what is wrong, and the page is of use", async () => {
     ["#v=1&view=strut&strut.length.ampl=1", /'ampl' does not exist \(did you mean 'amplitude'\?\)/],
     ["#v=1&view=fit&rig.weight=1", /'rig.weight' is unknown/],
     ["#v=1&view=fit&law=Liang", /friction law 'Liang' does not exist, or cannot be fitted/],
+    ["#v=1&view=fit&law=Capstan&held.voltage=1", /'held.voltage' is unknown/],
   ];
   for (const [bad, expected] of faults) {
     await page.goto("about:blank");

@@ -350,6 +350,87 @@ test("a record of a joint shows torque over angle", async () => {
   assert.deepEqual(wrong, []);
 });
 
+/** A record of a rope around half a drum: mu_k = 0.12, 1 mm of pre-sliding, 10 N on side 1. */
+function rope() {
+  let [share, before] = [1, 0];
+  const row = (number) => {
+    const [time, sense] = [0.004 * number, Math.sign(Math.cos(8 * 0.004 * number))];
+    const way = 4e-3 * Math.sin(8 * time);
+    share = sense - (sense - share) * Math.exp(-Math.abs(way - before) / 1e-3);
+    before = way;
+    return `${time},${way},${10 * Math.expm1(0.12 * Math.PI * share) + 0.01 * Math.sin(1e4 * time * time)}\n`;
+  };
+  return `time [s],displacement [m],force [N]\n${Array.from({ length: 300 }, (_, number) => row(number)).join("")}`;
+}
+
+test("a component is fitted to a record of its own, driven by a column or a value", { timeout: 120_000 }, async () => {
+  const { page, wrong } = await opened("#v=1&view=fit&law=Capstan&fit.budget=60&fit.repetitions=2&fit.fix=preload%3D0");
+  assert.match(await page.locator(".worth").textContent(), /drop a record of Capstan, with time, force, displacement or velocity, tension_1 \[N\]\.$/);
+  assert.ok(await page.locator("#start-fit").isDisabled());
+  assert.equal(await page.locator("#rig-normal_force").count(), 0);
+  assert.deepEqual(await barriers(page), []);
+  await drop(page, [{ name: "rope.csv", text: rope() }]);
+  assert.match(await fault(page), /^rope\.csv: no column 'tension_1'; there are .*: it drives Capstan, in N; /);
+  await page.getByLabel("Tension 1").fill("ten");
+  await page.keyboard.press("Tab");
+  await page.waitForFunction(() => /tension_1 = 'ten': must be a number/.test(document.querySelector("#fault").textContent));
+  await page.getByLabel("Tension 1").fill("10");
+  await page.keyboard.press("Tab");
+  await page.waitForFunction(() => /Record: rope\.csv.*300 over/.test(document.querySelector(".worth").textContent));
+  assert.equal(await fault(page), "");
+  await page.locator("#start-fit").click();
+  await page.locator(".outcome table").first().waitFor();
+  const rows = await page.locator(".outcome tbody tr").evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
+  const [, estimate, , repeated, verdict] = rows.find(([name]) => name === "mu_k");
+  assert.equal(verdict, "determined");
+  assert.ok(Math.abs(Number.parseFloat(estimate) - 0.12) < 0.01 && repeated !== "", JSON.stringify(rows));
+  assert.match(await page.locator(".outcome .note").textContent(), /^Capstan is a component: save its values as SSV/);
+  assert.equal(await page.locator("figure.plot:visible").count(), 3);
+  const off = await page.locator(".take button:disabled").evaluateAll((all) => all.map((one) => one.id));
+  assert.deepEqual(off, ["fit-save-toml", "fit-to-law"]);
+  assert.match((await saved(page, () => page.locator("#fit-save-ssv").click())).toString(), /name="mu_k"/);
+  assert.equal(
+    await copied(page, "#fit-copy-command"),
+    "stribeck identify rope.csv --budget 60 --fix preload=0.0 --fix tension_1=10.0 --law Capstan --repetitions 2",
+  );
+  assert.deepEqual(await barriers(page), []);
+  // A law needs a normal force again, and no tension.
+  await page.locator("#add-law-fit").click();
+  await page.locator("#law-fit-Coulomb").check();
+  await page.waitForFunction(() => /no column 'normal_force'/.test(document.querySelector("#fault").textContent));
+  await page.getByRole("button", { name: "Remove Capstan" }).click();
+  await page.waitForFunction(() => !document.querySelector("#held-tension_1"));
+  assert.ok(!page.url().includes("held."), page.url());
+  await page.locator("#rig-normal_force").fill("20");
+  await page.keyboard.press("Tab");
+  await page.waitForFunction(() => /Record: rope\.csv/.test(document.querySelector(".worth").textContent));
+  // The normal force of the rig is not that of a component.
+  await page.locator("#law-fit-Capstan").check();
+  await page.getByRole("button", { name: "Remove Coulomb" }).click();
+  await page.getByLabel("Tension 1").fill("10");
+  await page.keyboard.press("Tab");
+  await page.waitForFunction(() => /Record: rope\.csv/.test(document.querySelector(".worth").textContent));
+  assert.equal(await fault(page), "");
+  assert.deepEqual(wrong, []);
+});
+
+test("a law in place of a component, by the list or by a link, begins with the virtual rig", async () => {
+  const { page, wrong } = await opened();
+  const cheap = "fit.budget=100&fit.repetitions=0&rig.duration=1";
+  const byList = async () => {
+    await page.locator("#add-law-fit").click();
+    await page.locator("#law-fit-Coulomb").check();
+    await page.getByRole("button", { name: "Remove Capstan" }).click();
+  };
+  const byLink = () => page.evaluate((cheap) => (location.hash = `#v=1&view=fit&law=Coulomb&${cheap}`), cheap);
+  for (const change of [byList, byLink]) {
+    await reopened(page, `#v=1&view=fit&law=Capstan&${cheap}`);
+    await change();
+    await page.waitForFunction(() => /virtual rig with LuGre/.test(document.querySelector(".worth").textContent));
+  }
+  assert.deepEqual(wrong, []);
+});
+
 test("everything is reached by the keyboard, and the focus is never lost", async () => {
   for (const view of Object.keys(VIEWS)) {
     const { page, close } = await opened(view === "fit" ? QUICK : `#v=1&view=${view}`);
