@@ -406,19 +406,28 @@ export class FitView {
     this.progress.replaceChildren(bar, status);
     this.mark(true);
     const of = unitText(this.measured.quality.labels.force.unit);
-    const report = (rms?: number) => {
+    let least: number | undefined;
+    const tell = () => {
       const seconds = ((performance.now() - begin) / 1000).toFixed(0);
-      const so = rms === undefined ? "" : `, RMS residual ${short(rms)} ${of} so far`;
+      const so = least === undefined ? "" : `, RMS residual ${short(least)} ${of} so far`;
       const doing = this.isEnding ? "Ending with the best so far:" : "Fitting";
       status.textContent = `${doing} ${state.laws.join(", ")} for ${seconds} s${so}`;
     };
-    report();
+    tell();
+    // A slow model is silent for long.
+    const clock = setInterval(tell, 1000);
+    const report = (rms: number) => {
+      least = rms;
+      tell();
+    };
     try {
       const { answer, arrays } = await this.worker.ask<Fitted>({ ask: "fit", fit: this.asked(data), files: files(data) }, report);
       this.fitted = { answer, arrays };
     } catch (fault) {
       if (fault instanceof Superseded) return;
       this.page.fault(faultText(fault));
+    } finally {
+      clearInterval(clock);
     }
     this.progress.replaceChildren();
     this.draw();

@@ -205,6 +205,14 @@ test("a browser whose searches cannot hear of their end says so", async () => {
   assert.deepEqual(wrong, []);
 });
 
+test("the seconds of a fit go on while its search is silent", async () => {
+  const { page, wrong } = await opened(QUICK);
+  await page.evaluate(() => (Worker.prototype.postMessage = () => {}));
+  await page.locator("#start-fit").click();
+  await page.waitForFunction(() => /Fitting LuGre for [1-9] s$/.test(document.querySelector("#fit .progress").textContent));
+  assert.deepEqual(wrong, []);
+});
+
 test("a visitor with a spring of 500 N/m gets LuGre against Coulomb as a link", async () => {
   const { page, wrong } = await opened("", { permissions: ["clipboard-read", "clipboard-write"] });
   await page.locator("#add-law-bench").click();
