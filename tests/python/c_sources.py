@@ -11,8 +11,9 @@ from pathlib import Path
 from unittest import mock
 
 import pytest
-from fmpy import extract, read_model_description
+from fmpy import extract, instantiate_fmu, read_model_description
 from fmpy.build import build_platform_binary
+from fmpy.fmi1 import FMICallException
 
 ROOT = Path(__file__).resolve().parents[2]
 DRIVER = ROOT / "tests" / "sources" / "drive.c"
@@ -182,3 +183,37 @@ def built(fmu: Path, folder: Path) -> Path:
     with mock.patch.dict(os.environ, PATH=programs):
         build_platform_binary(folder, build_dir=work)
     return folder
+
+
+def begun(folder, values=(), logger=None):
+    """An instance that has been initialised, after these choices were made."""
+    described = read_model_description(str(folder), validate=False)
+    fmu = instantiate_fmu(str(folder), described, "CoSimulation", debug_logging=logger is not None, logger=logger)
+    is_two = described.fmiVersion == "2.0"
+    for reference, number in values:
+        (fmu.setInteger if is_two else fmu.setInt64)([reference], [number])
+    if is_two:
+        fmu.setupExperiment(startTime=0.0)
+        fmu.enterInitializationMode()
+    else:
+        fmu.enterInitializationMode(startTime=0.0)
+    fmu.exitInitializationMode()
+    return fmu
+
+
+def moved(fmu, model: str) -> list[list[float] | None]:
+    """The outputs after each step of a motion, of an instance of either version; none after a step that is refused."""
+    is_two = hasattr(fmu, "setReal")
+    inputs, outputs = ([one.valueReference for one in group] for group in variables(model))
+    results, time = [], 0.0
+    for dt, values in motion(model, 400):
+        (fmu.setReal if is_two else fmu.setFloat64)(inputs, values)
+        try:
+            fmu.doStep(time, dt)
+        except FMICallException:
+            results.append(None)
+            continue
+        time += dt
+        results.append((fmu.getReal if is_two else fmu.getFloat64)(outputs))
+    fmu.freeInstance()
+    return results

@@ -12,18 +12,20 @@ from c_sources import (
     ROOT,
     WARNINGS,
     answer,
+    begun,
     built,
     compiled,
     headers,
     library_at,
     make,
     motion,
+    moved,
     needs_wasm,
     of_library,
     question,
     variables,
 )
-from fmpy import extract, instantiate_fmu, read_model_description
+from fmpy import extract, read_model_description
 from fmpy.validation import validate_fmu
 
 from examples.fmpy import coupling
@@ -138,39 +140,9 @@ def fmus(request, tmp_path_factory):
     LOGGERS.append(coupling._callbacks())
 
 
-def begun(folder, values=(), logger=None):
-    """An instance that has been initialised, after these choices were made."""
-    described = read_model_description(str(folder), validate=False)
-    fmu = instantiate_fmu(str(folder), described, "CoSimulation", debug_logging=logger is not None, logger=logger)
-    is_two = described.fmiVersion == "2.0"
-    for reference, number in values:
-        (fmu.setInteger if is_two else fmu.setInt64)([reference], [number])
-    if is_two:
-        fmu.setupExperiment(startTime=0.0)
-        fmu.enterInitializationMode()
-    else:
-        fmu.enterInitializationMode(startTime=0.0)
-    fmu.exitInitializationMode()
-    return fmu
-
-
 def hears(said: list[str], *about) -> None:
     """A logger: the message is its last argument."""
     said.append(about[-1].decode())
-
-
-def moved(fmu, model: str) -> list[list[float]]:
-    """The outputs after each step of a motion, of an instance of either version."""
-    is_two = hasattr(fmu, "setReal")
-    inputs, outputs = ([one.valueReference for one in group] for group in variables(model))
-    results, time = [], 0.0
-    for dt, values in motion(model, 400):
-        (fmu.setReal if is_two else fmu.setFloat64)(inputs, values)
-        fmu.doStep(time, dt)
-        time += dt
-        results.append((fmu.getReal if is_two else fmu.getFloat64)(outputs))
-    fmu.freeInstance()
-    return results
 
 
 def test_fmus_with_one_law_do_what_those_with_a_library_do_with_it(fmus, tmp_path):
