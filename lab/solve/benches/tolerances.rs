@@ -16,6 +16,10 @@ const CASES: [Case; 4] = [
     Case { system: "quarter-car", until: 1.0 },
 ];
 
+/// Left out: once the blocks move together, this law acts on a relative velocity of 1e-32 m/s, which is the difference of
+/// two velocities of 0.5 m/s. Rounding errors decide on its force, and a run hardly proceeds.
+const LEFT_OUT: (&str, &str) = ("two-blocks", "RateAndState");
+
 const TOLERANCES: [f64; 8] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
 
 fn main() {
@@ -25,6 +29,10 @@ fn main() {
     for case in CASES {
         let mut all = [Tally::default(); TOLERANCES.len()];
         for law in laws().filter(|law| wanted.is_empty() || wanted.contains(law)) {
+            if (case.system, law) == LEFT_OUT {
+                println!("  {law:20} left out: its force is decided by rounding errors once the blocks move together");
+                continue;
+            }
             let spoil = |wrong: String| println!("  {wrong}");
             let Some(found) = tallies(case, law, draws, Solver::Rodas5P, &TOLERANCES, spoil) else { continue };
             let off: Vec<String> = found.iter().map(|tally| format!("{}/{}", tally.gross, tally.off)).collect();
