@@ -14,8 +14,8 @@ fn number(column: usize, name: &str) -> Option<f64> {
 
 /// The column of the choice, and the number of the law.
 fn only() -> Option<(usize, f64)> {
-    let column = choice_of_law(&MODEL)?;
-    Some((column, number(column, LAW?)?))
+    let (law, column) = (LAW?, choice_of_law(&MODEL)?);
+    Some((column, number(column, law)?))
 }
 
 /// Refuses another law than the only one.
