@@ -137,7 +137,7 @@ impl Source for Texts {
     }
 }
 
-/// The files of a virtual rig, and the values of its law.
+/// The files of a virtual rig, the values of its law, and its friction over time.
 pub fn record(rig: &BTreeMap<String, String>) -> Result<Answer, Fault> {
     let given: Virtual = job::of_texts(rig)?;
     let law = VirtualRig::law(&given.law)?;
@@ -150,7 +150,7 @@ pub fn record(rig: &BTreeMap<String, String>) -> Result<Answer, Fault> {
     let mut truth: BTreeMap<String, f64> =
         starts.map(|(_, variable)| (variable.path.to_string(), variable.start)).collect();
     truth.extend(values);
-    Ok(Answer::plain(Files { force: files.force, camera: files.camera, truth }))
+    Ok(Answer::with(Files { force: files.force, camera: files.camera, truth }, vec![files.time, files.friction]))
 }
 
 /// Quality of a record, its samples, and its mean cycle; or that of a map, and its rows.

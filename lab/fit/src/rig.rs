@@ -72,13 +72,17 @@ impl Faults {
     pub const ALL: Faults = Faults { noise: 0.01, hysteresis: 0.002, ripple: 0.02, drift: 0.001, camera: true };
 }
 
-/// Files of a record.
+/// Files of a record, and what they do not tell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Files {
     /// Table of the load cell; with the displacement unless there is a camera.
     pub force: String,
     /// Table of the camera.
     pub camera: Option<String>,
+    /// Times of the load cell, s.
+    pub time: Vec<f64>,
+    /// Friction force then, without the faults of the load cell, N.
+    pub friction: Vec<f64>,
 }
 
 /// Amplitudes of the velocity, m/s, and frequencies, Hz.
@@ -147,7 +151,8 @@ impl VirtualRig {
             let position = rounded(motion(t)[0] + zero * ENCODER, ENCODER);
             let _ = if camera { writeln!(force) } else { writeln!(force, ",{position:.7}") };
         }
-        Ok(Files { force, camera: camera.then(|| self.camera()) })
+        let time = (0..count).map(|at| at as f64 * INTERVAL).collect();
+        Ok(Files { force, camera: camera.then(|| self.camera()), time, friction })
     }
 
     /// The friction force at the samples of the load cell.
@@ -260,6 +265,10 @@ mod tests {
         let rms = (rest.iter().map(|one| one * one).sum::<f64>() / rest.len() as f64).sqrt();
         // Noise of 1 % of 4.4 N, and the inertia of a differentiated encoder.
         assert!((0.03..0.06).contains(&rms), "{rms}");
+        // Without the noise it is that of the law.
+        assert!(files.time.iter().zip(&record.time).all(|(one, other)| (one - other).abs() < 1e-9));
+        let slides = files.friction.iter().zip(&record.velocity).filter(|(_, v)| v.abs() > 5e-3);
+        assert!(slides.into_iter().all(|(force, v)| (force - 4.0 * v.signum()).abs() < 1e-9));
     }
 
     #[test]
