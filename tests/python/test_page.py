@@ -70,6 +70,51 @@ def test_fits_are_those_of_the_package(ask, tmp_path):
     assert abs(values["mu_k"] - files["truth"]["mu_k"]) < 0.01 * files["truth"]["mu_k"]
 
 
+def test_what_was_measured_is_corrected_by_what_a_fit_finds(ask):
+    rig = {"law": "Dahl", "mass": "2", "normal_force": "20", "duration": "1", "faults": "false", "seed": "5"}
+    files, (time, friction) = ask({"ask": "rig", "rig": rig})
+    known = {"law": "Dahl", "normal_force": "20", "fit": "mass"}
+    fit = {"records": "r.csv", **known, "budget": "200", "repetitions": "0"}
+    question = {"fit": fit, "files": {"r.csv": files["force"]}}
+    _, (*_, raw) = ask({"ask": "quality", **question})
+    answer, (times, _, velocity, measured, explained) = ask({"ask": "fit", **question})
+    assert answer["cycles"] == 0
+    assert np.allclose(times, time, rtol=0.0, atol=1e-9)
+    assert velocity.size == time.size
+
+    def rms(difference):
+        return np.sqrt(np.mean(difference**2))
+
+    # Before the mass is found its inertia lies on the friction; afterwards noise alone is left.
+    assert rms(raw - friction) > 0.15
+    assert rms(measured - friction) < 0.06
+    assert rms(explained - friction) < 0.03
+    (law,) = answer["ranking"]["laws"]
+    # Samples at the ends, where the velocity is not known as well, do not count there.
+    ends = (time.size - law["samples"]) // 2
+    squares = law["rms"] ** 2 * (law["samples"] - len(law["estimates"]))
+    assert np.sum((measured - explained)[ends:-ends] ** 2) == pytest.approx(squares, rel=1e-9)
+
+
+def test_a_periodic_record_has_a_mean_cycle_before_and_after_a_fit(ask):
+    rows = [(0.002 * number, 0.01 * math.sin(2 * math.pi * 0.002 * number)) for number in range(2001)]
+    forces = [2.0 * math.copysign(1.0, math.cos(2 * math.pi * t)) + 0.01 * math.sin(1e4 * t * t) for t, _ in rows]
+    table = "time [s],displacement [m],force [N]\n" + "".join(
+        f"{t},{way},{force}\n" for (t, way), force in zip(rows, forces, strict=True)
+    )
+    fit = {"records": "r.csv", "law": "Coulomb", "normal_force": "10", "mass": "0", "budget": "60", "repetitions": "0"}
+    question = {"fit": fit, "files": {"r.csv": table}}
+    before, (*_, phase, _, _, mean) = ask({"ask": "quality", **question})
+    after, (*_, same, _, _, measured, explained) = ask({"ask": "fit", **question})
+    assert before["record"]["cycles"] == after["cycles"] > 1
+    assert np.array_equal(phase, same)
+    # Where it turns, the law has its own sign.
+    slides = np.minimum(np.abs(mean), np.abs(explained)) > 1.9
+    assert slides.mean() > 0.9
+    assert np.allclose(measured[slides], mean[slides], atol=0.02)
+    assert np.allclose(explained[slides], measured[slides], atol=0.02)
+
+
 def test_a_component_is_led_by_its_inputs(ask):
     catalogue, _ = ask({"ask": "catalogue"})
     fitted = {one["name"]: one for one in catalogue["fitted"]}
@@ -142,7 +187,7 @@ def test_a_map_of_a_joint_has_the_curve_of_its_law(ask):
         "Angular velocity",
     ]
     assert np.array_equal(arrays, np.transpose(rows))
-    answer, (velocity, torque) = ask({"ask": "fit", **question})
+    answer, (explained, velocity, torque) = ask({"ask": "fit", **question})
     assert answer["curves"] == ["CoulombViscous, 1 N\u00b7m"]
     values = answer["ranking"]["laws"][0]["values"]
     assert values == pytest.approx({"mu_k": 1.5, "viscous_coefficient": 0.25}, abs=1e-9)
@@ -150,6 +195,7 @@ def test_a_map_of_a_joint_has_the_curve_of_its_law(ask):
     assert np.count_nonzero(~there) == 1
     assert (velocity[there].min(), velocity[there].max()) == (-3.0, 3.0)
     assert np.allclose(torque[there], 1.5 * np.sign(velocity[there]) + 0.25 * velocity[there], atol=1e-9)
+    assert np.allclose(explained, [1.5 * np.sign(v) + 0.25 * v for v, _ in rows], atol=1e-9)
 
 
 MOTION = {"velocity": 0.01, "stroke": 1e-3, "speed": 1e-3}

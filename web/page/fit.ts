@@ -449,28 +449,29 @@ export class FitView {
   private diagram(across: "time" | "velocity" | "displacement"): Diagram | undefined {
     if (!this.measured) return undefined;
     const { labels, record } = this.measured.quality;
-    const isCycle = across !== "time" && record !== null && record.cycles > 0;
+    const cycles = this.fitted?.answer.cycles ?? record?.cycles ?? 0;
+    const isCycle = across !== "time" && cycles > 0;
     const curves = record === null ? this.ofMap() : this.ofRecord(across, isCycle);
     if (record === null && across !== "velocity") return undefined;
     const [x, y] = [labels[across], labels.force];
-    const of = isCycle ? `, mean of ${record.cycles} cycles` : "";
+    const of = isCycle ? `, mean of ${cycles} cycles` : "";
     return { title: `${y.name} over ${x.name.toLowerCase()}${of}`, x, y, curves, hasLegend: true };
   }
 
   private ofRecord(across: "time" | "velocity" | "displacement", isCycle: boolean): Curve[] {
-    const { arrays } = this.measured!;
-    const at = { time: 0, displacement: isCycle ? 5 : 1, velocity: isCycle ? 6 : 2 }[across];
-    const x = arrays[at]!;
-    const curves: Curve[] = [{ name: "measured", x, y: arrays[isCycle ? 7 : 3]!, law: 0 }];
-    const explained = this.fitted?.arrays[isCycle ? 1 : 0];
-    if (explained) curves.push({ name: `${this.fitted!.answer.best} fitted`, x, y: explained, law: 1 });
+    // A fit has corrected what was measured by the mass, offset and delay that it found.
+    const all = this.fitted?.arrays ?? this.measured!.arrays;
+    const [time, displacement, velocity, y, explained] = isCycle ? all.slice(this.fitted ? 5 : 4) : all;
+    const x = { time, displacement, velocity }[across]!;
+    const curves: Curve[] = [{ name: "measured", x, y: y!, law: 0 }];
+    if (this.fitted) curves.push({ name: `${this.fitted.answer.best} fitted`, x, y: explained!, law: 1 });
     return curves;
   }
 
   private ofMap(): Curve[] {
     const [velocity, force] = this.measured!.arrays;
     const fitted = (this.fitted?.answer.curves ?? []).map((name, at) => {
-      const [x, y] = this.fitted!.arrays.slice(2 * at);
+      const [x, y] = this.fitted!.arrays.slice(1 + 2 * at);
       return { name, x: x!, y: y!, law: at + 1 };
     });
     return [{ name: "measured", ...crosses(velocity!, force!), law: 0 }, ...fitted];

@@ -343,6 +343,10 @@ velocity: string, };
 
 export type Fitted = { ranking: Ranking, best: string, level: number, 
 /**
+ * Number of the cycles of the record, as the fit corrects it.
+ */
+cycles: number, 
+/**
  * Names of the curves of steady sliding, if it is a map.
  */
 curves: Array<string>, 

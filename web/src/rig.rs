@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use stribeck_fit::identify::map::FrictionMap;
 use stribeck_fit::identify::{self, Data, EARLY, Fit, Inquiry, Source, Table, Watch};
 use stribeck_fit::rig::{Faults, VirtualRig};
-use stribeck_measured::{Record, Units, average, extremes};
+use stribeck_measured::{Cycle, Record, Units, average, extremes};
 use stribeck_plot::picture::quantity::Quantity;
 use stribeck_plot::picture::{Named, fitted_curves};
 use stribeck_sheet::{Sheet, SheetError};
@@ -120,6 +120,8 @@ pub struct Fitted {
     ranking: identify::Answer,
     best: &'static str,
     level: f64,
+    /// Number of the cycles of the record, as the fit corrects it.
+    cycles: usize,
     /// Names of the curves of steady sliding, if it is a map.
     curves: Vec<String>,
     /// Description of a fit that was cancelled.
@@ -165,7 +167,7 @@ pub fn quality(asked: &Asked, files: &Texts) -> Result<Answer, Fault> {
 
 fn of_record(record: Record) -> Answer {
     let cycle = average(&record);
-    let quality = record.quality;
+    let quality = record.quality.clone();
     let facts = RecordQuality {
         samples: quality.samples,
         duration: quality.duration,
@@ -187,11 +189,7 @@ fn of_record(record: Record) -> Answer {
         record: Some(facts),
         map: None,
     };
-    let mut arrays = vec![record.time, record.displacement, record.velocity, record.friction_force];
-    if let Some(cycle) = cycle {
-        arrays.extend([cycle.phase, cycle.displacement, cycle.velocity, cycle.friction_force, cycle.deviation]);
-    }
-    Answer::with(answer, arrays)
+    Answer::with(answer, samples(record).into_iter().chain(cycle.into_iter().flat_map(mean)).collect())
 }
 
 fn of_map(map: FrictionMap) -> Answer {
@@ -233,14 +231,15 @@ pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)
     };
     let ranking = inquiry.fits(&data, &mut |_| {}, Watch { cancel: &cancel, progress: &report })?;
     let best = ranking.best();
-    let (curves, arrays) = match data.maps.first() {
-        Some((_, map)) => steady(&fitted_curves(map, best)?),
-        None => (Vec::new(), explained(&data, best)),
+    let Explained { cycles, curves, arrays } = match data.maps.first() {
+        Some((_, map)) => steady(&fitted_curves(map, best)?, best),
+        None => explained(&data, best),
     };
     let answer = Fitted {
         ranking: identify::Answer::of(&ranking, &data),
         best: best.law.name,
         level: best.level,
+        cycles,
         curves,
         early: best.is_cancelled.then_some(EARLY),
         condition: best.condition,
@@ -250,16 +249,46 @@ pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)
     Ok(Answer::with(answer, arrays))
 }
 
-/// Friction that a law explains in the first record, and in its mean cycle.
-fn explained(data: &Data, best: &Fit) -> Vec<Vec<f64>> {
-    let Some((_, record)) = data.records.first() else { return Vec::new() };
-    let fitted = best.predicted_in(&best.corrected(record), 0);
-    let cycle = average(&fitted).map(|cycle| cycle.friction_force);
-    std::iter::once(fitted.friction_force).chain(cycle).collect()
+/// What the best law explains, as curves.
+#[derive(Default)]
+struct Explained {
+    cycles: usize,
+    curves: Vec<String>,
+    arrays: Vec<Vec<f64>>,
 }
 
-/// Names of curves, and the coordinates of each.
-fn steady(curves: &[Named]) -> (Vec<String>, Vec<Vec<f64>>) {
+/// The first record, corrected by what was found, and its mean cycle, each with the friction that a law explains.
+fn explained(data: &Data, best: &Fit) -> Explained {
+    let Some((_, record)) = data.records.first() else { return Explained::default() };
+    let corrected = best.corrected(record);
+    let fitted = best.predicted_in(&corrected, 0);
+    let cycles = [&corrected, &fitted].map(average);
+    let mut arrays = Vec::from(samples(corrected));
+    arrays.push(fitted.friction_force);
+    let mut explained = Explained { arrays, ..Explained::default() };
+    if let [Some(cycle), Some(fitted)] = cycles {
+        explained.cycles = cycle.count;
+        explained.arrays.extend(mean(cycle));
+        explained.arrays.push(fitted.friction_force);
+    }
+    explained
+}
+
+/// Time, displacement, velocity and friction.
+fn samples(record: Record) -> [Vec<f64>; 4] {
+    [record.time, record.displacement, record.velocity, record.friction_force]
+}
+
+/// Phase, displacement, velocity and friction of a mean cycle.
+fn mean(cycle: Cycle) -> [Vec<f64>; 4] {
+    [cycle.phase, cycle.displacement, cycle.velocity, cycle.friction_force]
+}
+
+/// The friction that a law explains in each row of the first map; names of curves, and the coordinates of each.
+fn steady(curves: &[Named], best: &Fit) -> Explained {
     let coordinates = |(_, points): &Named| [0, 1].map(|axis| points.iter().map(|point| point[axis]).collect());
-    (curves.iter().map(|(name, _)| name.clone()).collect(), curves.iter().flat_map(coordinates).collect())
+    let names = curves.iter().map(|(name, _)| name.clone()).collect();
+    let rows = best.predicted.first().cloned();
+    let arrays = rows.into_iter().chain(curves.iter().flat_map(coordinates)).collect();
+    Explained { curves: names, arrays, ..Explained::default() }
 }
