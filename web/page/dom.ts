@@ -19,18 +19,16 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** A short line as it is drawn for a law: colour and dashes. */
-export function swatch(law: number, dash: string): SVGSVGElement {
+/** A short line, or a cross, as it is drawn for a law: colour, dashes and style. */
+export function swatch(law: number, dash: string, style = ""): SVGSVGElement {
   const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  for (const [name, value] of Object.entries({ width: 34, height: 10, "aria-hidden": true, class: "swatch" })) {
-    svg.setAttribute(name, String(value));
-  }
-  const line = document.createElementNS(svg.namespaceURI, "line");
-  for (const [name, value] of Object.entries({ x1: 1, x2: 33, y1: 5, y2: 5, class: `law-${law + 1}` })) {
-    line.setAttribute(name, String(value));
-  }
-  line.setAttribute("stroke-dasharray", dash);
-  svg.append(line);
+  const set = (element: Element, attributes: Record<string, string | number | boolean>) =>
+    Object.entries(attributes).forEach(([name, value]) => element.setAttribute(name, String(value)));
+  set(svg, { width: 34, height: 10, "aria-hidden": true, class: `swatch ${style}` });
+  const path = document.createElementNS(svg.namespaceURI, "path");
+  const d = style === "crosses" ? "M13 1l8 8m0 -8l-8 8" : "M1 5h32";
+  set(path, { d, class: `law-${law + 1}`, "stroke-dasharray": dash });
+  svg.append(path);
   return svg;
 }
 

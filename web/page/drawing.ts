@@ -10,6 +10,8 @@ export interface Curve {
   y: ArrayLike<number>;
   /** Number of its colour and dashes. */
   law: number;
+  /** Pale and wide, so that others show on it; a cross at each point. */
+  style?: "band" | "crosses";
 }
 
 export interface Label {
@@ -46,6 +48,18 @@ export function range(arrays: ArrayLike<number>[], room = ROOM): Range {
   // Values that differ only by rounding are constant.
   if (high - low <= 1e-9 * size) return size > 0 ? [low - 0.5 * size, high + 0.5 * size] : [-1, 1];
   return [low - room * (high - low), high + room * (high - low)];
+}
+
+/** The curves whose points the cursor can be at: the crosses, if there are some. */
+export function pointed({ curves }: Diagram): Curve[] {
+  const crosses = curves.filter(({ style }) => style === "crosses");
+  return crosses.length > 0 ? crosses : curves;
+}
+
+/** Width, opacity and dashes of a curve. */
+export function stroke({ law, style }: Curve, dashes: string[]): { width: number; alpha: number; dash: string } {
+  if (style === "band") return { width: 5, alpha: 0.4, dash: "" };
+  return { width: 1.75, alpha: 1, dash: style === "crosses" ? "" : dashes[law]! };
 }
 
 /** Round values within a range. */
@@ -131,6 +145,18 @@ function placed(frame: Frame, x: ArrayLike<number>, y: ArrayLike<number>): Point
   return { x: places.x.subarray(0, count), y: places.y.subarray(0, count) };
 }
 
+/** Half the size of a cross, in pixels (chosen). */
+const CROSS = 4;
+
+/** A cross at each position, with gaps between the strokes. */
+function crosses({ x, y }: Points): Points {
+  const strokes = Array.from(x, (right, at) => ({ right, down: y[at]! }));
+  return {
+    x: strokes.flatMap(({ right }) => [right - CROSS, right + CROSS, NaN, right - CROSS, right + CROSS, NaN]),
+    y: strokes.flatMap(({ down }) => [down - CROSS, down + CROSS, NaN, down + CROSS, down - CROSS, NaN]),
+  };
+}
+
 /** Draws axes and curves. */
 export function draw(pen: Pen, frame: Frame, diagram: Diagram, colours: Colours, dashes: string[]): void {
   pen.fill(colours.paper);
@@ -151,8 +177,11 @@ export function draw(pen: Pen, frame: Frame, diagram: Diagram, colours: Colours,
   pen.line([left, bottom], [right, bottom], colours.axis);
   pen.text([(left + right) / 2, bottom + 37], labelText(diagram.x), colours.ink, "middle");
   pen.text([14, (top + bottom) / 2], labelText(diagram.y), colours.ink, "middle", true);
-  for (const { x, y, law } of diagram.curves) {
-    pen.curve(placed(frame, x, y), [left, top, right - left, bottom - top], colours.laws[law]!, dashes[law]!, 1.75);
+  for (const curve of diagram.curves) {
+    const places = placed(frame, curve.x, curve.y);
+    const { width, alpha, dash } = stroke(curve, dashes);
+    const points = curve.style === "crosses" ? crosses(places) : places;
+    pen.curve(points, [left, top, right - left, bottom - top], colours.laws[curve.law]!, dash, width, alpha);
   }
 }
 
@@ -160,11 +189,13 @@ export function draw(pen: Pen, frame: Frame, diagram: Diagram, colours: Colours,
 export function legend(pen: Pen, diagram: Diagram, colours: Colours, dashes: string[], width: number): number {
   pen.text([14, 20], diagram.title, colours.ink, "start");
   let [x, y] = [14, 40];
-  for (const { name, law } of diagram.curves) {
+  for (const curve of diagram.curves) {
+    const { name, law, style } = curve;
     const wide = 48 + 7 * name.length;
     if (x + wide > width && x > 14) [x, y] = [14, y + 18];
-    const points = { x: [x, x + 30], y: [y - 4, y - 4] };
-    pen.curve(points, [x, y - 10, 30, 12], colours.laws[law]!, dashes[law]!, 2);
+    const points = style === "crosses" ? crosses({ x: [x + 15], y: [y - 4] }) : { x: [x, x + 30], y: [y - 4, y - 4] };
+    const look = stroke(curve, dashes);
+    pen.curve(points, [x, y - 10, 30, 12], colours.laws[law]!, look.dash, look.width, look.alpha);
     pen.text([x + 36, y], name, colours.ink, "start");
     x += wide;
   }

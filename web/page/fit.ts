@@ -5,9 +5,9 @@ import { field, LawPicker, select } from "./choices";
 import { faultText } from "./controls";
 import { checkLaws } from "./asked";
 import { h, save } from "./dom";
-import type { Curve, Diagram } from "./drawing";
 import { Drives } from "./drives";
 import { Lane, Superseded } from "./engine";
+import { type Across, friction } from "./fitted";
 import { short, unitText } from "./format";
 import { intro } from "./intros";
 import { type State, toHash } from "./link";
@@ -18,8 +18,6 @@ import { type Choice, type Files, type Fit, type Fitted, type FittedLaw, IDENTIF
 
 /** Largest file that is read, in bytes (chosen). */
 const LARGEST = 64e6;
-/** Size of a mark of a map, in parts of the largest speed and force (chosen). */
-const MARK = 0.015;
 /** Values of the virtual rig until they are set; of a rig that made a file, what is not set is not known. */
 const RIG: Record<string, string> = {
   mass: "2",
@@ -43,6 +41,8 @@ interface Data {
   motion?: Table;
   /** Values of the law of a virtual rig. */
   truth?: Record<string, number>;
+  /** Its times and its friction. */
+  friction?: Float64Array[];
 }
 
 interface Measured {
@@ -66,7 +66,7 @@ export class FitView {
   private readonly start = h("button", { type: "button", id: "start-fit", onclick: () => this.again(() => this.fit()) }, "Fit");
   private readonly cancel = h("button", { type: "button", id: "cancel-fit", onclick: () => this.end() }, "Cancel");
   private readonly outcome = h("div", { class: "outcome" });
-  private readonly plots: ["time" | "velocity" | "displacement", Plot][];
+  private readonly plots: [Across, Plot][];
   private readonly take: TakeAway;
   private readonly questions = new Lane();
   private readonly worker = new Lane();
@@ -315,10 +315,10 @@ export class FitView {
   private async virtual(): Promise<void> {
     try {
       const rig = Object.fromEntries(Object.entries(RIG).map(([name, usual]) => [name, this.state.set[`rig.${name}`] ?? usual]));
-      const { answer } = await this.questions.ask<Files>({ ask: "rig", rig });
+      const { answer, arrays } = await this.questions.ask<Files>({ ask: "rig", rig });
       const motion = answer.camera === null ? {} : { motion: { file: "motion.csv", text: answer.camera } };
       const record = { file: "force.csv", text: answer.force };
-      await this.open({ name: `virtual rig with ${this.value("law")}`, record, truth: answer.truth, ...motion });
+      await this.open({ name: `virtual rig with ${this.value("law")}`, record, truth: answer.truth, friction: arrays, ...motion });
     } catch (fault) {
       if (!(fault instanceof Superseded)) this.page.fault(faultText(fault));
     }
@@ -437,44 +437,13 @@ export class FitView {
     if (this.knownOf !== this.knownNow()) this.showKnown();
     this.showWorth();
     this.showOutcome();
+    const seen = this.measured && { ...this.measured, fitted: this.fitted, truth: this.data?.friction };
     for (const [across, plot] of this.plots) {
-      const diagram = this.diagram(across);
+      const diagram = seen && friction(seen, across);
       plot.root.hidden = diagram === undefined;
       if (diagram) plot.show(diagram);
     }
     this.mark(false);
-  }
-
-  /** Measured and fitted friction; over velocity and displacement the mean cycle, if the record is periodic. */
-  private diagram(across: "time" | "velocity" | "displacement"): Diagram | undefined {
-    if (!this.measured) return undefined;
-    const { labels, record } = this.measured.quality;
-    const cycles = this.fitted?.answer.cycles ?? record?.cycles ?? 0;
-    const isCycle = across !== "time" && cycles > 0;
-    const curves = record === null ? this.ofMap() : this.ofRecord(across, isCycle);
-    if (record === null && across !== "velocity") return undefined;
-    const [x, y] = [labels[across], labels.force];
-    const of = isCycle ? `, mean of ${cycles} cycles` : "";
-    return { title: `${y.name} over ${x.name.toLowerCase()}${of}`, x, y, curves, hasLegend: true };
-  }
-
-  private ofRecord(across: "time" | "velocity" | "displacement", isCycle: boolean): Curve[] {
-    // A fit has corrected what was measured by the mass, offset and delay that it found.
-    const all = this.fitted?.arrays ?? this.measured!.arrays;
-    const [time, displacement, velocity, y, explained] = isCycle ? all.slice(this.fitted ? 5 : 4) : all;
-    const x = { time, displacement, velocity }[across]!;
-    const curves: Curve[] = [{ name: "measured", x, y: y!, law: 0 }];
-    if (this.fitted) curves.push({ name: `${this.fitted.answer.best} fitted`, x, y: explained!, law: 1 });
-    return curves;
-  }
-
-  private ofMap(): Curve[] {
-    const [velocity, force] = this.measured!.arrays;
-    const fitted = (this.fitted?.answer.curves ?? []).map((name, at) => {
-      const [x, y] = this.fitted!.arrays.slice(1 + 2 * at);
-      return { name, x: x!, y: y!, law: at + 1 };
-    });
-    return [{ name: "measured", ...crosses(velocity!, force!), law: 0 }, ...fitted];
   }
 
   private showWorth(): void {
@@ -594,14 +563,6 @@ function ofMap({ rows, settings, velocities: [least, most], scatter }: MapQualit
   ];
   if (scatter !== null) facts.push(["Scatter of the repeats", `${short(scatter)} ${unitText(force.unit)}`]);
   return facts;
-}
-
-/** A cross at each point, with gaps between the strokes. */
-function crosses(x: Float64Array, y: Float64Array): { x: number[]; y: number[] } {
-  const [wide, high] = [x, y].map((values) => MARK * Math.max(...Array.from(values, Math.abs)));
-  const stroke = (sign: number) => (at: number) => [x[at]! - wide!, x[at]! + wide!, NaN, y[at]! - sign * high!, y[at]! + sign * high!, NaN];
-  const strokes = [...x.keys()].flatMap((at) => [stroke(1)(at), stroke(-1)(at)]);
-  return { x: strokes.flatMap((one) => one.slice(0, 3)), y: strokes.flatMap((one) => one.slice(3)) };
 }
 
 /** The tables by the names of their files. */

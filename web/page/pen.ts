@@ -6,7 +6,7 @@ export type Anchor = "start" | "middle" | "end";
 export interface Pen {
   line(from: [number, number], to: [number, number], colour: string, width?: number): void;
   /** A curve inside a rectangle; points that are not numbers interrupt it. */
-  curve(points: Points, clip: [number, number, number, number], colour: string, dash: string, width: number): void;
+  curve(points: Points, clip: [number, number, number, number], colour: string, dash: string, width: number, alpha?: number): void;
   disc(at: [number, number], radius: number, colour: string): void;
   text(at: [number, number], text: string, colour: string, anchor: Anchor, upright?: boolean, size?: number): void;
   fill(colour: string): void;
@@ -42,12 +42,13 @@ export class CanvasPen implements Pen {
     context.stroke();
   }
 
-  curve({ x, y }: Points, clip: [number, number, number, number], colour: string, dash: string, width: number): void {
+  curve({ x, y }: Points, clip: [number, number, number, number], colour: string, dash: string, width: number, alpha = 1): void {
     const { context } = this;
     context.save();
     context.beginPath();
     context.rect(...clip);
     context.clip();
+    context.globalAlpha = alpha;
     context.strokeStyle = colour;
     context.lineWidth = width;
     context.setLineDash(dash ? dash.split(" ").map(Number) : []);
@@ -109,7 +110,7 @@ export class SvgPen implements Pen {
     this.parts.push(`<path d="M${x1} ${y1}L${x2} ${y2}" stroke="${colour}" stroke-width="${width}"/>`);
   }
 
-  curve({ x, y }: Points, clip: [number, number, number, number], colour: string, dash: string, width: number): void {
+  curve({ x, y }: Points, clip: [number, number, number, number], colour: string, dash: string, width: number, alpha = 1): void {
     const id = `clip-${++this.clips}`;
     const [left, top, wide, high] = clip.map(place);
     let path = "";
@@ -127,7 +128,7 @@ export class SvgPen implements Pen {
     this.parts.push(
       `<clipPath id="${id}"><rect x="${left}" y="${top}" width="${wide}" height="${high}"/></clipPath>`,
       `<path d="${path}" clip-path="url(#${id})" fill="none" stroke="${colour}" stroke-width="${width}"` +
-        ` stroke-linejoin="round"${dash ? ` stroke-dasharray="${dash}"` : ""}/>`,
+        ` stroke-linejoin="round"${dash ? ` stroke-dasharray="${dash}"` : ""}${alpha < 1 ? ` stroke-opacity="${alpha}"` : ""}/>`,
     );
   }
 

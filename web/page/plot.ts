@@ -2,7 +2,7 @@
 
 import uPlot from "uplot";
 import { h, save, say, swatch } from "./dom";
-import { type Curve, decimalsOf, type Diagram, draw, Frame, labelText, legend, range, type Range, tickText } from "./drawing";
+import { type Curve, decimalsOf, type Diagram, draw, Frame, labelText, legend, pointed, range, type Range, stroke, tickText } from "./drawing";
 import { short, unitText } from "./format";
 import { CanvasPen, SvgPen } from "./pen";
 import { colours, dashes } from "./theme";
@@ -127,7 +127,10 @@ export abstract class Plot implements Touched {
     const { curves, hasLegend } = this.diagram;
     this.keys.hidden = !hasLegend;
     if (!hasLegend) return;
-    const keys = curves.map(({ name, law }) => h("li", {}, swatch(law, dashes()[law] ?? ""), h("span", {}, name)));
+    const keys = curves.map((curve) => {
+      const { name, law, style } = curve;
+      return h("li", {}, swatch(law, stroke(curve, dashes()).dash, style), h("span", {}, name));
+    });
     this.keys.replaceChildren(...keys);
   }
 
@@ -211,7 +214,8 @@ export abstract class Plot implements Touched {
   }
 
   private key(event: KeyboardEvent): void {
-    const count = Math.max(0, ...this.diagram.curves.map((curve) => curve.x.length));
+    const curves = pointed(this.diagram);
+    const count = Math.max(0, ...curves.map((curve) => curve.x.length));
     if (count === 0) return;
     const far = event.shiftKey ? 1 : Math.max(1, Math.round(count / 100));
     const now = this.cursor.at ?? 0;
@@ -227,7 +231,7 @@ export abstract class Plot implements Touched {
     const at = Math.min(count - 1, Math.max(0, to));
     this.cursor.move(at, this);
     this.point(at);
-    const { x, y, curves } = this.diagram;
+    const { x, y } = this.diagram;
     const told = curves.map((curve) => `${curve.name}: ${short(curve.y[at] ?? NaN)} ${unitText(y.unit)}`);
     say(`${x.name} ${short(curves[0]?.x[at] ?? NaN)} ${unitText(x.unit)}. ${told.join(", ")}`);
   }
@@ -277,7 +281,7 @@ export class TimePlot extends Plot {
   }
 
   protected update(): void {
-    const shown = this.diagram.curves.map(({ name, law }) => `${name} ${law}`).join();
+    const shown = this.diagram.curves.map(({ name, law, style }) => `${name} ${law} ${style}`).join();
     if (!this.chart || shown !== this.shown) {
       this.shown = shown;
       this.build();
@@ -299,13 +303,10 @@ export class TimePlot extends Plot {
     this.chart?.destroy();
     const { laws } = colours();
     const { x, y, curves } = this.diagram;
-    const series = curves.map(({ name, law }) => ({
-      label: name,
-      stroke: laws[law]!,
-      width: 1.75,
-      dash: dashes()[law] ? dashes()[law]!.split(" ").map(Number) : [],
-      points: { show: false },
-    }));
+    const series = curves.map((curve) => {
+      const { width, alpha, dash } = stroke(curve, dashes());
+      return { label: curve.name, stroke: laws[curve.law]!, width, alpha, dash: dash ? dash.split(" ").map(Number) : [], points: { show: false } };
+    });
     this.chart = new uPlot(
       {
         ...this.size(),
@@ -474,7 +475,7 @@ export class LoopPlot extends Plot {
     draw(pen, frame, this.diagram, colours(), dashes());
     const { at } = this.cursor;
     if (at === null) return;
-    for (const { x, y, law } of this.diagram.curves) {
+    for (const { x, y, law } of pointed(this.diagram)) {
       if (at < x.length) pen.disc([frame.across(x[at]!), frame.up(y[at]!)], 4.5, colours().laws[law]!);
     }
   }
@@ -491,7 +492,7 @@ export class LoopPlot extends Plot {
   touch(place: Place): void {
     const frame = this.frame();
     let [nearest, best] = [null as number | null, 30 * 30];
-    for (const { x, y } of this.diagram.curves) {
+    for (const { x, y } of pointed(this.diagram)) {
       for (let at = 0; at < x.length; at++) {
         const [right, down] = [frame.across(x[at]!) - place[0], frame.up(y[at]!) - place[1]];
         const far = right * right + down * down;

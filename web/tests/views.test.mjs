@@ -151,6 +151,18 @@ test("a fit finds the law of the virtual rig again, tells how far it is, and can
   assert.deepEqual(wrong, []);
 });
 
+const svg = async (page, kind) => (await saved(page, () => page.getByLabel(`${kind} as SVG`).click())).toString();
+/** Names of the curves of a plot. */
+const names = (page, kind) => page.locator(`[data-kind=${kind}] .keys li > span:first-of-type`).allTextContents();
+
+test("measured, true and fitted friction are told apart where they lie on each other", async () => {
+  const { page, wrong } = await opened(QUICK);
+  assert.deepEqual(await names(page, "friction-over-time"), ["measured", "true", "LuGre fitted"]);
+  // Measured friction is pale: what lies on it shows.
+  assert.equal((await svg(page, "friction-over-time")).match(/stroke-opacity="0.4"/g).length, 2);
+  assert.deepEqual(wrong, []);
+});
+
 test("the view of a fit begins with a record and its fit, unless the link is wrong", async () => {
   const { page, wrong } = await opened(QUICK);
   assert.match(await page.locator(".worth").textContent(), /Record: virtual rig with LuGre/);
