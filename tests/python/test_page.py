@@ -76,9 +76,10 @@ def test_what_was_measured_is_corrected_by_what_a_fit_finds(ask):
     known = {"law": "Dahl", "normal_force": "20", "fit": "mass"}
     fit = {"records": "r.csv", **known, "budget": "200", "repetitions": "0"}
     question = {"fit": fit, "files": {"r.csv": files["force"]}}
-    _, (*_, raw) = ask({"ask": "quality", **question})
+    quality, (*_, raw) = ask({"ask": "quality", **question})
     answer, (times, _, velocity, measured, explained) = ask({"ask": "fit", **question})
     assert answer["cycles"] == 0
+    assert answer["noise"] == quality["record"]["noise"]
     assert np.allclose(times, time, rtol=0.0, atol=1e-9)
     assert velocity.size == time.size
 
@@ -113,6 +114,26 @@ def test_a_periodic_record_has_a_mean_cycle_before_and_after_a_fit(ask):
     assert slides.mean() > 0.9
     assert np.allclose(measured[slides], mean[slides], atol=0.02)
     assert np.allclose(explained[slides], measured[slides], atol=0.02)
+
+
+def test_averages_that_mix_both_directions_are_gaps_in_the_noise_that_is_left_of_them(ask):
+    rows = [(0.001 * number, 0.02 * math.sin(6.0 * 0.001 * number)) for number in range(4001)]
+    force = [
+        2.0 * math.copysign(1.0, math.cos(6.0 * t)) - 36.0 * 3.0 * way + 0.1 * math.sin(1e6 * t * t) for t, way in rows
+    ]
+    lines = (f"{t},{way},{newtons}\n" for (t, way), newtons in zip(rows, force, strict=True))
+    table = "time [s],displacement [m],force [N]\n" + "".join(lines)
+    asked = {"records": "r.csv", "axis": "true", "law": "Coulomb", "budget": "60", "repetitions": "0"}
+    question = {"fit": asked, "files": {"r.csv": table}}
+    before, _ = ask({"ask": "quality", **question})
+    answer, (_, _, velocity, measured, explained) = ask({"ask": "fit", **question})
+    gaps = np.isnan(measured)
+    assert 0.0 < gaps.mean() < 0.3
+    assert np.abs(velocity[gaps]).max() < np.abs(velocity[~gaps]).max() / 2.0
+    assert np.isfinite(explained).all()
+    # Averages have less noise than samples.
+    assert 0.0 < answer["noise"] < before["record"]["noise"] / 3.0
+    assert np.sqrt(np.mean((measured - explained)[~gaps] ** 2)) < 5.0 * answer["noise"]
 
 
 def test_a_component_is_led_by_its_inputs(ask):
@@ -195,6 +216,7 @@ def test_a_map_of_a_joint_has_the_curve_of_its_law(ask):
     assert np.count_nonzero(~there) == 1
     assert (velocity[there].min(), velocity[there].max()) == (-3.0, 3.0)
     assert np.allclose(torque[there], 1.5 * np.sign(velocity[there]) + 0.25 * velocity[there], atol=1e-9)
+    assert answer["noise"] == quality["map"]["scatter"]
     assert np.allclose(explained, [1.5 * np.sign(v) + 0.25 * v for v, _ in rows], atol=1e-9)
 
 

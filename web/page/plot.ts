@@ -252,6 +252,12 @@ function part(values: ArrayLike<number>, from: number, to: number): ArrayLike<nu
   return values instanceof Float64Array ? values.subarray(from, to) : Array.prototype.slice.call(values, from, to);
 }
 
+/** Whether some values are not numbers. */
+function hasGap(values: ArrayLike<number>): boolean {
+  for (let at = 0; at < values.length; at++) if (Number.isNaN(values[at])) return true;
+  return false;
+}
+
 /** The smallest part of a range that can be shown (chosen). */
 const SMALLEST = 1e-6;
 
@@ -293,8 +299,8 @@ export class TimePlot extends Plot {
     const { curves } = this.diagram;
     const longest = curves.reduce<ArrayLike<number>>((a, { x }) => (x.length > a.length ? x : a), []);
     const whole = ({ y }: Curve): ArrayLike<number | null> => {
-      if (y.length === longest.length) return y;
-      return Array.from({ length: longest.length }, (_, at) => y[at] ?? null);
+      if (y.length === longest.length && !hasGap(y)) return y;
+      return Array.from({ length: longest.length }, (_, at) => (Number.isNaN(y[at]) ? null : (y[at] ?? null)));
     };
     return [longest, ...curves.map(whole)] as unknown as uPlot.AlignedData;
   }

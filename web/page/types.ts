@@ -347,6 +347,10 @@ export type Fitted = { ranking: Ranking, best: string, level: number,
  */
 cycles: number, 
 /**
+ * Standard deviation of the noise of what was fitted, or of the scatter of repeats, if it is known.
+ */
+noise: number | null, 
+/**
  * Names of the curves of steady sliding, if it is a map.
  */
 curves: Array<string>, 

@@ -122,6 +122,8 @@ pub struct Fitted {
     level: f64,
     /// Number of the cycles of the record, as the fit corrects it.
     cycles: usize,
+    /// Standard deviation of the noise of what was fitted, or of the scatter of repeats, if it is known.
+    noise: Option<f64>,
     /// Names of the curves of steady sliding, if it is a map.
     curves: Vec<String>,
     /// Description of a fit that was cancelled.
@@ -231,8 +233,11 @@ pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)
     };
     let ranking = inquiry.fits(&data, &mut |_| {}, Watch { cancel: &cancel, progress: &report })?;
     let best = ranking.best();
-    let Explained { cycles, curves, arrays } = match data.maps.first() {
-        Some((_, map)) => steady(&fitted_curves(map, best)?, best),
+    let Explained { cycles, noise, curves, arrays } = match data.maps.first() {
+        Some((_, map)) => {
+            let noise = map.scatter.as_ref().map(|scatter| scatter.pooled);
+            Explained { noise, ..steady(&fitted_curves(map, best)?, best) }
+        }
         None => explained(&data, best),
     };
     let answer = Fitted {
@@ -240,6 +245,7 @@ pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)
         best: best.law.name,
         level: best.level,
         cycles,
+        noise,
         curves,
         early: best.is_cancelled.then_some(EARLY),
         condition: best.condition,
@@ -253,6 +259,7 @@ pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)
 #[derive(Default)]
 struct Explained {
     cycles: usize,
+    noise: Option<f64>,
     curves: Vec<String>,
     arrays: Vec<Vec<f64>>,
 }
@@ -260,12 +267,19 @@ struct Explained {
 /// The first record, corrected by what was found, and its mean cycle, each with the friction that a law explains.
 fn explained(data: &Data, best: &Fit) -> Explained {
     let Some((_, record)) = data.records.first() else { return Explained::default() };
-    let corrected = best.corrected(record);
+    let mut corrected = best.corrected(record);
     let fitted = best.predicted_in(&corrected, 0);
+    let mut noise = record.quality.noise;
+    if let Some(filter) = &corrected.matched_filter {
+        noise = filter.noise;
+        // An average that mixes both directions is not friction.
+        let forces = corrected.friction_force.iter_mut().zip(&filter.least_speed);
+        forces.filter(|(_, speed)| **speed == 0.0).for_each(|(force, _)| *force = f64::NAN);
+    }
     let cycles = [&corrected, &fitted].map(average);
     let mut arrays = Vec::from(samples(corrected));
     arrays.push(fitted.friction_force);
-    let mut explained = Explained { arrays, ..Explained::default() };
+    let mut explained = Explained { noise: Some(noise), arrays, ..Explained::default() };
     if let [Some(cycle), Some(fitted)] = cycles {
         explained.cycles = cycle.count;
         explained.arrays.extend(mean(cycle));
