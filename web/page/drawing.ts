@@ -10,8 +10,8 @@ export interface Curve {
   y: ArrayLike<number>;
   /** Number of its colour and dashes. */
   law: number;
-  /** Pale and wide, so that others show on it; a cross at each point. */
-  style?: "band" | "crosses";
+  /** Pale and wide, so that others show on it; thin, without dashes that noise hides; a cross at each point. */
+  style?: "band" | "thin" | "crosses";
 }
 
 export interface Label {
@@ -26,6 +26,10 @@ export interface Diagram {
   curves: Curve[];
   /** Whether its curves are others than the laws of the view. */
   hasLegend?: boolean;
+  /** Of residuals: what they are the difference of, told at the cursor with them. */
+  told?: Curve[];
+  /** Of residuals: how far from zero noise alone reaches; 0 if it is not known. */
+  noise?: number;
 }
 
 export type Range = [number, number];
@@ -50,6 +54,11 @@ export function range(arrays: ArrayLike<number>[], room = ROOM): Range {
   return [low - room * (high - low), high + room * (high - low)];
 }
 
+/** Range of the values that are shown, with zero and the noise around it if they are residuals. */
+export function rangeUp({ noise }: Diagram, values: ArrayLike<number>[]): Range {
+  return range(noise === undefined ? values : [...values, [-noise, noise]]);
+}
+
 /** The curves whose points the cursor can be at: the crosses, if there are some. */
 export function pointed({ curves }: Diagram): Curve[] {
   const crosses = curves.filter(({ style }) => style === "crosses");
@@ -59,6 +68,7 @@ export function pointed({ curves }: Diagram): Curve[] {
 /** Width, opacity and dashes of a curve. */
 export function stroke({ law, style }: Curve, dashes: string[]): { width: number; alpha: number; dash: string } {
   if (style === "band") return { width: 5, alpha: 0.4, dash: "" };
+  if (style === "thin") return { width: 1, alpha: 1, dash: "" };
   return { width: 1.75, alpha: 1, dash: style === "crosses" ? "" : dashes[law]! };
 }
 
@@ -126,6 +136,9 @@ export class Frame {
   }
 }
 
+/** Opacity of the band of the noise (chosen). */
+export const NOISE = 0.18;
+
 /** Distance below which two points look like one, in pixels (chosen). */
 const CLOSE = 0.4;
 
@@ -157,6 +170,15 @@ function crosses({ x, y }: Points): Points {
   };
 }
 
+/** The band of the noise and the line at zero. */
+function drawZero(pen: Pen, frame: Frame, noise: number, colours: Colours): void {
+  const { left, right, top, bottom } = frame;
+  const [zero, wide] = [frame.up(0), 2 * (frame.up(0) - frame.up(noise))];
+  const [points, clip] = [{ x: [left, right], y: [zero, zero] }, [left, top, right - left, bottom - top] as [number, number, number, number]];
+  if (noise > 0) pen.curve(points, clip, colours.axis, "", wide, NOISE);
+  pen.curve(points, clip, colours.axis, "", 1);
+}
+
 /** Draws axes and curves. */
 export function draw(pen: Pen, frame: Frame, diagram: Diagram, colours: Colours, dashes: string[]): void {
   pen.fill(colours.paper);
@@ -177,6 +199,7 @@ export function draw(pen: Pen, frame: Frame, diagram: Diagram, colours: Colours,
   pen.line([left, bottom], [right, bottom], colours.axis);
   pen.text([(left + right) / 2, bottom + 37], labelText(diagram.x), colours.ink, "middle");
   pen.text([14, (top + bottom) / 2], labelText(diagram.y), colours.ink, "middle", true);
+  if (diagram.noise !== undefined) drawZero(pen, frame, diagram.noise, colours);
   for (const curve of diagram.curves) {
     const places = placed(frame, curve.x, curve.y);
     const { width, alpha, dash } = stroke(curve, dashes);

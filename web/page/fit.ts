@@ -5,9 +5,10 @@ import { field, LawPicker, select } from "./choices";
 import { faultText } from "./controls";
 import { checkLaws } from "./asked";
 import { h, save } from "./dom";
+import type { Diagram } from "./drawing";
 import { Drives } from "./drives";
 import { Lane, Superseded } from "./engine";
-import { type Across, friction } from "./fitted";
+import { type Across, friction, residuals, type Seen } from "./fitted";
 import { short, unitText } from "./format";
 import { intro } from "./intros";
 import { type State, toHash } from "./link";
@@ -66,7 +67,8 @@ export class FitView {
   private readonly start = h("button", { type: "button", id: "start-fit", onclick: () => this.again(() => this.fit()) }, "Fit");
   private readonly cancel = h("button", { type: "button", id: "cancel-fit", onclick: () => this.end() }, "Cancel");
   private readonly outcome = h("div", { class: "outcome" });
-  private readonly plots: [Across, Plot][];
+  private readonly plots: [(seen: Seen) => Diagram | undefined, Plot][];
+  private readonly pictures = h("div", { class: "plots" });
   private readonly take: TakeAway;
   private readonly questions = new Lane();
   private readonly worker = new Lane();
@@ -85,13 +87,7 @@ export class FitView {
     const models = [...laws, ...components].filter(({ name }) => fitted.some((one) => one.name === name));
     this.drives = new Drives(fitted, state);
     this.picker = new LawPicker("fit", models, state, () => this.choose());
-    const [time, loops] = [new Cursor(), new Cursor()];
-    const timePlot: TimePlot = new TimePlot("friction-over-time", time, (range) => timePlot.zoom(range));
-    this.plots = [
-      ["velocity", new LoopPlot("friction-over-velocity", loops)],
-      ["displacement", new LoopPlot("friction-over-displacement", loops)],
-      ["time", timePlot],
-    ];
+    this.plots = this.allPlots();
     onTheme(() => this.plots.forEach(([, plot]) => plot.theme()));
     this.file.addEventListener("change", () => this.read([...(this.file.files ?? [])]));
     this.drop = this.dropZone();
@@ -106,7 +102,7 @@ export class FitView {
       this.form,
     );
     this.take = this.takeAway();
-    const plots = h("div", { class: "plots" }, ...this.plots.map(([, plot]) => plot.root));
+    this.pictures.append(...this.plots.map(([, plot]) => plot.root));
     const main = h(
       "section",
       { class: "main", "aria-label": "Results" },
@@ -114,13 +110,30 @@ export class FitView {
       this.worth,
       this.progress,
       this.outcome,
-      plots,
+      this.pictures,
       this.take.root,
     );
     this.root = h("div", { class: "view", id: "fit", "data-drawn": 0, "data-running": 0 }, side, main);
     for (const [, plot] of this.plots) plot.root.hidden = true;
     this.cancel.disabled = true;
     this.start.disabled = true;
+  }
+
+  /** Friction, with residuals below it that have its horizontal axis, part and cursor. */
+  private allPlots(): [(seen: Seen) => Diagram | undefined, Plot][] {
+    const [time, loops] = [new Cursor(), new Cursor()];
+    const overTime: TimePlot[] = ["friction", "residual"].map((what) => {
+      return new TimePlot(`${what}-over-time`, time, (range) => overTime.forEach((plot) => plot.zoom(range)));
+    });
+    const overVelocity: LoopPlot[] = ["friction", "residual"].map((what, number) => {
+      return new LoopPlot(`${what}-over-velocity`, loops, (range) => overVelocity[1 - number]!.zoom(range));
+    });
+    const both = (across: Across, [above, below]: Plot[]): [(seen: Seen) => Diagram | undefined, Plot][] => [
+      [(seen) => friction(seen, across), above!],
+      [(seen) => residuals(seen, across), below!],
+    ];
+    const displacement: [(seen: Seen) => Diagram | undefined, Plot] = [(seen) => friction(seen, "displacement"), new LoopPlot("friction-over-displacement", loops)];
+    return [...both("velocity", overVelocity), displacement, ...both("time", overTime)];
   }
 
   private value(name: string): string {
@@ -438,8 +451,9 @@ export class FitView {
     this.showWorth();
     this.showOutcome();
     const seen = this.measured && { ...this.measured, fitted: this.fitted, truth: this.data?.friction };
-    for (const [across, plot] of this.plots) {
-      const diagram = seen && friction(seen, across);
+    this.pictures.classList.toggle("map", seen !== undefined && seen.quality.record === null);
+    for (const [picture, plot] of this.plots) {
+      const diagram = seen && picture(seen);
       plot.root.hidden = diagram === undefined;
       if (diagram) plot.show(diagram);
     }

@@ -3,6 +3,9 @@
 import type { Curve, Diagram } from "./drawing";
 import type { Fitted, Quality } from "./types";
 
+/** Standard deviations to each side that a band shows (chosen: 95 %). */
+const BAND = 1.96;
+
 export type Across = "time" | "velocity" | "displacement";
 
 export interface Seen {
@@ -25,6 +28,21 @@ export function friction(seen: Seen, across: Across): Diagram | undefined {
   return { title: `${y.name} over ${x.name.toLowerCase()}${of}`, x, y, curves, hasLegend: true };
 }
 
+/** Measured less fitted friction, over time or over the velocities of a map. */
+export function residuals(seen: Seen, across: Across): Diagram | undefined {
+  const { labels, record } = seen.quality;
+  if (!seen.fitted || across !== (record ? "time" : "velocity")) return undefined;
+  const told = record ? ofRecord(seen, "time", false) : ofRows(seen);
+  const [measured, fitted] = [told[0]!, told.at(-1)!];
+  const y = Float64Array.from(measured.y, (force, at) => force - fitted.y[at]!);
+  const curve: Curve = { name: "residual", x: measured.x, y, law: fitted.law, style: record ? "thin" : "crosses" };
+  const noise = BAND * (seen.fitted.answer.noise ?? 0);
+  const band = noise > 0 ? `; band: 95 % of the ${record ? "noise" : "scatter"}` : "";
+  const x = labels[across];
+  const title = `Residual over ${x.name.toLowerCase()}${band}`;
+  return { title, x, y: { name: "Residual", unit: labels.force.unit }, curves: [curve], hasLegend: true, told, noise };
+}
+
 /** Friction of a record, or of its mean cycle: measured, that of a virtual rig, and fitted. */
 function ofRecord({ arrays, fitted, truth }: Seen, across: Across, isCycle: boolean): Curve[] {
   // A fit has corrected what was measured by the mass, offset and delay that it found.
@@ -44,10 +62,16 @@ function at(time: Float64Array, [times, values]: Float64Array[]): Float64Array {
   return Float64Array.from(time, (t) => values![Math.round((t - first!) / (second! - first!))] ?? NaN);
 }
 
-function ofMap({ arrays: [velocity, force], fitted }: Seen): Curve[] {
-  const curves = (fitted?.answer.curves ?? []).map((name, number) => {
-    const [x, y] = fitted!.arrays.slice(1 + 2 * number);
+/** The rows of a map, and what a law explains in them. */
+function ofRows({ arrays: [x, y], fitted }: Seen): Curve[] {
+  const measured: Curve = { name: "measured", x: x!, y: y!, law: 0, style: "crosses" };
+  return fitted ? [measured, { name: `${fitted.answer.best} fitted`, x: x!, y: fitted.arrays[0]!, law: 1 }] : [measured];
+}
+
+function ofMap(seen: Seen): Curve[] {
+  const curves = (seen.fitted?.answer.curves ?? []).map((name, number) => {
+    const [x, y] = seen.fitted!.arrays.slice(1 + 2 * number);
     return { name, x: x!, y: y!, law: number + 1 };
   });
-  return [{ name: "measured", x: velocity!, y: force!, law: 0, style: "crosses" }, ...curves];
+  return [ofRows(seen)[0]!, ...curves];
 }

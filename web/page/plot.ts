@@ -2,7 +2,7 @@
 
 import uPlot from "uplot";
 import { h, save, say, swatch } from "./dom";
-import { type Curve, decimalsOf, type Diagram, draw, Frame, labelText, legend, pointed, range, type Range, stroke, tickText } from "./drawing";
+import { type Curve, decimalsOf, type Diagram, draw, Frame, labelText, legend, NOISE, pointed, range, type Range, rangeUp, stroke, tickText } from "./drawing";
 import { short, unitText } from "./format";
 import { CanvasPen, SvgPen } from "./pen";
 import { colours, dashes } from "./theme";
@@ -96,6 +96,7 @@ export abstract class Plot implements Touched {
       this.table,
     );
     heedTouch(this.area, this);
+    cursor.on(() => this.showValues());
     new ResizeObserver(() => this.resize()).observe(this.area);
     new IntersectionObserver(([entry]) => this.seen(entry!.isIntersecting), { rootMargin: "100px" }).observe(this.area);
     // A print also has plots that are scrolled out of view.
@@ -124,14 +125,27 @@ export abstract class Plot implements Touched {
 
   /** The curves with their lines, where the view has no legend for them. */
   private showKeys(): void {
-    const { curves, hasLegend } = this.diagram;
+    const { curves, hasLegend, told } = this.diagram;
     this.keys.hidden = !hasLegend;
     if (!hasLegend) return;
-    const keys = curves.map((curve) => {
+    const keys = [...(told ?? []), ...curves].map((curve) => {
       const { name, law, style } = curve;
-      return h("li", {}, swatch(law, stroke(curve, dashes()).dash, style), h("span", {}, name));
+      return h("li", {}, swatch(law, stroke(curve, dashes()).dash, style), h("span", {}, name), told ? h("span", { class: "value" }) : "");
     });
-    this.keys.replaceChildren(...keys);
+    this.keys.replaceChildren(...keys, told ? h("li", {}, h("span", { class: "value" })) : "");
+    this.showValues();
+  }
+
+  /** The values of residuals, and of what they are the difference of, at the cursor. */
+  private showValues(): void {
+    const { curves, told, x, y } = this.diagram;
+    if (!told) return;
+    const { at } = this.cursor;
+    const text = (value: number | undefined, unit: string) => (value === undefined || Number.isNaN(value) ? "" : `${short(value)} ${unitText(unit)}`);
+    const values = [...told, ...curves].map((curve) => text(at === null ? undefined : curve.y[at], y.unit));
+    const place = text(at === null ? undefined : curves[0]?.x[at], x.unit);
+    const shown = [...values, place && `at ${place}`];
+    this.keys.querySelectorAll(".value").forEach((value, number) => (value.textContent = shown[number] ?? ""));
   }
 
   private extremes({ name, y }: Curve): string {
@@ -232,7 +246,7 @@ export abstract class Plot implements Touched {
     this.cursor.move(at, this);
     this.point(at);
     const { x, y } = this.diagram;
-    const told = curves.map((curve) => `${curve.name}: ${short(curve.y[at] ?? NaN)} ${unitText(y.unit)}`);
+    const told = [...(this.diagram.told ?? []), ...curves].map((curve) => `${curve.name}: ${short(curve.y[at] ?? NaN)} ${unitText(y.unit)}`);
     say(`${x.name} ${short(curves[0]?.x[at] ?? NaN)} ${unitText(x.unit)}. ${told.join(", ")}`);
   }
 }
@@ -318,10 +332,11 @@ export class TimePlot extends Plot {
         ...this.size(),
         legend: { show: false },
         cursor: { y: false, points: { size: 8, fill: (_, at) => laws[curves[at - 1]!.law]! }, drag: { x: true, y: false, dist: 5 }, bind: { dblclick: () => null } },
-        scales: { x: { time: false }, y: { range: (_, low, high) => range([[low ?? 0, high ?? 0]]) } },
+        scales: { x: { time: false }, y: { range: (_, low, high) => rangeUp(this.diagram, [[low ?? 0, high ?? 0]]) } },
         axes: [axis(labelText(x), 34), axis(labelText(y), 52)],
         series: [{}, ...series],
         hooks: {
+          drawAxes: [(chart) => this.drawZero(chart)],
           setCursor: [(chart) => this.cursor.move(chart.cursor.idx ?? null, this)],
           setSelect: [(chart) => this.select(chart)],
         },
@@ -330,6 +345,22 @@ export class TimePlot extends Plot {
       this.area,
     );
     this.chart.over.addEventListener("dblclick", () => this.onZoom(undefined));
+  }
+
+  /** The line at zero of residuals, and the band of the noise around it. */
+  private drawZero({ ctx, bbox: { left, top, width, height }, valToPos }: uPlot): void {
+    const { noise } = this.diagram;
+    if (noise === undefined) return;
+    const [zero, most] = [0, noise].map((value) => valToPos(value, "y", true)) as [number, number];
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(left, top, width, height);
+    ctx.clip();
+    ctx.fillStyle = colours().axis;
+    ctx.fillRect(left, zero - 0.5 * devicePixelRatio, width, devicePixelRatio);
+    ctx.globalAlpha = NOISE;
+    ctx.fillRect(left, most, width, 2 * (zero - most));
+    ctx.restore();
   }
 
   private select(chart: uPlot): void {
@@ -355,11 +386,11 @@ export class TimePlot extends Plot {
     const x = this.zoomed ?? range(curves.map((curve) => curve.x), 0);
     // Times ascend: the range lies between two samples.
     const inside = curves.map((curve) => part(curve.y, below(curve.x, x[0]), below(curve.x, x[1], true)));
-    return { x, y: range(inside) };
+    return { x, y: rangeUp(this.diagram, inside) };
   }
 
   private size(): { width: number; height: number } {
-    return { width: Math.max(this.area.clientWidth, 200), height: Math.max(this.area.clientHeight, 150) };
+    return { width: Math.max(this.area.clientWidth, 200), height: Math.max(this.area.clientHeight, 100) };
   }
 
   protected resize(): void {
@@ -424,11 +455,17 @@ export class TimePlot extends Plot {
 export class LoopPlot extends Plot {
   private readonly canvas = h("canvas", { "aria-hidden": "true" });
   private readonly box = h("div", { class: "box", hidden: true });
-  private zoomed: { x: Range; y: Range } | undefined;
+  /** The part that is shown; upwards all that lies in it, unless that is chosen too. */
+  private zoomed: { x: Range; y?: Range } | undefined;
   private from: [number, number] | undefined;
   private waits = false;
 
-  constructor(kind: string, cursor: Cursor) {
+  constructor(
+    kind: string,
+    cursor: Cursor,
+    /** Called when this plot is zoomed, with what it shows across; none is the whole. */
+    private readonly onZoom?: (across: Range | undefined) => void,
+  ) {
     super(kind, cursor);
     this.area.append(this.canvas, this.box);
     this.area.classList.add("loop");
@@ -451,7 +488,10 @@ export class LoopPlot extends Plot {
   }
 
   protected ranges(): { x: Range; y: Range } {
-    return this.zoomed ?? this.whole();
+    if (!this.zoomed) return this.whole();
+    const { x, y } = this.zoomed;
+    const inside = (curve: Curve) => Array.from(curve.y).filter((_, at) => curve.x[at]! >= x[0] && curve.x[at]! <= x[1]);
+    return { x, y: y ?? rangeUp(this.diagram, this.diagram.curves.map(inside)) };
   }
 
   private frame(): Frame {
@@ -526,7 +566,18 @@ export class LoopPlot extends Plot {
     const frame = this.frame();
     const [a, b] = [frame.at(...from), frame.at(event.offsetX, event.offsetY)];
     const sorted = (one: number, other: number): Range => [Math.min(one, other), Math.max(one, other)];
-    this.zoomed = { x: sorted(a[0], b[0]), y: sorted(a[1], b[1]) };
+    this.magnified({ x: sorted(a[0], b[0]), y: sorted(a[1], b[1]) });
+  }
+
+  private magnified(part: { x: Range; y: Range } | undefined): void {
+    this.zoomed = part;
+    this.redraw();
+    this.onZoom?.(part?.x);
+  }
+
+  /** Shows what lies in a range across, or the whole. */
+  zoom(x: Range | undefined): void {
+    this.zoomed = x && { x };
     this.redraw();
   }
 
@@ -535,8 +586,7 @@ export class LoopPlot extends Plot {
   }
 
   reset(): void {
-    this.zoomed = undefined;
-    this.redraw();
+    this.magnified(undefined);
   }
 
   isPart(): boolean {
@@ -550,15 +600,14 @@ export class LoopPlot extends Plot {
 
   private whole(): { x: Range; y: Range } {
     const { curves } = this.diagram;
-    return { x: range(curves.map((curve) => curve.x)), y: range(curves.map((curve) => curve.y)) };
+    return { x: range(curves.map((curve) => curve.x)), y: rangeUp(this.diagram, curves.map((curve) => curve.y)) };
   }
 
   protected look(x: Range, y: Range): void {
     const whole = this.whole();
     const part = { x: within(x, whole.x), y: within(y, whole.y) };
     const isAll = (one: Range, all: Range) => one[0] <= all[0] && one[1] >= all[1];
-    this.zoomed = isAll(part.x, whole.x) && isAll(part.y, whole.y) ? undefined : part;
-    this.redraw();
+    this.magnified(isAll(part.x, whole.x) && isAll(part.y, whole.y) ? undefined : part);
   }
 
   protected magnify(factor: number): void {

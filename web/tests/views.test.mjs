@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { barriers, computed, copied, drawn, fault, folder, opened, pixels, reopened, saved } from "./browser.mjs";
 
-const VIEWS = { bench: 7, law: 3, strut: 6, fit: 3 };
+const VIEWS = { bench: 7, law: 3, strut: 6, fit: 4 };
 /** The view of a fit with a record and a search that take a second. */
 const QUICK = "#v=1&view=fit&fit.budget=200&fit.repetitions=0&rig.duration=1";
 const text = (page, kind) => page.locator(`[data-kind=${kind}] > .unseen`).textContent();
@@ -151,9 +151,14 @@ test("a fit finds the law of the virtual rig again, tells how far it is, and can
   assert.deepEqual(wrong, []);
 });
 
+/** Values at the cursor beside the names of curves. */
+const told = (page, kind) => page.locator(`[data-kind=${kind}] .value`).allTextContents();
 const svg = async (page, kind) => (await saved(page, () => page.getByLabel(`${kind} as SVG`).click())).toString();
+/** Numbers of the horizontal axis. */
+const across = async (page, kind) => (await svg(page, kind)).match(/text-anchor="middle">[−\d.]+(?=<)/g);
+
 /** Names of the curves of a plot. */
-const names = (page, kind) => page.locator(`[data-kind=${kind}] .keys li > span:first-of-type`).allTextContents();
+const names = (page, kind) => page.locator(`[data-kind=${kind}] .keys li > span:first-of-type:not(.value)`).allTextContents();
 
 test("measured, true and fitted friction are told apart where they lie on each other", async () => {
   const { page, wrong } = await opened(QUICK);
@@ -163,12 +168,44 @@ test("measured, true and fitted friction are told apart where they lie on each o
   assert.deepEqual(wrong, []);
 });
 
+test("residuals lie below measured, true and fitted friction, on the same axis and with the same cursor", async () => {
+  const { page, wrong } = await opened(QUICK);
+  assert.deepEqual(await names(page, "residual-over-time"), ["measured", "true", "LuGre fitted", "residual"]);
+  assert.ok((await svg(page, "residual-over-time")).includes("Residual in N"));
+  const times = (kind) => across(page, kind);
+  const whole = await times("friction-over-time");
+  assert.deepEqual(await times("residual-over-time"), whole);
+  const areas = ["friction", "residual"].map((what) => page.locator(`[data-kind=${what}-over-time] .area`));
+  const [above, below] = await Promise.all(areas.map((area) => area.boundingBox()));
+  assert.ok(below.y > above.y + above.height && below.height < 0.7 * above.height && below.width === above.width);
+  const at = async (area) => {
+    await area.press("ArrowRight");
+    const values = (await told(page, "residual-over-time")).map((one) => Number.parseFloat(one.replace("at ", "").replace("−", "-")));
+    const [measured, , fitted, residual] = values;
+    assert.ok(Math.abs(measured - fitted - residual) < 1.01e-3 && residual !== 0, values.join());
+    return values.at(-1);
+  };
+  assert.deepEqual([await at(areas[0]), await at(areas[1])], [0.01, 0.02]);
+  assert.match(await page.locator("#live").textContent(), /^Time 0\.02 s\. measured: .* N, true: .* N, LuGre fitted: .* N, residual: .* N$/);
+  // Of a thousand samples of white noise the farthest are three to four standard deviations away.
+  const noise = Number(/Noise of the force([\d.]+) N/.exec(await page.locator(".worth").textContent())[1]);
+  const farthest = /; band: 95 % of the noise\. residual from −([\d.]+) to ([\d.]+) N$/.exec(await text(page, "residual-over-time")).slice(1);
+  assert.ok(farthest.every((one) => one > 2.5 * noise && one < 5 * noise), `${farthest} N, noise ${noise} N`);
+  await areas[1].press("+");
+  assert.notDeepEqual(await times("residual-over-time"), whole);
+  assert.deepEqual(await times("friction-over-time"), await times("residual-over-time"));
+  await areas[0].press("Escape");
+  assert.deepEqual(await times("residual-over-time"), whole);
+  assert.deepEqual(await barriers(page), []);
+  assert.deepEqual(wrong, []);
+});
+
 test("the view of a fit begins with a record and its fit, unless the link is wrong", async () => {
   const { page, wrong } = await opened(QUICK);
   assert.match(await page.locator(".worth").textContent(), /Record: virtual rig with LuGre/);
   const rows = await page.locator(".outcome tbody tr").evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
   assert.ok(rows.some(([name, , , , , verdict]) => name === "mu_k" && verdict === "determined"), JSON.stringify(rows));
-  assert.equal(await page.locator("figure.plot:visible").count(), 3);
+  assert.equal(await page.locator("figure.plot:visible").count(), VIEWS.fit);
   await reopened(page, "#v=1&view=fit&rig.weight=1");
   assert.match(await fault(page), /'rig.weight' is unknown/);
   assert.equal(await page.locator(".worth").textContent(), "");
@@ -343,10 +380,19 @@ test("a map of a joint is fitted as steady sliding, in the words and units of a 
   const cells = await page.locator(".outcome tbody tr").evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
   const value = (wanted) => Number(cells.find(([name]) => name === wanted)[1].split(" ")[0]);
   assert.ok(Math.abs(value("mu_k") - 1.5) < 1e-3 && Math.abs(value("viscous_coefficient") - 0.25) < 1e-3, JSON.stringify(cells));
-  assert.deepEqual(await page.locator("#fit [data-kind]").evaluateAll((all) => all.filter((one) => !one.hidden).map((one) => one.dataset.kind)), ["friction-over-velocity"]);
-  const svg = (await saved(page, () => page.getByLabel("friction-over-velocity as SVG").click())).toString();
+  assert.deepEqual(await page.locator("#fit [data-kind]").evaluateAll((all) => all.filter((one) => !one.hidden).map((one) => one.dataset.kind)), ["friction-over-velocity", "residual-over-velocity"]);
+  // Each row is as far from the law as it was made, and the cursor goes from row to row.
+  assert.match(await text(page, "residual-over-velocity"), /^Residual over angular velocity; band: 95 % of the scatter\. residual from −0\.02 to 0\.02 N·m$/);
+  await page.getByLabel("Friction torque over angular velocity", { exact: true }).press("End");
+  assert.deepEqual(await told(page, "residual-over-velocity"), ["2.23 N·m", "2.25 N·m", "−0.02 N·m", "at 3 rad/s"]);
+  const whole = await across(page, "residual-over-velocity");
+  await page.getByLabel("Friction torque over angular velocity", { exact: true }).press("+");
+  const part = await across(page, "residual-over-velocity");
+  assert.ok(part.length > 1 && part.join() !== whole.join(), part.join());
+  assert.deepEqual(await across(page, "friction-over-velocity"), part);
+  const picture = await svg(page, "friction-over-velocity");
   for (const text of ["Friction torque over angular velocity", "Angular velocity in rad/s", "Friction torque in N·m", "CoulombViscous, 1 N·m"]) {
-    assert.ok(svg.includes(text), text);
+    assert.ok(picture.includes(text), text);
   }
   assert.equal(await copied(page, "#fit-copy-command"), "stribeck identify joint.csv --budget 200 --law CoulombViscous --normal-force 1.0 --repetitions 2");
   await page.locator("#fit-to-law").click();
@@ -364,8 +410,8 @@ test("a record of a joint shows torque over angle", async () => {
   await page.locator("#rig-normal_force").fill("1");
   await page.keyboard.press("Tab");
   await page.waitForFunction(() => /Record: arm\.csv/.test(document.querySelector(".worth").textContent));
-  const svg = (await saved(page, () => page.getByLabel("friction-over-displacement as SVG").click())).toString();
-  assert.ok(svg.includes("Friction torque over angle") && svg.includes("Angle in rad"), svg.slice(0, 300));
+  const picture = await svg(page, "friction-over-displacement");
+  assert.ok(picture.includes("Friction torque over angle") && picture.includes("Angle in rad"), picture.slice(0, 300));
   assert.deepEqual(await page.locator("#fit .choices .unit").evaluateAll((all) => all.slice(0, 2).map((one) => one.textContent)), ["kg·m²", "N·m"]);
   assert.deepEqual(wrong, []);
 });
@@ -405,7 +451,7 @@ test("a component is fitted to a record of its own, driven by a column or a valu
   assert.equal(verdict, "determined");
   assert.ok(Math.abs(Number.parseFloat(estimate) - 0.12) < 0.01 && repeated !== "", JSON.stringify(rows));
   assert.match(await page.locator(".outcome .note").textContent(), /^Capstan is a component: save its values as SSV/);
-  assert.equal(await page.locator("figure.plot:visible").count(), 3);
+  assert.equal(await page.locator("figure.plot:visible").count(), VIEWS.fit);
   const off = await page.locator(".take button:disabled").evaluateAll((all) => all.map((one) => one.id));
   assert.deepEqual(off, ["fit-save-toml", "fit-to-law"]);
   assert.match((await saved(page, () => page.locator("#fit-save-ssv").click())).toString(), /name="mu_k"/);
