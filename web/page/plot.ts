@@ -325,7 +325,11 @@ export class TimePlot extends Plot {
     const { x, y, curves } = this.diagram;
     const series = curves.map((curve) => {
       const { width, alpha, dash } = stroke(curve, dashes());
-      return { label: curve.name, stroke: laws[curve.law]!, width, alpha, dash: dash ? dash.split(" ").map(Number) : [], points: { show: false } };
+      const half = 0.5 * width * devicePixelRatio;
+      // The line goes on across a gap, unseen but for half its width at both ends.
+      const gaps: uPlot.Series.GapsRefiner = (...[, , , , found]) => found.map(([from, to]) => [from - half, to + half]);
+      const look = { stroke: laws[curve.law]!, width, alpha, dash: dash ? dash.split(" ").map(Number) : [] };
+      return { label: curve.name, ...look, gaps, points: { show: false } };
     });
     this.chart = new uPlot(
       {
