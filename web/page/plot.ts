@@ -337,7 +337,7 @@ export class TimePlot extends Plot {
         legend: { show: false },
         cursor: { y: false, points: { size: 8, fill: (_, at) => laws[curves[at - 1]!.law]! }, drag: { x: true, y: false, dist: 5 }, bind: { dblclick: () => null } },
         scales: { x: { time: false }, y: { range: (_, low, high) => rangeUp(this.diagram, [[low ?? 0, high ?? 0]]) } },
-        axes: [axis(labelText(x), 34), axis(labelText(y), 52)],
+        axes: [axis(labelText(x), 34), axis(labelText(y), 60)],
         series: [{}, ...series],
         hooks: {
           drawAxes: [(chart) => this.drawZero(chart)],
