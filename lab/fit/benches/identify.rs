@@ -10,7 +10,8 @@
 //! * `joints [SEEDS]`: simulated joints (200), every other one an arm with gravity: how many intervals hold the truth.
 //! * `sliders [SEEDS]`: the same of simulated sliders (200) with LuGre's law.
 //! * `mounts [SEEDS]`: the same of simulated rubber mounts (100).
-//! * `dampers [SEEDS]`: the same of simulated magnetorheological dampers (100), about a minute each.
+//! * `dampers [SEEDS]`: the same of simulated magnetorheological dampers (100), minutes each.
+//! * `ropes [SEEDS]`, `gears [SEEDS]`: the same of simulated ropes over a drum, and of gears (100).
 //! * `camera`: what a camera of 100 Hz makes of the static level and the Stribeck velocity.
 //!
 //! Without arguments all of them.
@@ -36,7 +37,7 @@ use stribeck_fit::rig::{Faults, VirtualRig};
 use stribeck_measured::{Delay, Record, Setup};
 use stribeck_sheet::Sheet;
 
-use simulated::{Damper, Held, Joint, Mount, Simulated, Slider};
+use simulated::{Damper, Held, Joint, Mount, Simulated, Slider, Transmission};
 
 const MASS: f64 = 2.0;
 const LOAD: f64 = 20.0;
@@ -52,6 +53,8 @@ fn main() {
             sliders(SEEDS);
             mounts(SEEDS / 2);
             dampers(SEEDS / 2);
+            ropes(SEEDS / 2);
+            gears(SEEDS / 2);
             camera();
         }
         Some("trust") => trust(&arguments[1..]),
@@ -61,9 +64,13 @@ fn main() {
         Some("sliders") => sliders(seeds(&arguments, SEEDS)),
         Some("mounts") => mounts(seeds(&arguments, SEEDS / 2)),
         Some("dampers") => dampers(seeds(&arguments, SEEDS / 2)),
+        Some("ropes") => ropes(seeds(&arguments, SEEDS / 2)),
+        Some("gears") => gears(seeds(&arguments, SEEDS / 2)),
         Some("camera") => camera(),
         Some(other) => {
-            eprintln!("no part '{other}': trust, ranking, methods, joints, sliders, mounts, dampers or camera")
+            eprintln!(
+                "no part '{other}': trust, ranking, methods, joints, sliders, mounts, dampers, ropes, gears or camera"
+            )
         }
     }
 }
@@ -226,6 +233,14 @@ fn mounts(seeds: u64) {
 
 fn dampers(seeds: u64) {
     count("dampers", seeds, |_, random| Box::new(Damper::drawn(random)));
+}
+
+fn ropes(seeds: u64) {
+    count("ropes", seeds, |_, random| Box::new(Transmission::rope(random)));
+}
+
+fn gears(seeds: u64) {
+    count("gears", seeds, |_, random| Box::new(Transmission::gear(random)));
 }
 
 /// A camera blurs the speeds at which friction falls.

@@ -7,7 +7,7 @@ mod simulated;
 use stribeck_fit::identify::{Estimate, Inquiry};
 use stribeck_solve::job::Entry;
 
-use simulated::{Damper, Held, Joint, Mount, Simulated, Slider};
+use simulated::{Damper, Held, Joint, Mount, Simulated, Slider, Transmission};
 
 /// A damper of which only the length of the accumulator is to be found, in few evaluations: all other parameters are held at
 /// the truth.
@@ -65,6 +65,14 @@ fn intervals_of_mounts_hold_the_truth() {
     let [told, held] = all.total();
     assert!(told >= 12 && f64::from(held) >= 0.8 * f64::from(told), "{held} of {told}");
     assert!(all.warned <= 1, "{:?}", all.counts);
+}
+
+#[test]
+fn intervals_of_gears_and_ropes_hold_the_truth() {
+    for (seeds, of) in [(4, Transmission::gear as fn(&mut fastrand::Rng) -> Transmission), (1, Transmission::rope)] {
+        let [told, intervals] = held(seeds, |_, random| Box::new(of(random)));
+        assert!(told >= 3 * seeds as u32 - 1 && intervals + 1 >= told, "{intervals} of {told}");
+    }
 }
 
 /// The other values are held at the truth. A fit without a warning has residuals that are noise: simulator and law agree.

@@ -4,6 +4,7 @@ mod damper;
 mod joint;
 mod mount;
 mod slider;
+mod transmission;
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -17,6 +18,7 @@ pub use damper::Damper;
 pub use joint::Joint;
 pub use mount::Mount;
 pub use slider::Slider;
+pub use transmission::Transmission;
 
 /// Something simulated that has friction.
 pub trait Simulated {
