@@ -20,10 +20,7 @@ DRIVER = ROOT / "tests" / "sources" / "drive.c"
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
 FMU_BUILD = TARGET / "debug" / ("fmu-build.exe" if os.name == "nt" else "fmu-build")
 NAMES = {"win32": "stribeck.dll", "darwin": "libstribeck.dylib"}
-# Every warning that says something about the code. A label that nothing jumps to, a function that is not called and a
-# variable that is not read are in what is generated.
-WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-Wno-unused-label", "-Wno-unused-function"]
-WARNINGS += ["-Wno-unused-but-set-variable", "-ffp-contract=off"]
+WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off"]
 
 
 LIBRARY = ["rustc", "--print", "target-libdir", "--target", "wasm32-unknown-unknown"]

@@ -139,7 +139,9 @@ impl<'a> Function<'a> {
         for (kind, place) in &self.stack.variables {
             text.push_str(&format!("  {} {}{place} = 0;\n", kind.c(), kind.letter()));
         }
-        let rest: String = (0..arguments).map(|at| format!("  (void)l{at};\n")).collect();
+        // Not each of them is read.
+        let mut rest: String = (0..arguments).map(|at| format!("  (void)l{at};\n")).collect();
+        rest.extend(self.stack.variables.iter().map(|(kind, place)| format!("  (void){}{place};\n", kind.letter())));
         Ok(format!("{text}{rest}  (void)m;\n{}}}\n", self.stack.text))
     }
 

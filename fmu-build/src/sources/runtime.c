@@ -13,8 +13,10 @@
 
 #if defined(__GNUC__)
 #define SELDOM __attribute__((cold, noinline))
+#define HELPER __attribute__((unused)) static inline
 #else
 #define SELDOM
+#define HELPER static inline
 #endif
 
 typedef uint8_t u8;
@@ -33,7 +35,7 @@ SELDOM static void trap(struct module *m) {
 
 /* Whether this can be a new end of the stack, which is at the beginning of the memory: a stack that is too small
  * becomes huge. */
-static inline int is_within_stack(struct module *m, u32 end) {
+HELPER int is_within_stack(struct module *m, u32 end) {
     if (end <= STACK_END)
         return 1;
     trap(m);
@@ -50,11 +52,11 @@ static inline int is_within_stack(struct module *m, u32 end) {
 /* The byte at an address of the module, which is within the memory: the module was safe Rust. */
 #define BYTE(m, at, offset) ((m)->memory + ((size_t)(at) + (size_t)(offset) - MEMORY_BEGIN))
 
-static inline u16 read16(const u8 *p) {
+HELPER u16 read16(const u8 *p) {
     return (u16)(p[0] | p[1] << 8);
 }
 
-static inline u32 read32(const u8 *p) {
+HELPER u32 read32(const u8 *p) {
 #if IS_LITTLE_ENDIAN
     u32 value;
     memcpy(&value, p, 4);
@@ -64,7 +66,7 @@ static inline u32 read32(const u8 *p) {
 #endif
 }
 
-static inline u64 read64(const u8 *p) {
+HELPER u64 read64(const u8 *p) {
 #if IS_LITTLE_ENDIAN
     u64 value;
     memcpy(&value, p, 8);
@@ -74,36 +76,36 @@ static inline u64 read64(const u8 *p) {
 #endif
 }
 
-static inline double from_bits(u64 bits) {
+HELPER double from_bits(u64 bits) {
     double value;
     memcpy(&value, &bits, 8);
     return value;
 }
 
-static inline u64 to_bits(double value) {
+HELPER u64 to_bits(double value) {
     u64 bits;
     memcpy(&bits, &value, 8);
     return bits;
 }
 
-static inline float float_from_bits(u32 bits) {
+HELPER float float_from_bits(u32 bits) {
     float value;
     memcpy(&value, &bits, 4);
     return value;
 }
 
-static inline u32 float_to_bits(float value) {
+HELPER u32 float_to_bits(float value) {
     u32 bits;
     memcpy(&bits, &value, 4);
     return bits;
 }
 
-static inline void write16(u8 *p, u64 value) {
+HELPER void write16(u8 *p, u64 value) {
     p[0] = (u8)value;
     p[1] = (u8)(value >> 8);
 }
 
-static inline void write32(u8 *p, u64 value) {
+HELPER void write32(u8 *p, u64 value) {
 #if IS_LITTLE_ENDIAN
     u32 part = (u32)value;
     memcpy(p, &part, 4);
@@ -113,7 +115,7 @@ static inline void write32(u8 *p, u64 value) {
 #endif
 }
 
-static inline void write64(u8 *p, u64 value) {
+HELPER void write64(u8 *p, u64 value) {
 #if IS_LITTLE_ENDIAN
     memcpy(p, &value, 8);
 #else
@@ -136,32 +138,32 @@ static inline void write64(u8 *p, u64 value) {
 #define store_float(m, at, offset, value) store32(m, at, offset, float_to_bits(value))
 
 /* The address of nothing may be anywhere. */
-static inline void copy(struct module *m, u32 to, u32 from, u32 n) {
+HELPER void copy(struct module *m, u32 to, u32 from, u32 n) {
     if (n != 0)
         memmove(BYTE(m, to, 0), BYTE(m, from, 0), n);
 }
 
-static inline void fill(struct module *m, u32 to, u32 value, u32 n) {
+HELPER void fill(struct module *m, u32 to, u32 value, u32 n) {
     if (n != 0)
         memset(BYTE(m, to, 0), (int)(value & 255), n);
 }
 
-static inline u32 rotate32(u32 a, u32 n) {
+HELPER u32 rotate32(u32 a, u32 n) {
     return a << (n & 31) | a >> ((32 - (n & 31)) & 31);
 }
 
-static inline u64 rotate64(u64 a, u64 n) {
+HELPER u64 rotate64(u64 a, u64 n) {
     return a << (n & 63) | a >> ((64 - (n & 63)) & 63);
 }
 
-static inline u32 ones32(u32 a) {
+HELPER u32 ones32(u32 a) {
     a -= a >> 1 & 0x55555555u;
     a = (a & 0x33333333u) + (a >> 2 & 0x33333333u);
     a = (a + (a >> 4)) & 0x0f0f0f0fu;
     return a * 0x01010101u >> 24;
 }
 
-static inline u32 leading32(u32 a) {
+HELPER u32 leading32(u32 a) {
     a |= a >> 1;
     a |= a >> 2;
     a |= a >> 4;
@@ -170,33 +172,33 @@ static inline u32 leading32(u32 a) {
     return 32 - ones32(a);
 }
 
-static inline u32 trailing32(u32 a) {
+HELPER u32 trailing32(u32 a) {
     return ones32(~a & (a - 1));
 }
 
-static inline u32 leading64(u64 a) {
+HELPER u32 leading64(u64 a) {
     return a >> 32 ? leading32((u32)(a >> 32)) : 32 + leading32((u32)a);
 }
 
-static inline u32 trailing64(u64 a) {
+HELPER u32 trailing64(u64 a) {
     return (u32)a ? trailing32((u32)a) : 32 + trailing32((u32)(a >> 32));
 }
 
-static inline u32 divisor32(struct module *m, u32 b) {
+HELPER u32 divisor32(struct module *m, u32 b) {
     if (b != 0)
         return b;
     trap(m);
     return 1;
 }
 
-static inline u64 divisor64(struct module *m, u64 b) {
+HELPER u64 divisor64(struct module *m, u64 b) {
     if (b != 0)
         return b;
     trap(m);
     return 1;
 }
 
-static inline u32 divide32(struct module *m, u32 a, u32 b) {
+HELPER u32 divide32(struct module *m, u32 a, u32 b) {
     if (b == 0 || (a == 0x80000000u && b == 0xffffffffu)) {
         trap(m);
         return 0;
@@ -204,12 +206,12 @@ static inline u32 divide32(struct module *m, u32 a, u32 b) {
     return (u32)((s32)a / (s32)b);
 }
 
-static inline u32 remain32(struct module *m, u32 a, u32 b) {
+HELPER u32 remain32(struct module *m, u32 a, u32 b) {
     b = (u32)divisor32(m, b);
     return b == 0xffffffffu ? 0 : (u32)((s32)a % (s32)b);
 }
 
-static inline u64 divide64(struct module *m, u64 a, u64 b) {
+HELPER u64 divide64(struct module *m, u64 a, u64 b) {
     if (b == 0 || (a == UINT64_C(1) << 63 && b == UINT64_MAX)) {
         trap(m);
         return 0;
@@ -217,43 +219,43 @@ static inline u64 divide64(struct module *m, u64 a, u64 b) {
     return (u64)((s64)a / (s64)b);
 }
 
-static inline u64 remain64(struct module *m, u64 a, u64 b) {
+HELPER u64 remain64(struct module *m, u64 a, u64 b) {
     b = (u64)divisor64(m, b);
     return b == UINT64_MAX ? 0 : (u64)((s64)a % (s64)b);
 }
 
 /* To whole numbers: the nearest one if there is none, 0 for NaN. */
-static inline s32 to_s32(double a) {
+HELPER s32 to_s32(double a) {
     if (!(a > -2147483649.0))
         return a != a ? 0 : INT32_MIN;
     return a < 2147483648.0 ? (s32)a : INT32_MAX;
 }
 
-static inline u32 to_u32(double a) {
+HELPER u32 to_u32(double a) {
     if (!(a > -1.0))
         return 0;
     return a < 4294967296.0 ? (u32)a : UINT32_MAX;
 }
 
-static inline s64 to_s64(double a) {
+HELPER s64 to_s64(double a) {
     if (!(a >= -9223372036854775808.0))
         return a != a ? 0 : INT64_MIN;
     return a < 9223372036854775808.0 ? (s64)a : INT64_MAX;
 }
 
-static inline u64 to_u64(double a) {
+HELPER u64 to_u64(double a) {
     if (!(a > -1.0))
         return 0;
     return a < 18446744073709551616.0 ? (u64)a : UINT64_MAX;
 }
 
-static inline double least(double a, double b) {
+HELPER double least(double a, double b) {
     if (a != a || b != b)
         return a + b;
     return a == b ? from_bits(to_bits(a) | to_bits(b)) : a < b ? a : b;
 }
 
-static inline double most(double a, double b) {
+HELPER double most(double a, double b) {
     if (a != a || b != b)
         return a + b;
     return a == b ? from_bits(to_bits(a) & to_bits(b)) : a > b ? a : b;
