@@ -11,7 +11,8 @@
 //! * `sliders [SEEDS]`: the same of simulated sliders (200) with LuGre's law.
 //! * `mounts [SEEDS]`: the same of simulated rubber mounts (100).
 //! * `dampers [SEEDS]`: the same of simulated magnetorheological dampers (100), minutes each.
-//! * `ropes [SEEDS]`, `gears [SEEDS]`: the same of simulated ropes over a drum, and of gears (100).
+//! * `ropes [SEEDS]`, `gears [SEEDS]`, `servos [SEEDS]`: the same of simulated ropes over a drum, gears and servo drives
+//!   (100).
 //! * `camera`: what a camera of 100 Hz makes of the static level and the Stribeck velocity.
 //!
 //! Without arguments all of them.
@@ -37,7 +38,7 @@ use stribeck_fit::rig::{Faults, VirtualRig};
 use stribeck_measured::{Delay, Record, Setup};
 use stribeck_sheet::Sheet;
 
-use simulated::{Damper, Held, Joint, Mount, Simulated, Slider, Transmission};
+use simulated::{Damper, Held, Joint, Mount, Servo, Simulated, Slider, Transmission};
 
 const MASS: f64 = 2.0;
 const LOAD: f64 = 20.0;
@@ -55,6 +56,7 @@ fn main() {
             dampers(SEEDS / 2);
             ropes(SEEDS / 2);
             gears(SEEDS / 2);
+            servos(SEEDS / 2);
             camera();
         }
         Some("trust") => trust(&arguments[1..]),
@@ -66,10 +68,12 @@ fn main() {
         Some("dampers") => dampers(seeds(&arguments, SEEDS / 2)),
         Some("ropes") => ropes(seeds(&arguments, SEEDS / 2)),
         Some("gears") => gears(seeds(&arguments, SEEDS / 2)),
+        Some("servos") => servos(seeds(&arguments, SEEDS / 2)),
         Some("camera") => camera(),
         Some(other) => {
             eprintln!(
-                "no part '{other}': trust, ranking, methods, joints, sliders, mounts, dampers, ropes, gears or camera"
+                "no part '{other}': trust, ranking, methods, joints, sliders, mounts, dampers, ropes, gears, servos or \
+                 camera"
             )
         }
     }
@@ -241,6 +245,10 @@ fn ropes(seeds: u64) {
 
 fn gears(seeds: u64) {
     count("gears", seeds, |_, random| Box::new(Transmission::gear(random)));
+}
+
+fn servos(seeds: u64) {
+    count("servos", seeds, |_, random| Box::new(Servo::drawn(random)));
 }
 
 /// A camera blurs the speeds at which friction falls.

@@ -7,7 +7,7 @@ mod simulated;
 use stribeck_fit::identify::{Estimate, Inquiry};
 use stribeck_solve::job::Entry;
 
-use simulated::{Damper, Held, Joint, Mount, Simulated, Slider, Transmission};
+use simulated::{Damper, Held, Joint, Mount, Servo, Simulated, Slider, Transmission};
 
 /// A damper of which only the length of the accumulator is to be found, in few evaluations: all other parameters are held at
 /// the truth.
@@ -73,6 +73,12 @@ fn intervals_of_gears_and_ropes_hold_the_truth() {
         let [told, intervals] = held(seeds, |_, random| Box::new(of(random)));
         assert!(told >= 3 * seeds as u32 - 1 && intervals + 1 >= told, "{intervals} of {told}");
     }
+}
+
+#[test]
+fn intervals_of_a_servo_hold_the_truth() {
+    let [told, intervals] = held(1, |_, random| Box::new(Servo::drawn(random)));
+    assert!(told == 8 && intervals >= 7, "{intervals} of {told}");
 }
 
 /// The other values are held at the truth. A fit without a warning has residuals that are noise: simulator and law agree.

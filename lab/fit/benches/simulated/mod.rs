@@ -3,6 +3,7 @@
 mod damper;
 mod joint;
 mod mount;
+mod servo;
 mod slider;
 mod transmission;
 
@@ -17,6 +18,7 @@ use stribeck_sheet::{Sheet, SheetError};
 pub use damper::Damper;
 pub use joint::Joint;
 pub use mount::Mount;
+pub use servo::Servo;
 pub use slider::Slider;
 pub use transmission::Transmission;
 
