@@ -43,6 +43,20 @@ use simulated::{Damper, Held, Joint, Mount, Servo, Simulated, Slider, Transmissi
 const MASS: f64 = 2.0;
 const LOAD: f64 = 20.0;
 
+/// A simulated thing, by the number of its seed.
+type Drawn = fn(u64, &mut fastrand::Rng) -> Box<dyn Simulated>;
+
+/// Simulated things, how many of them there are by default, and how one is drawn.
+const SIMULATED: [(&str, u64, Drawn); 7] = [
+    ("joints", SEEDS, |seed, random| Box::new(Joint::drawn(seed, random))),
+    ("sliders", SEEDS, |_, random| Box::new(Slider::drawn(random))),
+    ("mounts", SEEDS / 2, |_, random| Box::new(Mount::drawn(random))),
+    ("dampers", SEEDS / 2, |_, random| Box::new(Damper::drawn(random))),
+    ("ropes", SEEDS / 2, |_, random| Box::new(Transmission::rope(random))),
+    ("gears", SEEDS / 2, |_, random| Box::new(Transmission::gear(random))),
+    ("servos", SEEDS / 2, |_, random| Box::new(Servo::drawn(random))),
+];
+
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
     match arguments.first().map(String::as_str) {
@@ -50,32 +64,20 @@ fn main() {
             trust(&[]);
             ranking();
             methods();
-            joints(SEEDS);
-            sliders(SEEDS);
-            mounts(SEEDS / 2);
-            dampers(SEEDS / 2);
-            ropes(SEEDS / 2);
-            gears(SEEDS / 2);
-            servos(SEEDS / 2);
+            SIMULATED.iter().for_each(|(names, seeds, of)| count(names, *seeds, of));
             camera();
         }
         Some("trust") => trust(&arguments[1..]),
         Some("ranking") => ranking(),
         Some("methods") => methods(),
-        Some("joints") => joints(seeds(&arguments, SEEDS)),
-        Some("sliders") => sliders(seeds(&arguments, SEEDS)),
-        Some("mounts") => mounts(seeds(&arguments, SEEDS / 2)),
-        Some("dampers") => dampers(seeds(&arguments, SEEDS / 2)),
-        Some("ropes") => ropes(seeds(&arguments, SEEDS / 2)),
-        Some("gears") => gears(seeds(&arguments, SEEDS / 2)),
-        Some("servos") => servos(seeds(&arguments, SEEDS / 2)),
         Some("camera") => camera(),
-        Some(other) => {
-            eprintln!(
-                "no part '{other}': trust, ranking, methods, joints, sliders, mounts, dampers, ropes, gears, servos or \
-                 camera"
-            )
-        }
+        Some(other) => match SIMULATED.iter().find(|(names, ..)| *names == other) {
+            Some((names, most, of)) => count(names, seeds(&arguments, *most), of),
+            None => {
+                let names = SIMULATED.map(|(names, ..)| names).join(", ");
+                eprintln!("no part '{other}': trust, ranking, methods, camera, {names}");
+            }
+        },
     }
 }
 
@@ -206,7 +208,7 @@ fn logged(law: &'static ModelType, experiment: &Experiment, task: &Settings) -> 
 }
 
 /// Simulated things, each with its record: how many intervals hold the truth.
-fn count(names: &str, seeds: u64, of: impl Fn(u64, &mut fastrand::Rng) -> Box<dyn Simulated>) {
+fn count(names: &str, seeds: u64, of: &Drawn) {
     let mut all = Held::default();
     for seed in 0..seeds {
         let mut random = fastrand::Rng::with_seed(seed);
@@ -221,34 +223,6 @@ fn count(names: &str, seeds: u64, of: impl Fn(u64, &mut fastrand::Rng) -> Box<dy
         "figure: {names}: {held} of {told} intervals hold the truth ({share:.1} %) in {seeds} records, {warned} with \
          warnings"
     );
-}
-
-fn joints(seeds: u64) {
-    count("joints", seeds, |seed, random| Box::new(Joint::drawn(seed, random)));
-}
-
-fn sliders(seeds: u64) {
-    count("sliders", seeds, |_, random| Box::new(Slider::drawn(random)));
-}
-
-fn mounts(seeds: u64) {
-    count("mounts", seeds, |_, random| Box::new(Mount::drawn(random)));
-}
-
-fn dampers(seeds: u64) {
-    count("dampers", seeds, |_, random| Box::new(Damper::drawn(random)));
-}
-
-fn ropes(seeds: u64) {
-    count("ropes", seeds, |_, random| Box::new(Transmission::rope(random)));
-}
-
-fn gears(seeds: u64) {
-    count("gears", seeds, |_, random| Box::new(Transmission::gear(random)));
-}
-
-fn servos(seeds: u64) {
-    count("servos", seeds, |_, random| Box::new(Servo::drawn(random)));
 }
 
 /// A camera blurs the speeds at which friction falls.

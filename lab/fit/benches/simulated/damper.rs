@@ -6,14 +6,13 @@ use std::fmt::Write;
 
 use stribeck_fit::identify::{Estimate, Inquiry};
 
-use super::{Simulated, normal};
+use super::{Simulated, Waves, normal, truth, value};
 
 /// A damper, its motion and its voltage.
 pub struct Damper {
     /// Its parameters by their names; those of the form of the hysteresis are those of Spencer and others.
     pub values: [(&'static str, f64); 10],
-    /// Stroke, m, and frequency, Hz, of each sine.
-    waves: [[f64; 2]; 2],
+    waves: Waves,
     /// Largest voltage, V, and its frequency, Hz.
     voltage: [f64; 2],
 }
@@ -45,20 +44,12 @@ impl Damper {
             ("voltage_rate", 60.0),
         ];
         let values = printed.map(|(name, value)| (name, value * between(0.6, 1.6)));
-        let waves = [[between(5e-3, 1.5e-2), between(0.6, 1.2)], [between(1e-3, 3e-3), between(2.0, 4.0)]];
+        let waves = Waves([[between(5e-3, 1.5e-2), between(0.6, 1.2)], [between(1e-3, 3e-3), between(2.0, 4.0)]]);
         Damper { values, waves, voltage: [between(1.0, 2.0), between(1.0, 2.0)] }
     }
 
     fn value(&self, name: &str) -> f64 {
-        self.values.iter().find(|(known, _)| *known == name).map_or(f64::NAN, |(_, value)| *value)
-    }
-
-    /// Displacement and velocity.
-    fn motion(&self, t: f64) -> [f64; 2] {
-        self.waves.iter().fold([0.0; 2], |[x, v], [stroke, rate]| {
-            let (sine, cosine) = (TAU * rate * t).sin_cos();
-            [x + 0.5 * stroke * (1.0 - cosine), v + 0.5 * stroke * TAU * rate * sine]
-        })
+        value(&self.values, name)
     }
 
     fn voltage(&self, t: f64) -> f64 {
@@ -68,7 +59,7 @@ impl Damper {
 
     /// Rates of y, z and u, and the force.
     fn rates(&self, t: f64, [y, z, u]: [f64; 3]) -> ([f64; 3], f64) {
-        let [x, v] = self.motion(t);
+        let [x, v, _] = self.waves.motion(t);
         let by_voltage = |name: &str| self.value(&format!("{name}a")) + self.value(&format!("{name}b")) * u;
         let [alpha, c_0, c_1] = ["alpha_", "c_0", "c_1"].map(by_voltage);
         let dy = (alpha * z + c_0 * v + self.value("k_0") * (x - y)) / (c_0 + c_1);
@@ -110,13 +101,13 @@ impl Simulated for Damper {
         let mut text = "time [s],force [N],displacement [m],voltage [V]\n".to_owned();
         for (at, force) in forces.iter().enumerate() {
             let t = at as f64 * INTERVAL;
-            let place = self.motion(t)[0] + 1e-6 * normal(random);
+            let place = self.waves.motion(t)[0] + 1e-6 * normal(random);
             let _ = writeln!(text, "{t},{},{place},{}", force + NOISE * most * normal(random), self.voltage(t));
         }
         text
     }
 
     fn truth(&self, one: &Estimate) -> Option<f64> {
-        self.values.iter().find(|(name, _)| *name == one.name).map(|(_, value)| *value)
+        truth(&self.values, one)
     }
 }

@@ -34,6 +34,40 @@ pub trait Simulated {
     fn truth(&self, one: &Estimate) -> Option<f64>;
 }
 
+/// Two sines from rest: stroke, m, and frequency, Hz, of each.
+pub struct Waves([[f64; 2]; 2]);
+
+impl Waves {
+    /// Displacement, velocity and acceleration.
+    fn motion(&self, t: f64) -> [f64; 3] {
+        self.0.iter().fold([0.0; 3], |[x, v, a], [stroke, rate]| {
+            let (rate, half) = (TAU * rate, 0.5 * stroke);
+            let (sine, cosine) = (rate * t).sin_cos();
+            [x + half * (1.0 - cosine), v + half * rate * sine, a + half * rate * rate * cosine]
+        })
+    }
+
+    /// Stroke of the first one, m.
+    fn stroke(&self) -> f64 {
+        self.0[0][0]
+    }
+
+    /// A speed that they do not exceed, m/s.
+    fn fastest(&self) -> f64 {
+        self.0.iter().map(|[stroke, rate]| 0.5 * stroke * TAU * rate).sum()
+    }
+}
+
+/// A value by its name.
+fn value(values: &[(&str, f64)], name: &str) -> f64 {
+    values.iter().find(|(known, _)| *known == name).map_or(f64::NAN, |(_, value)| *value)
+}
+
+/// The truth of a parameter that has such a name.
+fn truth(values: &[(&str, f64)], one: &Estimate) -> Option<f64> {
+    values.iter().find(|(name, _)| *name == one.name).map(|(_, value)| *value)
+}
+
 /// How many intervals there are of each parameter, and how many of them hold the truth.
 #[derive(Default)]
 pub struct Held {

@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use stribeck_fit::identify::{Estimate, Inquiry};
 
-use super::{Simulated, normal};
+use super::{Simulated, Waves, normal};
 
 /// A mount and its motion.
 pub struct Mount {
@@ -18,8 +18,7 @@ pub struct Mount {
     /// Largest friction, N, and displacement for half of it, m.
     friction: f64,
     half: f64,
-    /// Stroke, m, and frequency, Hz, of each sine.
-    waves: [[f64; 2]; 2],
+    waves: Waves,
 }
 
 /// Of the samples, s; steps of the simulation in one of them; noise as a part of the largest force.
@@ -32,21 +31,13 @@ impl Mount {
     /// A mount whose longer stroke is 1 to 4 mm.
     pub fn drawn(random: &mut fastrand::Rng) -> Mount {
         let mut between = |low: f64, high: f64| low * f64::powf(high / low, random.f64());
-        let waves = [[between(1e-3, 4e-3), between(0.5, 1.5)], [between(3e-4, 1e-3), between(4.0, 9.0)]];
+        let waves = Waves([[between(1e-3, 4e-3), between(0.5, 1.5)], [between(3e-4, 1e-3), between(4.0, 9.0)]]);
         let elastic = between(1e5, 1e6);
         let series = elastic * between(0.1, 0.6);
-        let [force, stroke] = [elastic * waves[0][0], waves[0][0]];
+        let [force, stroke] = [elastic * waves.stroke(), waves.stroke()];
         let (damper, friction, half) =
             (series / (TAU * between(2.0, 20.0)), force * between(0.05, 0.3), stroke * between(0.03, 0.2));
         Mount { elastic, series, damper, friction, half, waves }
-    }
-
-    /// Displacement and velocity.
-    fn motion(&self, t: f64) -> [f64; 2] {
-        self.waves.iter().fold([0.0; 2], |[x, v], [stroke, rate]| {
-            let (sine, cosine) = (TAU * rate * t).sin_cos();
-            [x + 0.5 * stroke * (1.0 - cosine), v + 0.5 * stroke * TAU * rate * sine]
-        })
     }
 
     /// Friction at a way from the last turning point, positive in the direction of the motion, where it was `start`.
@@ -56,7 +47,7 @@ impl Mount {
 
     /// The force of the damper a short time later.
     fn yielded(&self, force: f64, t: f64, step: f64) -> f64 {
-        let rate = |force: f64, t: f64| self.series * (self.motion(t)[1] - force / self.damper);
+        let rate = |force: f64, t: f64| self.series * (self.waves.motion(t)[1] - force / self.damper);
         let first = rate(force, t);
         let second = rate(force + 0.5 * step * first, t + 0.5 * step);
         let third = rate(force + 0.5 * step * second, t + 0.5 * step);
@@ -71,7 +62,7 @@ impl Mount {
         let mut found = Vec::new();
         for at in 0..(DURATION / INTERVAL) as u32 * PARTS {
             let t = f64::from(at) * step;
-            let [[x, _], [next, _]] = [t, t + step].map(|t| self.motion(t));
+            let [x, next] = [t, t + step].map(|t| self.waves.motion(t)[0]);
             let friction = direction * self.slid(direction * start, direction * (x - turn));
             if at % PARTS == 0 {
                 found.push(self.elastic * x + damper + friction);
@@ -96,7 +87,7 @@ impl Simulated for Mount {
         let mut text = "time [s],force [N],displacement [m]\n".to_owned();
         for (at, force) in forces.iter().enumerate() {
             let t = at as f64 * INTERVAL;
-            let place = self.motion(t)[0] + 1e-7 * normal(random);
+            let place = self.waves.motion(t)[0] + 1e-7 * normal(random);
             let _ = writeln!(text, "{t},{},{place}", force + NOISE * most * normal(random));
         }
         text

@@ -6,13 +6,12 @@ use std::fmt::Write;
 
 use stribeck_fit::identify::{Estimate, Inquiry};
 
-use super::{Simulated, normal};
+use super::{Simulated, Waves, normal, truth, value};
 
 /// A servo drive, its motion and its forces.
 pub struct Servo {
     values: [(&'static str, f64); 8],
-    /// Stroke, m, and frequency, Hz, of each sine.
-    waves: [[f64; 2]; 2],
+    waves: Waves,
     /// Mean and amplitude, N, and frequency, Hz, of the forces of motor and load.
     forces: [[f64; 3]; 2],
 }
@@ -29,8 +28,8 @@ impl Servo {
     /// A drive whose Stribeck velocity is a part of its largest speed.
     pub fn drawn(random: &mut fastrand::Rng) -> Servo {
         let mut between = |low: f64, high: f64| low * f64::powf(high / low, random.f64());
-        let waves = [[between(0.02, 0.05), between(0.3, 0.6)], [between(3e-3, 8e-3), between(1.0, 3.0)]];
-        let fastest: f64 = waves.iter().map(|[stroke, rate]| 0.5 * stroke * TAU * rate).sum();
+        let waves = Waves([[between(0.02, 0.05), between(0.3, 0.6)], [between(3e-3, 8e-3), between(1.0, 3.0)]]);
+        let fastest = waves.fastest();
         let values = [
             ("kinetic_force", between(2.0, 6.0)),
             ("excess_force", between(1.0, 3.0)),
@@ -49,15 +48,7 @@ impl Servo {
     }
 
     fn value(&self, name: &str) -> f64 {
-        self.values.iter().find(|(known, _)| *known == name).map_or(f64::NAN, |(_, value)| *value)
-    }
-
-    /// Displacement and velocity.
-    fn motion(&self, t: f64) -> [f64; 2] {
-        self.waves.iter().fold([0.0; 2], |[x, v], [stroke, rate]| {
-            let (sine, cosine) = (TAU * rate * t).sin_cos();
-            [x + 0.5 * stroke * (1.0 - cosine), v + 0.5 * stroke * TAU * rate * sine]
-        })
+        value(&self.values, name)
     }
 
     /// The forces of motor and load.
@@ -66,7 +57,7 @@ impl Servo {
     }
 
     fn friction(&self, t: f64) -> f64 {
-        let ([_, v], [motor, load]) = (self.motion(t), self.driven(t));
+        let ([_, v, _], [motor, load]) = (self.waves.motion(t), self.driven(t));
         let carried = |of_load: &str, of_motor: &str| (self.value(of_load) * load - self.value(of_motor) * motor).abs();
         let kinetic = self.value("kinetic_force") + carried("load_coefficient", "motor_coefficient");
         let excess = self.value("excess_force") + carried("load_excess", "motor_excess");
@@ -86,7 +77,7 @@ impl Simulated for Servo {
         let most = times.iter().fold(0.0, |most: f64, t| most.max(self.friction(*t).abs()));
         let mut text = "time [s],force [N],displacement [m],motor_force [N],load_force [N]\n".to_owned();
         for t in times {
-            let ([motor, load], place) = (self.driven(t), self.motion(t)[0] + 1e-6 * normal(random));
+            let ([motor, load], place) = (self.driven(t), self.waves.motion(t)[0] + 1e-6 * normal(random));
             let force = self.friction(t) + NOISE * most * normal(random);
             let _ = writeln!(text, "{t},{force},{place},{motor},{load}");
         }
@@ -94,6 +85,6 @@ impl Simulated for Servo {
     }
 
     fn truth(&self, one: &Estimate) -> Option<f64> {
-        self.values.iter().find(|(name, _)| *name == one.name).map(|(_, value)| *value)
+        truth(&self.values, one)
     }
 }

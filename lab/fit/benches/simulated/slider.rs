@@ -1,11 +1,10 @@
 //! Sliders with LuGre's law that move from rest along two sines, behind a load cell.
 
-use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use stribeck_fit::identify::{Estimate, Inquiry};
 
-use super::{Simulated, normal};
+use super::{Simulated, Waves, normal};
 
 /// A slider and its motion.
 pub struct Slider {
@@ -22,8 +21,7 @@ pub struct Slider {
     stiffness: f64,
     damping: f64,
     viscous: f64,
-    /// Stroke, m, and frequency, Hz, of each sine.
-    waves: [[f64; 2]; 2],
+    waves: Waves,
 }
 
 /// Of the samples, s; steps of the simulation in one of them; step of the encoder, m; noise as a part of the largest force.
@@ -39,21 +37,12 @@ impl Slider {
         let mut between = |low: f64, high: f64| low * f64::powf(high / low, random.f64());
         let [mass, load, kinetic] = [between(0.5, 5.0), between(5.0, 100.0), between(0.08, 0.4)];
         let excess = kinetic * between(0.15, 0.7);
-        let waves = [[between(2e-4, 1.5e-3), between(0.4, 1.5)], [between(5e-5, 2e-4), between(2.0, 5.0)]];
-        let speed = waves.iter().map(|[stroke, rate]| 0.5 * stroke * TAU * rate).sum::<f64>();
+        let waves = Waves([[between(2e-4, 1.5e-3), between(0.4, 1.5)], [between(5e-5, 2e-4), between(2.0, 5.0)]]);
+        let speed = waves.fastest();
         let stiffness = kinetic * load / between(2e-6, 2e-5);
         let damping = 2.0 * (stiffness * mass).sqrt() * between(0.1, 1.0);
         let viscous = between(0.02, 0.5) * kinetic * load / speed;
         Slider { mass, load, kinetic, excess, fall: speed * between(0.05, 0.4), stiffness, damping, viscous, waves }
-    }
-
-    /// Displacement, velocity and acceleration.
-    fn motion(&self, t: f64) -> [f64; 3] {
-        self.waves.iter().fold([0.0; 3], |[x, v, a], [stroke, rate]| {
-            let (rate, half) = (TAU * rate, 0.5 * stroke);
-            let (sine, cosine) = (rate * t).sin_cos();
-            [x + half * (1.0 - cosine), v + half * rate * sine, a + half * rate * rate * cosine]
-        })
     }
 
     /// dz/dt at a velocity.
@@ -64,7 +53,7 @@ impl Slider {
 
     /// The deflection a short time later (Runge and Kutta).
     fn later(&self, z: f64, t: f64, step: f64) -> f64 {
-        let v = [0.0, 0.5, 1.0].map(|part| self.motion(t + part * step)[1]);
+        let v = [0.0, 0.5, 1.0].map(|part| self.waves.motion(t + part * step)[1]);
         let first = self.yielding(z, v[0]);
         let second = self.yielding(z + 0.5 * step * first, v[1]);
         let third = self.yielding(z + 0.5 * step * second, v[1]);
@@ -77,7 +66,7 @@ impl Slider {
         let mut deflection = 0.0;
         let force = |at: u32| {
             let t = f64::from(at) * INTERVAL;
-            let [_, v, a] = self.motion(t);
+            let [_, v, a] = self.waves.motion(t);
             let friction = self.stiffness * deflection + self.damping * self.yielding(deflection, v) + self.viscous * v;
             let step = INTERVAL / f64::from(PARTS);
             for part in 0..PARTS {
@@ -102,7 +91,7 @@ impl Simulated for Slider {
         let mut text = "time [s],force [N],displacement [m]\n".to_owned();
         for (at, force) in forces.iter().enumerate() {
             let t = at as f64 * INTERVAL;
-            let place = (self.motion(t)[0] / ENCODER + zero).round() * ENCODER;
+            let place = (self.waves.motion(t)[0] / ENCODER + zero).round() * ENCODER;
             let _ = writeln!(text, "{t},{},{place}", force + NOISE * most * normal(random));
         }
         text

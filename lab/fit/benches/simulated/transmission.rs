@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use stribeck_fit::identify::{Estimate, Inquiry};
 
-use super::{Simulated, normal};
+use super::{Simulated, Waves, normal, truth, value};
 
 /// A rope over half a turn, or a gear, and its motion.
 pub struct Transmission {
@@ -15,8 +15,7 @@ pub struct Transmission {
     input: &'static str,
     swing: [f64; 3],
     values: Vec<(&'static str, f64)>,
-    /// Stroke, m, and frequency, Hz, of each sine.
-    waves: [[f64; 2]; 2],
+    waves: Waves,
 }
 
 /// Of the samples, s; pieces of the way in one of them; noise as a part of the largest force.
@@ -52,17 +51,17 @@ impl Transmission {
         random: &mut fastrand::Rng,
     ) -> Transmission {
         let mut between = |low: f64, high: f64| low * f64::powf(high / low, random.f64());
-        let waves = [[between(1e-3, 4e-3), between(0.5, 1.5)], [between(3e-4, 1e-3), between(4.0, 9.0)]];
-        values.push(("relaxation_distance", waves[0][0] * between(0.03, 0.2)));
+        let waves = Waves([[between(1e-3, 4e-3), between(0.5, 1.5)], [between(3e-4, 1e-3), between(4.0, 9.0)]]);
+        values.push(("relaxation_distance", waves.stroke() * between(0.03, 0.2)));
         Transmission { model, input, swing, values, waves }
     }
 
     fn value(&self, name: &str) -> f64 {
-        self.values.iter().find(|(known, _)| *known == name).map_or(f64::NAN, |(_, value)| *value)
+        value(&self.values, name)
     }
 
     fn displacement(&self, t: f64) -> f64 {
-        self.waves.iter().map(|[stroke, rate]| 0.5 * stroke * (1.0 - (TAU * rate * t).cos())).sum()
+        self.waves.motion(t)[0]
     }
 
     fn driven(&self, t: f64) -> f64 {
@@ -116,6 +115,6 @@ impl Simulated for Transmission {
     }
 
     fn truth(&self, one: &Estimate) -> Option<f64> {
-        self.values.iter().find(|(name, _)| *name == one.name).map(|(_, value)| *value)
+        truth(&self.values, one)
     }
 }
