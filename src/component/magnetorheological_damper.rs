@@ -114,7 +114,7 @@ crate::model! {
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; $gamma + beta <= 0$, with which the hysteresis has no bound; a step of
-    /// more than 400,000 pieces, such as one over hours.
+    /// more than 400,000 pieces, such as one over years.
     ///
     /// # Limits
     /// At constant voltage the damper is passive: it gives back no more than its springs and the hysteresis have
@@ -528,6 +528,18 @@ mod tests {
         assert!((100.0 * damper.state.z - expected[2]).abs() < 1e-5, "{} {}", damper.state.z, expected[2]);
         assert!((damper.friction_force / force - 1.0).abs() < 1e-5, "{} {force}", damper.friction_force);
         assert!((100.0 * damper.dissipated_energy / expected[4] - 1.0).abs() < 1e-5);
+    }
+
+    /// The decay to the level, 93,500 1/s, no longer counts once the level is reached.
+    #[test]
+    fn a_saturated_hysteresis_costs_few_pieces() {
+        let mut damper = MagnetorheologicalDamper { velocity: 1.0, ..Default::default() };
+        damper.step(3600.0);
+        // The slip has ended: y follows x at the distance at which k_0 and the hysteresis carry the dashpot.
+        let z_max = (301.0f64 / 7.26e6).sqrt();
+        let distance = (28_300.0 - 14_000.0 * z_max) / 4690.0;
+        assert!((damper.displacement - 3600.0).abs() < 1e-6);
+        assert!((damper.displacement - damper.y - distance).abs() < 1e-6, "{}", damper.displacement - damper.y);
     }
 
     /// A step ends or is given up, and then gives NaN, which an instance refuses.
