@@ -18,7 +18,7 @@ pub enum Frame {
     Unknown,
 }
 
-/// What is known of the operand that the last operator has left.
+/// The operand that the last operator has left, as far as it is known.
 #[derive(Clone, Copy)]
 enum Last {
     /// An address so many bytes below the end of the stack before the call.
@@ -28,7 +28,7 @@ enum Last {
     Other,
 }
 
-/// A function whose operators are looked at, from the first to the last.
+/// A search through the operators of a function, from the first to the last.
 pub struct FrameSearch {
     pub found: Frame,
     last: Last,
@@ -63,9 +63,10 @@ impl FrameSearch {
             }
             (Last::Below(at), Operator::I32Const { value }) => Last::Constant(at, *value),
             (Last::Constant(at, value), Operator::I32Sub) if value >= 0 => self.reach(at.saturating_add(value as u32)),
-            (Last::Constant(at, value), Operator::I32Add) if value >= 0 && value as u32 <= at => {
-                Last::Below(at - value as u32)
+            (Last::Constant(at, value), Operator::I32Add) if value < 0 => {
+                self.reach(at.saturating_add(value.unsigned_abs()))
             }
+            (Last::Constant(at, value), Operator::I32Add) if value as u32 <= at => Last::Below(at - value as u32),
             // An alignment to a power of two.
             (Last::Constant(at, value), Operator::I32And) if value < 0 && value.unsigned_abs().is_power_of_two() => {
                 self.reach(at.saturating_add(value.unsigned_abs() - 1))
@@ -133,6 +134,7 @@ mod tests {
         assert_eq!(frame(&begin), Frame::Bytes(48));
         assert_eq!(frame(&[&begin[..], &end].concat()), Frame::Bytes(48));
         assert_eq!(frame(&begin[..4]), Frame::Bytes(48), "below the end");
+        assert_eq!(frame(&[GET, I32Const { value: -48 }, I32Add]), Frame::Bytes(48), "below the end");
         assert_eq!(frame(&[begin.clone(), begin].concat()), Frame::Unknown);
         assert_eq!(frame(&[Operator::Nop, GET]), Frame::Bytes(0));
     }
