@@ -10,6 +10,7 @@ import tarfile
 import tomllib
 import zipfile
 from io import BytesIO
+from pathlib import Path
 
 import pytest
 
@@ -155,6 +156,15 @@ def test_paths_of_the_build_machine_are_found_within_archives(release, ending):
     inner = making.zipped({"library.so": b"..." + str(PROJECT).encode() + b"/src/lib.rs"})
     release.archive(f"x/kit-1.{ending}", {"a.fmu": inner}, "a kit")
     with pytest.raises(checks.Failed, match=rf"kit-1.{ending}: library.so contains"):
+        checks.places(release.folder, release.folder)
+
+
+def test_a_file_that_is_named_like_a_folder_of_this_machine_is_not_in_it(monkeypatch, release):
+    monkeypatch.setattr(making, "PROJECT", Path("/root"))
+    release.add("x/program", b"/crates/solver-1.0.0/src/root.rs", "a program")
+    checks.places(release.folder, release.folder)
+    release.add("x/program", b"/root/src/lib.rs", "a program")
+    with pytest.raises(checks.Failed, match="program contains /root/"):
         checks.places(release.folder, release.folder)
 
 
