@@ -543,8 +543,8 @@ def tolerances() -> None:
 
 @task("hours")
 def identified() -> None:
-    """How often the intervals of an identification hold the truth: 200 seeds of every law, and 200 joints and sliders
-    of simulators of their own; how fast its search is, and what a camera does to it. Goes on where it was ended."""
+    """How often the intervals of an identification hold the truth: 200 seeds of every law, and joints, sliders, mounts
+    and others of simulators of their own; how fast its search is, what a camera does to it. Goes on where it ended."""
     need_rust()
     run(sys.executable, "tests/identified.py")
 

@@ -173,7 +173,7 @@ export type Fittable = { name: string,
  */
 has_load: boolean, 
 /**
- * What drives it beside its motion and normal force.
+ * Quantities that drive it, beside its motion and normal force.
  */
 drives: Array<Drive>, };
 

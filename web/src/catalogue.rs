@@ -39,7 +39,7 @@ pub struct Fittable {
     name: &'static str,
     /// Whether a normal force presses it together; a component has none.
     has_load: bool,
-    /// What drives it beside its motion and normal force.
+    /// Quantities that drive it, beside its motion and normal force.
     drives: Vec<Drive>,
 }
 

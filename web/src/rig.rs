@@ -255,7 +255,7 @@ pub fn fit(asked: &Asked, files: &Texts, progress: &(dyn Fn(f64) -> bool + Sync)
     Ok(Answer::with(answer, arrays))
 }
 
-/// What the best law explains, as curves.
+/// Curves of the best law, and of the record that it was fitted to.
 #[derive(Default)]
 struct Explained {
     cycles: usize,

@@ -88,8 +88,8 @@ fn an_input_is_a_column_or_is_held() {
     assert!(refusal(&other, &plain).contains("voltage"), "{}", refusal(&other, &plain));
 }
 
-/// A rope of which the noise hides how a preload differs from a steeper growth: what helps is another tension, since there
-/// is no normal force.
+/// Noise hides the difference between a preload and a steeper growth of the tension. Another tension helps: a rope has no
+/// normal force.
 #[test]
 fn what_helps_a_component_is_another_value_of_its_input() {
     let level = |v: f64| 10.0 * (0.12 * std::f64::consts::PI * v.signum() * f64::from(v != 0.0)).exp_m1();
