@@ -13,9 +13,10 @@ sys.path.append(str(PROJECT / "tests" / "python"))
 import c_sources
 
 MODEL = "LuGre"
-# All models at -O2, or one at each level.
+# All models at -O2, or one at each level, and one of those in whose motions GCC's sums for ARM round wrongly.
 ALL = os.environ.get("STRIBECK_THOROUGH") == "1"
-CASES = [(name, "-O2") for name in c_sources.with_sources()] if ALL else [(MODEL, f"-O{level}") for level in (0, 2, 3)]
+FEW = [*((MODEL, f"-O{level}") for level in (0, 2, 3)), ("Threlfall", "-O2")]
+CASES = [(name, "-O2") for name in c_sources.with_sources()] if ALL else FEW
 CORTEX = PROJECT / "tests" / "sources" / "cortex_m"
 # No operating system: a start of its own, and files of the host by semihosting.
 BARE = ["--specs=rdimon.specs", f"-T{CORTEX / 'memory.ld'}", str(CORTEX / "start.c")]

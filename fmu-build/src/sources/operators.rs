@@ -89,8 +89,8 @@ fn of_floats(operator: &Operator) -> Option<Expression> {
     let test = |text| Some((&[F64, F64][..], I32, text));
     let one = |text| Some((&[F64][..], F64, text));
     match operator {
-        Operator::F64Add => two("({a} + {b})"),
-        Operator::F64Sub => two("({a} - {b})"),
+        Operator::F64Add => two("sum({a}, {b})"),
+        Operator::F64Sub => two("difference({a}, {b})"),
         Operator::F64Mul => two("({a} * {b})"),
         Operator::F64Div => two("({a} / {b})"),
         Operator::F64Min => two("least({a}, {b})"),

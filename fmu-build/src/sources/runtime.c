@@ -261,6 +261,53 @@ HELPER double most(double a, double b) {
     return a == b ? from_bits(to_bits(a) & to_bits(b)) : a > b ? a : b;
 }
 
+#if defined(__arm__) && !(defined(__ARM_FP) && (__ARM_FP & 8))
+/* The exponent of a number, and its digits before they are multiplied by a power of two. */
+static u32 exponent_of(u64 bits) {
+    u32 exponent = (u32)(bits >> 52) & 0x7ff;
+    return exponent ? exponent : 1;
+}
+
+static u64 digits_of(u64 bits) {
+    u64 fraction = (UINT64_C(1) << 52) - 1;
+    return (bits & fraction) | (bits >> 52 & 0x7ff ? fraction + 1 : 0);
+}
+
+/* The sum of finite numbers of opposite signs, of which the large one has an exponent that is greater by 33. */
+static double distant_sum(u64 large, u64 small) {
+    u64 exponent = exponent_of(large) - 1, part = digits_of(small), result;
+    /* Eleven digits more than the result has; the last one stands for all behind it. */
+    u64 digits = (digits_of(large) << 11) - (part >> 22);
+    if (part << 42)
+        digits = (digits - 1) | 1;
+    if (!(digits >> 63)) {
+        digits <<= 1;
+        exponent -= 1;
+    }
+    result = (exponent << 52) + (digits >> 11);
+    if ((digits & 0x7ff) > 0x400 || ((digits & 0x7ff) == 0x400 && (result & 1)))
+        result += 1;
+    return from_bits((large >> 63 << 63) | result);
+}
+
+/* Where the processor has no double, a library computes it. GCC's for ARM rounds a difference wrongly if the digits of
+ * one number are shifted by 33, and those of the result by one. */
+static double sum(double a, double b) {
+    u64 x = to_bits(a), y = to_bits(b);
+    u32 i = exponent_of(x), j = exponent_of(y);
+    if ((x ^ y) >> 63 && i == j + 33 && i != 0x7ff)
+        return distant_sum(x, y);
+    if ((x ^ y) >> 63 && j == i + 33 && j != 0x7ff)
+        return distant_sum(y, x);
+    return a + b;
+}
+
+#define difference(a, b) sum(a, -(b))
+#else
+#define sum(a, b) ((a) + (b))
+#define difference(a, b) ((a) - (b))
+#endif
+
 /* Whether this target computes as the library does: rounding twice in a * b + c, to nearest, with small numbers. */
 SELDOM static int computes_alike(void) {
     volatile double a = 1.0 + 0x1p-27, c = 1.0 + 0x1p-26, least_normal = DBL_MIN, one = 1.0, half_digit = 0x1p-53;
