@@ -22,8 +22,9 @@ fn main() {
     fs::write(out.join("model.rs"), text).expect("the folder can be written");
     if env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|architecture| architecture == "wasm32") {
         let stack = env::var("STRIBECK_STACK").unwrap_or("65536".into());
-        // The stack is first, so that one that is too small is noticed; the heap base is the end of the memory in use.
-        for argument in ["--stack-first", "--export=__heap_base", &format!("-zstack-size={stack}")] {
+        // The stack is first, so that one that is too small is noticed; the heap base is the end of the memory in use; what
+        // refers to data and functions is listed.
+        for argument in ["--stack-first", "--export=__heap_base", "--emit-relocs", &format!("-zstack-size={stack}")] {
             println!("cargo:rustc-link-arg={argument}");
         }
     }

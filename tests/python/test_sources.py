@@ -76,6 +76,16 @@ def test_sources_have_the_bits_of_the_library(sources, way, model):
         print(f"{model}, {' '.join(way)}: {answered} of 2000 steps with drawn parameters are accepted")
 
 
+def test_sources_hold_no_data_that_nothing_reads(sources):
+    """What a panic says, and the files that it names, are read by nobody."""
+    source = headers(sources("LuGre"))["LuGre"].with_suffix(".c").read_text()
+    numbers = source.partition("u8 data[] = {")[2].partition("}")[0].replace("\n", "").split(",")
+    data = bytes(int(number) for number in numbers if number.strip())
+    assert b"stribeck_velocity" in data
+    for text in (b"assertion", b"/rustc/", b".rs", b"slice"):
+        assert text not in data, text
+
+
 def test_sources_refuse_other_arithmetic_and_bad_values(sources):
     """An example, with the statuses of its refusals."""
     sources = sources("LuGre")

@@ -4,12 +4,15 @@
 //! instance as broken and returns; whoever has called a function that may trap looks, and returns too.
 
 use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::mem;
 
 use anyhow::{Context, Result, bail, ensure};
 use wasmparser::{BrTable, Operator};
 
 use super::frame::{Frame, FrameSearch};
 use super::kind::Kind;
+use super::links::Target;
 use super::module::Module;
 use super::operators::{division, expression, load, store};
 use super::stack::{Operand, Stack};
@@ -48,16 +51,34 @@ pub struct Function<'a> {
     skipped: Option<usize>,
     /// Statement in C that follows a trap.
     exit: &'static str,
+    /// What the statements since the last jump, label or brace need.
+    recent: Needs,
     pub facts: Facts,
+}
+
+/// What statements need.
+#[derive(Default)]
+pub struct Needs {
+    /// Functions that are called.
+    pub functions: BTreeSet<u32>,
+    /// Types of the functions that are called by number.
+    pub kinds: BTreeSet<u32>,
+    /// What has an address that is used.
+    pub targets: BTreeSet<Target>,
+}
+
+impl Needs {
+    fn append(&mut self, mut others: Needs) {
+        self.functions.append(&mut others.functions);
+        self.kinds.append(&mut others.kinds);
+        self.targets.append(&mut others.targets);
+    }
 }
 
 /// Facts about a function that its callers need to know.
 #[derive(Default)]
 pub struct Facts {
-    /// Functions that it calls.
-    pub calls: BTreeSet<u32>,
-    /// Types of the functions that it calls by number.
-    pub kinds: BTreeSet<u32>,
+    pub needs: Needs,
     /// Whether it traps by itself, the stack apart.
     pub traps: bool,
     /// Whether it ever returns.
@@ -102,6 +123,7 @@ impl<'a> Function<'a> {
             labels: 0,
             skipped: None,
             exit: "return;",
+            recent: Needs::default(),
             facts: Facts::default(),
         };
         let text = this.translate(function).with_context(|| format!("function {function}"))?;
@@ -125,24 +147,38 @@ impl<'a> Function<'a> {
         }
         self.open(false, false, result);
         let mut frame = FrameSearch::default();
-        for operator in body.get_operators_reader()? {
-            let operator = operator?;
+        let mut operators = body.get_operators_reader()?;
+        while !operators.eof() {
+            let begin = operators.original_position();
+            let operator = operators.read()?;
             frame.add(&operator);
             self.add(&operator)?;
+            if self.skipped.is_none() {
+                self.recent.targets.extend(module.links.of(begin..operators.original_position()));
+            }
         }
+        self.facts.needs.append(mem::take(&mut self.recent));
         self.facts.frame = frame.found;
         self.facts.variables = self.locals.len() + self.stack.variables.len();
-        let mut text = format!("static {} {{\n", signature(module, function, true)?);
-        for (at, kind) in self.locals.iter().enumerate().skip(arguments) {
-            text.push_str(&format!("  {} l{at} = 0;\n", kind.c()));
+        let head = signature(module, function, true)?;
+        Ok(format!("static {head} {{\n{}  (void)m;\n{}}}\n", self.declarations(arguments), self.stack.text))
+    }
+
+    /// The variables that the statements use. Compilers warn of those that are not read.
+    fn declarations(&self, arguments: usize) -> String {
+        let (mut text, mut ignored) = (String::new(), String::new());
+        let locals = self.locals.iter().zip(0..).map(|(kind, at)| (kind, format!("l{at}")));
+        let operands = self.stack.variables.iter().map(|(kind, place)| (kind, format!("{}{place}", kind.letter())));
+        for (at, (kind, name)) in locals.chain(operands).enumerate() {
+            let (is_used, is_read) = uses(&self.stack.text, &name);
+            if at >= arguments && is_used {
+                let _ = writeln!(text, "  {} {name} = 0;", kind.c());
+            }
+            if !is_read && (is_used || at < arguments) {
+                let _ = writeln!(ignored, "  (void){name};");
+            }
         }
-        for (kind, place) in &self.stack.variables {
-            text.push_str(&format!("  {} {}{place} = 0;\n", kind.c(), kind.letter()));
-        }
-        // Not each of them is read.
-        let mut rest: String = (0..arguments).map(|at| format!("  (void)l{at};\n")).collect();
-        rest.extend(self.stack.variables.iter().map(|(kind, place)| format!("  (void){}{place};\n", kind.letter())));
-        Ok(format!("{text}{rest}  (void)m;\n{}}}\n", self.stack.text))
+        text + &ignored
     }
 
     fn open(&mut self, is_loop: bool, is_if: bool, result: Option<Kind>) {
@@ -285,7 +321,7 @@ impl<'a> Function<'a> {
             self.trap();
             return Ok(());
         }
-        self.facts.calls.insert(function);
+        self.recent.functions.insert(function);
         self.finish_call(format!("{}({arguments})", name(function)), kind.results())?;
         if self.rules.traps.contains(&function) {
             self.return_if_broken();
@@ -295,7 +331,7 @@ impl<'a> Function<'a> {
 
     fn call_by_number(&mut self, kind: u32) -> Result<()> {
         let kind = self.module.kind_of(kind);
-        self.facts.kinds.insert(kind);
+        self.recent.kinds.insert(kind);
         self.facts.traps = true;
         let number = self.stack.pop();
         let function = &self.module.types[kind as usize];
@@ -305,11 +341,20 @@ impl<'a> Function<'a> {
         Ok(())
     }
 
+    /// What leads here has no effect: nobody looks into a broken instance, or reads what a panic says.
     fn trap(&mut self) {
         self.facts.traps = true;
+        self.recent = Needs::default();
+        self.stack.forget();
         self.stack.line("trap(m);");
-        self.stack.line(self.exit);
+        self.turn(self.exit);
         self.skipped = Some(0);
+    }
+
+    /// Writes a line from which or to which control jumps: what stands before it is needed.
+    fn turn(&mut self, line: impl AsRef<str>) {
+        self.facts.needs.append(mem::take(&mut self.recent));
+        self.stack.turn(line);
     }
 
     fn return_if_broken(&mut self) {
@@ -339,12 +384,12 @@ impl<'a> Function<'a> {
                 self.open(true, false, Kind::of_block(*blockty)?);
                 // A label that nothing jumps to is a warning only.
                 let label = self.labels;
-                self.stack.line(format!("L{label}:;"));
+                self.turn(format!("L{label}:;"));
             }
             Operator::If { blockty } => {
                 let condition = self.stack.pop();
                 self.stack.settle();
-                self.stack.line(format!("if ({}) {{", condition.text));
+                self.turn(format!("if ({}) {{", condition.text));
                 self.open(false, true, Kind::of_block(*blockty)?);
                 self.stack.depth += 1;
             }
@@ -370,17 +415,17 @@ impl<'a> Function<'a> {
         self.stack.truncate(height);
         if is_else {
             self.stack.depth -= 1;
-            self.stack.line("} else {");
+            self.turn("} else {");
             self.stack.depth += 1;
             self.blocks.push(Block { label, is_loop, is_if, height, result, is_target });
             return Ok(());
         }
         if is_if {
             self.stack.depth -= 1;
-            self.stack.line("}");
+            self.turn("}");
         }
         if is_target && !is_loop {
-            self.stack.line(format!("L{label}:;"));
+            self.turn(format!("L{label}:;"));
         }
         self.facts.returns = self.blocks.is_empty() && (is_reached || is_target);
         if let Some(kind) = result {
@@ -415,11 +460,11 @@ impl<'a> Function<'a> {
             Operator::BrIf { relative_depth } => {
                 let condition = self.stack.pop();
                 self.stack.settle();
-                self.stack.line(format!("if ({}) {{", condition.text));
+                self.turn(format!("if ({}) {{", condition.text));
                 self.stack.depth += 1;
                 self.jump(*relative_depth as usize)?;
                 self.stack.depth -= 1;
-                self.stack.line("}");
+                self.turn("}");
             }
             Operator::BrTable { targets } => {
                 self.switch(targets)?;
@@ -440,25 +485,36 @@ impl<'a> Function<'a> {
             self.stack.push(value);
         }
         self.blocks[at].is_target = true;
-        self.stack.line(format!("goto L{label};"));
+        self.turn(format!("goto L{label};"));
         Ok(())
     }
 
     fn switch(&mut self, targets: &BrTable) -> Result<()> {
         let number = self.stack.pop();
         self.stack.settle();
-        self.stack.line(format!("switch ({}) {{", number.text));
+        self.turn(format!("switch ({}) {{", number.text));
         self.stack.depth += 1;
         for (number, target) in targets.targets().enumerate() {
-            self.stack.line(format!("case {number}:"));
+            self.turn(format!("case {number}:"));
             self.jump(target? as usize)?;
         }
-        self.stack.line("default:");
+        self.turn("default:");
         self.jump(targets.default() as usize)?;
         self.stack.depth -= 1;
-        self.stack.line("}");
+        self.turn("}");
         Ok(())
     }
+}
+
+/// Whether statements use a variable, and whether they read it.
+fn uses(text: &str, name: &str) -> (bool, bool) {
+    let is_of_name = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
+    let parts = text.match_indices(name).map(|(at, _)| (&text[..at], &text[at + name.len()..]));
+    let mut rests = parts
+        .filter(|(before, rest)| !before.ends_with(is_of_name) && !rest.starts_with(is_of_name))
+        .map(|(_, rest)| rest)
+        .peekable();
+    (rests.peek().is_some(), rests.any(|rest| !rest.starts_with(" = ")))
 }
 
 /// A number in C, exactly: in hexadecimal digits, or by its bits if it is not finite.
@@ -471,4 +527,17 @@ pub fn double(value: f64) -> String {
     let (lead, power) = if exponent == 0 { (0, -1022) } else { (1, exponent as i64 - 1023) };
     let text = if mantissa == 0 && lead == 0 { "0.0".to_owned() } else { format!("0x{lead}.{mantissa:013x}p{power}") };
     if sign == 1 { format!("(-{text})") } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn variables_are_told_from_what_contains_their_names() {
+        assert_eq!(uses("l4 = load8(m, l14, 4u);", "l4"), (true, false));
+        assert_eq!(uses("l4 = load8(m, l14, 4u);", "d8"), (false, false));
+        assert_eq!(uses("l4 = 1u;\n  if (l4 == 2u) {", "l4"), (true, true));
+        assert_eq!(uses("l5 = l4 + 1u;", "l4"), (true, true));
+    }
 }

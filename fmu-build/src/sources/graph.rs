@@ -6,15 +6,18 @@ use anyhow::{Context, Result};
 
 use super::frame::Frame;
 use super::function::{Facts, Function, Rules};
+use super::links::Target;
 use super::module::Module;
 
 /// Bytes of C's stack that a call takes beside variables: registers, the return address, and a function of the runtime.
 const BESIDE_VARIABLES: u32 = 128;
 
-/// The functions that some of a module need: those that they call, and those of the types that are called by number.
+/// What some functions of a module need: those that they call, also by number, and data.
 pub struct Graph<'a> {
     module: &'a Module<'a>,
     pub functions: BTreeMap<u32, Facts>,
+    /// What has an address that is used.
+    pub targets: BTreeSet<Target>,
     /// The function that writes texts, if nobody reads them: it writes nothing, and its callers take that for success.
     silent: Option<u32>,
     /// Functions that never return.
@@ -25,33 +28,52 @@ impl Graph<'_> {
     /// The functions that these need. What a panic says is not needed: nobody reads it.
     pub fn of<'a>(module: &'a Module<'a>, roots: &[u32], with_texts: bool) -> Result<Graph<'a>> {
         let silent = if with_texts { None } else { Some(module.writer.context("no function writes texts")?) };
-        let mut graph = Graph { module, functions: BTreeMap::new(), silent, endless: endless(module) };
+        let functions = BTreeMap::new();
+        let mut graph = Graph { module, functions, targets: BTreeSet::new(), silent, endless: endless(module) };
         let rules = Rules { endless: graph.endless.clone(), ..Rules::default() };
         let mut waiting = roots.to_vec();
-        while let Some(at) = waiting.pop() {
-            if graph.functions.contains_key(&at) {
-                continue;
+        while !waiting.is_empty() {
+            while let Some(at) = waiting.pop() {
+                let facts = if silent == Some(at) { Facts::default() } else { Function::of(module, at, &rules)?.0 };
+                waiting.extend(&facts.needs.functions);
+                graph.add_targets(&facts.needs.targets);
+                graph.functions.insert(at, facts);
+                waiting.retain(|at| !graph.functions.contains_key(at));
             }
-            let facts = if silent == Some(at) { Facts::default() } else { Function::of(module, at, &rules)?.0 };
-            waiting.extend(&facts.calls);
-            waiting.extend(facts.kinds.iter().flat_map(|kind| graph.of_kind(*kind).into_values()));
-            graph.functions.insert(at, facts);
+            // A call by number may be one of a function whose address was found later.
+            waiting = graph.by_number().into_values().flat_map(BTreeMap::into_values).collect();
+            waiting.retain(|at| !graph.functions.contains_key(at));
         }
         Ok(graph)
+    }
+
+    /// Adds what has an address, and that to which it refers.
+    fn add_targets(&mut self, targets: &BTreeSet<Target>) {
+        let mut waiting: Vec<Target> = targets.iter().copied().collect();
+        while let Some(target) = waiting.pop() {
+            if self.targets.insert(target)
+                && let Target::Data(symbol) = target
+            {
+                waiting.extend(self.module.links.of(self.module.links.part(symbol)));
+            }
+        }
     }
 
     /// Functions of a type that are called by number, by their numbers.
     fn of_kind(&self, kind: u32) -> BTreeMap<u32, u32> {
         let is_of = |at: u32| {
             let is_silent = self.silent.is_some() && self.module.formatters.contains(&at);
-            !is_silent && self.module.kind_of(self.module.functions[at as usize]) == kind
+            !is_silent
+                && self.targets.contains(&Target::Function(at))
+                && self.module.kind_of(self.module.functions[at as usize]) == kind
         };
         self.module.table.iter().map(|(number, at)| (*number, *at)).filter(|(_, at)| is_of(*at)).collect()
     }
 
     /// The types whose functions are called by number, and those functions.
     pub fn by_number(&self) -> BTreeMap<u32, BTreeMap<u32, u32>> {
-        let kinds: BTreeSet<u32> = self.functions.values().flat_map(|facts| facts.kinds.iter().copied()).collect();
+        let kinds: BTreeSet<u32> =
+            self.functions.values().flat_map(|facts| facts.needs.kinds.iter().copied()).collect();
         kinds.into_iter().map(|kind| (kind, self.of_kind(kind))).collect()
     }
 
@@ -62,8 +84,8 @@ impl Graph<'_> {
 
     fn callees(&self, function: u32) -> BTreeSet<u32> {
         let facts = &self.functions[&function];
-        let by_number = facts.kinds.iter().flat_map(|kind| self.of_kind(*kind).into_values());
-        facts.calls.iter().copied().chain(by_number).collect()
+        let by_number = facts.needs.kinds.iter().flat_map(|kind| self.of_kind(*kind).into_values());
+        facts.needs.functions.iter().copied().chain(by_number).collect()
     }
 
     /// Bytes of the module's stack that calls of these functions need at most; none if that is not known.
@@ -112,7 +134,7 @@ impl Graph<'_> {
             traps.extend(self.functions.iter().filter(|(_, facts)| facts.frame != Frame::None).map(|(at, _)| *at));
         }
         loop {
-            let calls_one = |facts: &Facts| !facts.calls.is_disjoint(&traps);
+            let calls_one = |facts: &Facts| !facts.needs.functions.is_disjoint(&traps);
             let more: Vec<u32> =
                 self.functions.iter().filter(|(_, facts)| calls_one(facts)).map(|(at, _)| *at).collect();
             let before = traps.len();

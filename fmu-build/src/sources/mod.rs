@@ -20,6 +20,8 @@ mod frame;
 mod function;
 mod graph;
 mod kind;
+mod links;
+mod memory;
 mod module;
 mod operators;
 mod program;

@@ -8,11 +8,21 @@ use wasmparser::{
     Name, NameSectionReader, Operator, Parser, Payload,
 };
 
+use super::links::Links;
+
 /// Largest alignment in the memory of a module.
 pub const ALIGNMENT: u32 = 16;
 
 /// Start of the heap, as the linker names it: from here on nothing is used, because the module has its own room.
 const END: &str = "__heap_base";
+
+/// Start values of a part of the memory.
+pub struct Part<'a> {
+    pub address: u32,
+    /// Bytes of the module before them.
+    pub place: u64,
+    pub bytes: &'a [u8],
+}
 
 /// A module without imports, whose memory does not grow.
 #[derive(Default)]
@@ -25,8 +35,8 @@ pub struct Module<'a> {
     pub bodies: Vec<FunctionBody<'a>>,
     /// Start values of the globals, all of them i32.
     pub globals: Vec<u32>,
-    /// Start values of parts of the memory, with their addresses.
-    pub data: Vec<(u32, &'a [u8])>,
+    pub data: Vec<Part<'a>>,
+    pub links: Links,
     /// Functions that are called by number: number and function.
     pub table: BTreeMap<u32, u32>,
     /// The function through which Rust writes all formatted texts.
@@ -43,9 +53,14 @@ impl<'a> Module<'a> {
     pub fn of(bytes: &'a [u8]) -> Result<Module<'a>> {
         let mut module = Module::default();
         for payload in Parser::new(0).parse_all(bytes) {
-            module.add(payload.context("not a WebAssembly module")?)?;
+            let payload = payload.context("not a WebAssembly module")?;
+            if let Some((_, range)) = payload.as_section() {
+                module.links.begin_section(range.start);
+            }
+            module.add(payload)?;
         }
         ensure!(module.functions.len() == module.bodies.len(), "a function has no body");
+        ensure!(!module.links.is_empty(), "the linker has not listed what refers to data and functions");
         Ok(module)
     }
 
@@ -99,11 +114,10 @@ impl<'a> Module<'a> {
                     self.add_data(&data?)?;
                 }
             }
-            Payload::CustomSection(section) => {
-                if let KnownCustom::Name(names) = section.as_known() {
-                    self.add_names(names)?;
-                }
-            }
+            Payload::CustomSection(section) => match section.as_known() {
+                KnownCustom::Name(names) => self.add_names(names)?,
+                other => self.links.add(other)?,
+            },
             Payload::CodeSectionEntry(body) => self.bodies.push(body),
             _ => {}
         }
@@ -138,7 +152,9 @@ impl<'a> Module<'a> {
         let DataKind::Active { memory_index: 0, offset_expr } = &data.kind else {
             bail!("data that are copied later are not supported");
         };
-        self.data.push((constant(offset_expr)?, data.data));
+        let place = data.range.end - data.data.len() as u64;
+        self.links.begin_data(place);
+        self.data.push(Part { address: constant(offset_expr)?, place, bytes: data.data });
         Ok(())
     }
 

@@ -8,6 +8,7 @@ use anyhow::{Context, Result};
 use super::function::{self, Function};
 use super::graph::Graph;
 use super::kind::Kind;
+use super::memory;
 use super::module::{ALIGNMENT, Module};
 
 /// The runtime, in C.
@@ -52,7 +53,7 @@ pub fn of(bytes: &[u8], exports: &[String], with_texts: bool) -> Result<Program>
             None => Function::of(&module, *function, &rules)?.1,
         });
     }
-    text.push_str(&creation(&module, &layout)?);
+    text.push_str(&creation(&module, &graph, &layout)?);
     for (name, at) in exports.iter().zip(&roots) {
         writeln!(text, "#define {name} {}", function::name(*at))?;
     }
@@ -139,26 +140,29 @@ fn by_number(module: &Module, kind: u32, functions: &BTreeMap<u32, u32>) -> Resu
 }
 
 /// The memory as it is at first.
-fn creation(module: &Module, layout: &Layout) -> Result<String> {
-    let mut text = String::new();
-    for (at, (_, data)) in module.data.iter().enumerate() {
-        write!(text, "\nstatic const u8 data{at}[] = {{")?;
-        // The rest of the memory is zero.
-        let end = data.iter().rposition(|byte| *byte != 0).map_or(1, |last| last + 1);
-        for line in data[..end].chunks(LINE) {
-            let bytes: Vec<String> = line.iter().map(u8::to_string).collect();
-            write!(text, "\n  {},", bytes.join(","))?;
-        }
-        text.push_str("\n};\n");
+fn creation(module: &Module, graph: &Graph, layout: &Layout) -> Result<String> {
+    let data = memory::parts(module, &graph.targets);
+    let mut text =
+        String::from("\n/* Addresses of the parts of the memory that are not zero at first, and their bytes. */");
+    text.push_str("\nstatic const u32 parts[][2] = {\n");
+    for (address, bytes) in &data {
+        let place = address.checked_sub(layout.unused()).context("data before the stack")?;
+        writeln!(text, "  {{{place}u, {}u}},", bytes.len())?;
     }
-    text.push_str("\nSELDOM static void create_module(struct module *m) {\n  memset(m, 0, sizeof *m);\n");
+    text.push_str("};\n\nstatic const u8 data[] = {");
+    let bytes: Vec<u8> = data.into_iter().flat_map(|(_, bytes)| bytes).collect();
+    for line in bytes.chunks(LINE) {
+        let bytes: Vec<String> = line.iter().map(u8::to_string).collect();
+        write!(text, "\n  {},", bytes.join(","))?;
+    }
+    text.push_str(
+        "\n};\n\nSELDOM static void create_module(struct module *m) {\n  const u8 *from = data;\n  size_t at;\n",
+    );
+    text.push_str("  memset(m, 0, sizeof *m);\n");
     for (at, value) in module.globals.iter().enumerate() {
         writeln!(text, "  m->g{at} = {value}u;")?;
     }
-    for (at, (address, _)) in module.data.iter().enumerate() {
-        let place = address.checked_sub(layout.unused()).context("data before the stack")?;
-        writeln!(text, "  memcpy(m->memory + {place}u, data{at}, sizeof data{at});")?;
-    }
-    text.push_str("}\n\n");
+    text.push_str("  for (at = 0; at < sizeof parts / sizeof *parts; at++) {\n");
+    text.push_str("    memcpy(m->memory + parts[at][0], from, parts[at][1]);\n    from += parts[at][1];\n  }\n}\n\n");
     Ok(text)
 }

@@ -46,6 +46,8 @@ pub struct Stack {
     pub depth: usize,
     /// Variables of operands: kind and place.
     pub variables: Vec<(Kind, usize)>,
+    /// Length of the text at the last jump, label or brace.
+    straight: usize,
 }
 
 impl Stack {
@@ -55,6 +57,17 @@ impl Stack {
 
     pub fn line(&mut self, text: impl AsRef<str>) {
         let _ = writeln!(self.text, "{:1$}{2}", "", 2 * (self.depth + 1), text.as_ref());
+    }
+
+    /// A line that is a jump, a label or a brace: what follows is executed one after another from here on.
+    pub fn turn(&mut self, text: impl AsRef<str>) {
+        self.line(text);
+        self.straight = self.text.len();
+    }
+
+    /// Removes the statements since the last jump, label or brace.
+    pub fn forget(&mut self) {
+        self.text.truncate(self.straight);
     }
 
     pub fn push(&mut self, operand: Operand) {
