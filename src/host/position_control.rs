@@ -2,7 +2,7 @@ use crate::contact::conditions::not_below;
 use crate::host::oscillator::undamped;
 use crate::laws::stribeck;
 use crate::model::{Brief, Derivatives, Fault, Law, Meaning, Model, ModelExchange, boolean, integrate, ramp, real};
-use crate::number::elementary::pow;
+use crate::number::elementary::{self, pow};
 use crate::number::{Real, choose};
 use crate::numerics::exponential::exp_m1;
 
@@ -45,6 +45,12 @@ crate::model! {
     /// v_n = (x_n - x_(n-1)) / T       at first 0
     /// u_n = -k_v (v_n - v_d) - k_p (x_n - x_d) - k_i e_I + m a_d + f_c
     /// e_I is then raised by T (x_n - x_d)
+    /// ```
+    ///
+    /// Its observer computes f_c from v_n and x_n - x_d, and then solves its equation for them over the time T:
+    ///
+    /// ```text
+    /// z is then raised by T dz/dt (1 - exp(-a)) / a,   a = T sigma_0 |v_n| / g(v_n)
     /// ```
     ///
     /// | symbol  | variable              | unit    | meaning                                            |
@@ -97,9 +103,9 @@ crate::model! {
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; with the observer, `breakaway_force` < `kinetic_force`, a `kinetic_force`
-    /// of 0, a `sample_time`, or a step that would need more than 500,000 pieces; a `sample_time` below 1 us, a step
-    /// with more than 10 million samples, and Model Exchange of a sampled controller; an `encoder_resolution` without a
-    /// `sample_time`.
+    /// of 0, or, without a sample time, a step that would need more than 500,000 pieces; a `sample_time` below 1 us, a
+    /// step with more than 10 million samples, and Model Exchange of a sampled controller; an `encoder_resolution`
+    /// without a `sample_time`.
     ///
     /// # Limits
     /// The drive is stiff, its force has no limit, and the travel has no stops. The closed loop is stable without
@@ -193,9 +199,10 @@ crate::model! {
     }
 }
 
-/// A sample of the controller: position as the encoder shows it, error, and force.
+/// A sample of the controller: position as the encoder shows it, velocity, error, and force.
 struct Sample<T> {
     position: T,
+    velocity: T,
     error: T,
     force: T,
 }
@@ -205,32 +212,34 @@ impl<T: Real> PositionControl<T> {
         self.position - self.target_position
     }
 
-    /// Rate of the estimated deflection.
+    /// Rate of the estimated deflection of a continuous controller.
     fn estimate_rate(&self) -> T {
-        choose!(Compensation::Observer.is(self.compensation), self.observed_rate(), T::zero())
+        let observes = Compensation::Observer.is(self.compensation);
+        let rate = choose!(observes, self.observed_rate(self.velocity, self.error()), T::zero());
+        choose!(self.is_continuous(), rate, T::zero())
     }
 
-    fn observed_rate(&self) -> T {
-        let level = stribeck::level(
-            self.velocity,
-            self.kinetic_force,
-            self.breakaway_force,
-            self.stribeck_velocity,
-            T::from(2.0),
-        );
-        let slips = self.sigma_0 * self.velocity.abs() * self.deflection_estimate / level;
-        self.velocity - slips - self.observer_gain * self.error()
+    /// Level of friction at a velocity, as the observer assumes it.
+    fn level(&self, velocity: T) -> T {
+        let [kinetic, breakaway] = [self.kinetic_force, self.breakaway_force];
+        stribeck::level(velocity, kinetic, breakaway, self.stribeck_velocity, T::from(2.0))
     }
 
-    /// Friction that the controller compensates for.
-    fn compensated(&self) -> T {
+    /// Rate of the estimated deflection at a velocity and a position error.
+    fn observed_rate(&self, velocity: T, error: T) -> T {
+        let slips = self.sigma_0 * velocity.abs() * self.deflection_estimate / self.level(velocity);
+        velocity - slips - self.observer_gain * error
+    }
+
+    /// Friction that the controller compensates for at a velocity and a position error.
+    fn compensated(&self, velocity: T, error: T) -> T {
         let fed_forward =
             self.kinetic_force * self.target_velocity.sign() + self.viscous_coefficient * self.target_velocity;
         choose!(
             Compensation::Observer.is(self.compensation),
             self.sigma_0 * self.deflection_estimate
-                + self.sigma_1 * self.observed_rate()
-                + self.viscous_coefficient * self.velocity,
+                + self.sigma_1 * self.observed_rate(velocity, error)
+                + self.viscous_coefficient * velocity,
             choose!(Compensation::FeedForward.is(self.compensation), fed_forward, T::zero())
         )
     }
@@ -265,12 +274,13 @@ impl<T: Real> PositionControl<T> {
         let position = choose!(resolution.is_positive(), counted, self.position);
         let before = choose!(self.started.vanishes(), position, self.sampled_position);
         let error = position - self.target_position;
-        Sample { position, error, force: self.command((position - before) / self.sample_time, error) }
+        let velocity = (position - before) / self.sample_time;
+        Sample { position, velocity, error, force: self.command(velocity, error) }
     }
 
     /// Force that the controller computes from the velocity and the position error that it sees.
     fn command(&self, velocity: T, error: T) -> T {
-        self.mass * self.target_acceleration + self.compensated()
+        self.mass * self.target_acceleration + self.compensated(velocity, error)
             - self.velocity_gain * (velocity - self.target_velocity)
             - self.proportional_gain * error
             - self.integral_gain * self.error_integral
@@ -348,9 +358,14 @@ impl PositionControl {
 
     /// Samples position and target.
     fn sample(&mut self) {
-        let Sample { position, error, force } = self.sampled();
+        let Sample { position, velocity, error, force } = self.sampled();
         (self.held_force, self.sampled_position, self.started) = (force, position, 1.0);
         self.error_integral += self.sample_time * error;
+        if self.observes() {
+            let slips = self.sample_time * self.sigma_0 * velocity.abs() / self.level(velocity);
+            let part = if slips > 0.0 { -elementary::exp_m1(-slips) / slips } else { 1.0 };
+            self.deflection_estimate += self.sample_time * self.observed_rate(velocity, error) * part;
+        }
         self.time_to_sample = self.sample_time;
     }
 
@@ -424,9 +439,6 @@ impl Model for PositionControl {
         let fault = |limit: &str| Err(Fault::new(format_args!("sample_time = {sample_time}: must be {limit}")));
         if sample_time > 0.0 && sample_time < SHORTEST {
             return fault("0 or >= 0.000001");
-        }
-        if sample_time > 0.0 && self.observes() {
-            return fault("0 with compensation = Observer");
         }
         if resolution > 0.0 && sample_time == 0.0 {
             return Err(Fault::new(format_args!("encoder_resolution = {resolution}: must be 0 with sample_time = 0")));
