@@ -69,9 +69,9 @@ crate::model! {
     /// and $w$ are constant, and otherwise a quadrature with a relative error below 1e-10.
     ///
     /// A solver that keeps the past, as the workbench does, integrates the law by its rates: $w$ comes from the motion
-    /// that it has found, no step is longer than $tau_L$, and the law changes at events. While the contact slips, only
-    /// the sign of $z$ has a meaning then; a displacement that a falling load cuts follows within 0.1 ms, its force at
-    /// once. Model Exchange is not offered, because no importer gives the past.
+    /// that it has found, no step in which the contact slips is longer than $tau_L$, and the law changes at events.
+    /// While the contact slips, only the sign of $z$ has a meaning then; a displacement that a falling load cuts follows
+    /// within 0.1 ms, its force at once. Model Exchange is not offered, because no importer gives the past.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
@@ -498,8 +498,9 @@ impl Model for Armstrong {
     }
 
     fn past(&self) -> Option<Past> {
-        let now = if self.is_slipping() { self.velocity } else { 0.0 };
-        Some(Past { lag: self.time_lag, now, before: 0.0, is_kept: true })
+        let rests = !self.is_slipping();
+        let now = if rests { 0.0 } else { self.velocity };
+        Some(Past { lag: self.time_lag, now, before: 0.0, is_kept: true, rests })
     }
 
     fn step(&mut self, dt: f64) {

@@ -369,6 +369,7 @@ impl Model for FrictionalLag {
             now: self.velocity,
             before: self.lagged_velocity,
             is_kept: self.has_past != 0.0,
+            rests: false,
         };
         is_delayed.then_some(past)
     }

@@ -210,6 +210,8 @@ pub struct Past {
     pub before: f64,
     /// Whether it remembers: without a load it has no past.
     pub is_kept: bool,
+    /// Whether, until the next event, the quantity keeps its present value and no rate depends on its past.
+    pub rests: bool,
 }
 
 /// A model that only its own steps advance.

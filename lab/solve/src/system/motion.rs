@@ -200,7 +200,7 @@ impl Motion {
             match (self.past(line), before) {
                 (Some(past), Some(before)) if past.is_kept => {
                     let last = if line.is_empty() { past.before } else { before.now };
-                    line.pass(time, [last, past.now]);
+                    line.pass(time, [last, past.now], past.rests);
                 }
                 _ => line.forget(),
             }
@@ -421,7 +421,7 @@ impl Equations for Motion {
         let count = self.states.len();
         by_time.fill(0.0);
         // Time comes after the states.
-        let past = count + usize::from(self.moving_signals || !self.lines.is_empty());
+        let past = count + usize::from(self.moving_signals || !self.lines.iter().all(Line::rests));
         for first in (0..past).step_by(DIRECTIONS) {
             let directions = first..past.min(first + DIRECTIONS);
             self.rows.level(&self.changing);

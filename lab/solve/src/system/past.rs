@@ -3,7 +3,8 @@
 //! A solver gives every step that it has made. What a law remembers of it is kept as polynomials over parts of the step,
 //! so short that they agree with the motion itself between their nodes. No step is longer than the lag, so that a law only
 //! asks for what is kept already. Where the quantity jumps, as a velocity of slip does where a contact breaks away, a new
-//! stretch begins: a law reads the old one, extended beyond its end if need be, up to the event of a lag later.
+//! stretch begins: a law reads the old one, extended beyond its end if need be, up to the event of a lag later. As long as
+//! the quantity rests, its value at the beginning of the rest stands for all that follows, and steps may be longer.
 
 use std::collections::VecDeque;
 
@@ -70,12 +71,14 @@ pub(super) struct Line {
     read: u32,
     /// Stretch that is written now.
     written: u32,
+    /// Whether the quantity rests until the next event.
+    rests: bool,
 }
 
 impl Line {
     /// Without a past, of a quantity of this size.
     pub fn new(part: usize, column: usize, lag: f64, size: f64) -> Line {
-        Line { part, column, lag, size, pieces: VecDeque::new(), read: 0, written: 0 }
+        Line { part, column, lag, size, pieces: VecDeque::new(), read: 0, written: 0, rests: false }
     }
 
     /// Difference of two times near this one that counts as none.
@@ -87,8 +90,10 @@ impl Line {
     pub fn at(&self, time: f64) -> Option<(f64, f64)> {
         let ago = time - self.lag;
         let reached = ago + self.slack(time);
-        let first = self.pieces.partition_point(|piece| piece.stretch < self.read);
-        let in_time = |piece: &&Piece| piece.stretch == self.read && piece.begin <= reached;
+        // No step ends where another stretch is to be read while the quantity rests.
+        let read = if self.rests { self.next(time) } else { self.read };
+        let first = self.pieces.partition_point(|piece| piece.stretch < read);
+        let in_time = |piece: &&Piece| piece.stretch == read && piece.begin <= reached;
         let (mut found, mut rest) = (self.pieces.get(first)?, self.pieces.range(first + 1..));
         while let Some(later) = rest.next().filter(in_time) {
             found = later;
@@ -101,24 +106,42 @@ impl Line {
         self.pieces.is_empty()
     }
 
+    /// Whether the quantity rests until the next event.
+    pub fn rests(&self) -> bool {
+        self.rests
+    }
+
     /// Forgets everything.
     pub fn forget(&mut self) {
         self.pieces.clear();
+        self.rests = false;
     }
 
-    /// Takes note of an event: the first one, or one that lets the quantity jump.
-    pub fn pass(&mut self, time: f64, [before, now]: [f64; 2]) {
+    /// Takes note of an event: the first one, or one that lets the quantity jump, or one after which it rests.
+    pub fn pass(&mut self, time: f64, [before, now]: [f64; 2], rests: bool) {
+        let jumps = before.to_bits() != now.to_bits();
         if self.pieces.is_empty() {
-            self.pieces.push_back(Piece::through(self.written, time - self.lag, self.lag, [before; NODES]));
+            self.push_constant(time - self.lag, before);
             self.read = self.written;
         }
-        if before.to_bits() != now.to_bits() {
+        if jumps {
             self.written += 1;
         }
+        if rests && (jumps || !self.rests) {
+            self.push_constant(time, now);
+        }
+        self.rests = rests;
+    }
+
+    fn push_constant(&mut self, begin: f64, value: f64) {
+        self.pieces.push_back(Piece::through(self.written, begin, self.lag, [value; NODES]));
     }
 
     /// Keeps a step, from the quantity at each fraction of it.
     pub fn keep(&mut self, begin: f64, end: f64, quantity: &mut dyn FnMut(f64) -> f64) {
+        if self.rests {
+            return;
+        }
         self.divide([begin, end - begin], [0.0, 1.0], HALVINGS, quantity);
         let oldest = end - self.lag - self.slack(end);
         let is_old = |next: &Piece| next.begin <= oldest && next.stretch <= self.read;
@@ -149,7 +172,7 @@ impl Line {
 
     /// Whether the stretch that is read ends a lag before this time.
     pub fn is_due(&self, time: f64) -> bool {
-        self.next(time) != self.read
+        !self.rests && self.next(time) != self.read
     }
 
     /// Reads on in the stretch of a lag before this time.
@@ -185,10 +208,13 @@ impl Breaks {
         }
     }
 
-    /// The end of the longest step from this time.
+    /// The end of the longest step from this time: infinite if all quantities rest.
     pub fn next(&self, time: f64, lines: &[Line]) -> f64 {
+        if lines.iter().all(Line::rests) {
+            return f64::INFINITY;
+        }
         let slack = lines.iter().map(|line| line.slack(time)).fold(f64::INFINITY, f64::min);
-        let longest = lines.iter().map(|line| time + line.lag);
+        let longest = lines.iter().filter(|line| !line.rests()).map(|line| time + line.lag);
         self.0.iter().copied().filter(|at| *at > time + slack).chain(longest).fold(f64::INFINITY, f64::min)
     }
 }

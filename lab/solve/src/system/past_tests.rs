@@ -262,6 +262,47 @@ fn a_contact_breaks_away_and_stops_where_another_integration_says() {
     }
 }
 
+/// A contact under 0.05 sin(20 t): it stops where the velocity does, breaks away once the way, (1 - cos 20 t) / 400 after
+/// every stop, has bent it from one level to the other, and what it remembers is the velocity of slip, 0 at rest. The rests
+/// are longer than the lag, and no step ends for its sake in them: there are 200 lags in a second.
+#[test]
+fn a_contact_at_rest_remembers_its_slip_and_needs_no_steps_for_it() {
+    let velocity = |t: f64| 0.05 * (20.0 * t).sin();
+    let settings = [
+        ("friction.velocity.amplitude", "0.05"),
+        ("friction.velocity.frequency", "3.183098861837907"),
+        ("sigma_0", "1000"),
+        // Equal levels: from one to the other the contact bends by 2 f_C / sigma_0.
+        ("mu_s", "0.1"),
+    ];
+    let moved = system("motion", "Armstrong", &settings);
+    let half = std::f64::consts::PI / 20.0;
+    let after = |way: f64| (1.0 - 400.0 * way).acos() / 20.0;
+    let changes: Vec<f64> = (0..6)
+        .flat_map(|k| {
+            let way = if k == 0 { 1e-3 * KINETIC } else { 2e-3 * KINETIC };
+            [f64::from(k) * half + after(way), f64::from(k + 1) * half]
+        })
+        .collect();
+    for tolerance in [1e-4, 1e-11] {
+        let found = run(&moved, 1.0, tolerance, &["friction.lagged_velocity"]);
+        let events: Vec<f64> = found.statistics.events.iter().map(|event| event.time).collect();
+        assert_eq!(events.len(), 12);
+        for (time, expected) in events.iter().zip(&changes) {
+            assert!((time - expected).abs() < 1e-2 * tolerance + 1e-9, "{time} instead of {expected}");
+        }
+        for (time, w) in found.times.iter().zip(&found.values[0]) {
+            let ago = time - LAG;
+            let is_slip = events.iter().filter(|event| **event <= ago).count() % 2 == 1;
+            let expected = if is_slip { velocity(ago) } else { 0.0 };
+            assert!((w - expected).abs() < 1e-12, "{time}: {w} instead of {expected}");
+        }
+    }
+    let held = system("motion", "Armstrong", &[&settings[..2], &[("sigma_0", "100")]].concat());
+    let steps = run(&held, 1.0, 1e-4, &[]).statistics.steps;
+    assert!(steps < 100, "{steps}");
+}
+
 /// Errors at all tolerances, from the motion at 1e-11.
 #[test]
 fn errors_follow_the_tolerance() {
