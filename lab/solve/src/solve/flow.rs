@@ -7,8 +7,17 @@
 
 use stribeck::number::elementary::{exp, exp_m1};
 
+use super::judge::balanced;
+use super::moving::Moving;
 use super::recorder::{Course, Times};
+use super::series::Series;
 use super::step::Beginning;
+
+/// Largest number of states for which functions of a matrix cost no more than a power series (measured).
+const FEW: usize = 4;
+
+/// Number of output times from which on powers of a matrix cost less than a power series at each of them (chosen).
+const MANY: usize = 128;
 
 /// Largest norm of a matrix whose phi function is summed up (chosen): ten terms are then exact.
 const SMALL: f64 = 0.125;
@@ -54,13 +63,40 @@ impl<const N: usize> Flow<N> {
     /// The motion under the equations linearised at the beginning of a step. They must not depend on time.
     pub fn new(begin: &Beginning<N>, length: f64) -> Flow<N> {
         let Beginning { states, rates, jacobian, .. } = *begin;
-        let Transition { power, gain } = Transition::over(length / QUARTERS as f64, &jacobian);
-        let first = apply(&gain, &rates);
+        let mut flow = Flow { begin: states, rates, jacobian, length, changes: [[0.0; N]; QUARTERS] };
+        flow.changes = match flow.series(length, &rates) {
+            Some(series) => std::array::from_fn(|quarter| series.at((quarter + 1) as f64 / QUARTERS as f64)),
+            None => flow.quarters(),
+        };
+        flow
+    }
+
+    /// The changes over a time from these rates on, if there are many states and the time is short enough for it.
+    fn series(&self, time: f64, rates: &[f64; N]) -> Option<Series<N>> {
+        if N > FEW { Series::over(time, rates, &self.jacobian) } else { None }
+    }
+
+    fn quarters(&self) -> [[f64; N]; QUARTERS] {
+        let Transition { power, gain } = self.transition(self.length / QUARTERS as f64);
+        let first = apply(&gain, &self.rates);
         let mut changes = [first; QUARTERS];
         for quarter in 1..QUARTERS {
             changes[quarter] = plus(&apply(&power, &changes[quarter - 1]), &first);
         }
-        Flow { begin: states, rates, jacobian, length, changes }
+        changes
+    }
+
+    /// How changes of the states that move go on over a time.
+    fn transition(&self, t: f64) -> Transition<N> {
+        if N <= FEW {
+            return Transition::over(t, &self.jacobian);
+        }
+        let moving = Moving::of(&self.rates, &self.jacobian);
+        match moving.count() {
+            0..=3 => Transition::among::<3>(t, &self.jacobian, &moving),
+            4 => Transition::among::<4>(t, &self.jacobian, &moving),
+            _ => Transition::scaled(t, &self.jacobian),
+        }
     }
 
     /// Time from the beginning of the step to the end of a quarter.
@@ -115,7 +151,12 @@ impl<const N: usize> Flow<N> {
         if rest == 0.0 {
             return change;
         }
-        plus(&change, &apply(&Transition::over(rest, &self.jacobian).gain, &self.rates_after(&change)))
+        let rates = self.rates_after(&change);
+        let further = match self.series(rest, &rates) {
+            Some(series) => series.at(1.0),
+            None => apply(&self.transition(rest).gain, &rates),
+        };
+        plus(&change, &further)
     }
 }
 
@@ -132,7 +173,25 @@ impl<const N: usize> Course for Flow<N> {
     }
 
     fn fill(&self, times: &Times, columns: &mut [Vec<f64>]) {
+        let is_few = times.past < times.first + MANY;
+        if let Some(series) = self.series(self.length, &self.rates).filter(|_| is_few) {
+            for number in times.first..times.past {
+                let states = plus(&self.begin, &series.at(times.fraction(number)));
+                columns.iter_mut().zip(states).for_each(|(column, state)| column[number] = state);
+            }
+            return;
+        }
         let mut change = self.change_at(times.fraction(times.first));
+        if N > FEW && times.past <= times.first + BLOCK {
+            let Transition { power, gain } = self.transition(times.spacing * self.length);
+            let once = apply(&gain, &self.rates);
+            for number in times.first..times.past {
+                let states = plus(&self.begin, &change);
+                columns.iter_mut().zip(states).for_each(|(column, state)| column[number] = state);
+                change = plus(&apply(&power, &change), &once);
+            }
+            return;
+        }
         let powers = Powers::of(self, times);
         for from in (times.first..times.past).step_by(powers.count) {
             let to = times.past.min(from + powers.count);
@@ -169,7 +228,7 @@ impl<const N: usize> Powers<N> {
             powers.keep(0);
             return powers;
         }
-        let Transition { power, gain } = Transition::over(times.spacing * flow.length, &flow.jacobian);
+        let Transition { power, gain } = flow.transition(times.spacing * flow.length);
         let once = apply(&gain, &flow.rates);
         for number in 0..count {
             powers.keep(number);
@@ -214,7 +273,22 @@ struct Transition<const N: usize> {
 impl<const N: usize> Transition<N> {
     /// By the series at t / 2^n, and doubled n times.
     fn over(t: f64, jacobian: &Matrix<N>) -> Transition<N> {
-        let norm = jacobian.iter().map(|row| row.iter().map(|value| value.abs()).sum::<f64>()).fold(0.0, f64::max);
+        Transition::within(t, jacobian, norm(jacobian))
+    }
+
+    /// As [`Transition::over`], with fewer doublings where the states have units of very different sizes.
+    fn scaled(t: f64, jacobian: &Matrix<N>) -> Transition<N> {
+        Transition::within(t, jacobian, norm(&balanced(jacobian)))
+    }
+
+    /// Of the states that move, of which there are at most M; it does not act on the others.
+    fn among<const M: usize>(t: f64, jacobian: &Matrix<N>, moving: &Moving<N>) -> Transition<N> {
+        let Transition { power, gain } = Transition::<M>::scaled(t, &moving.gather(jacobian));
+        Transition { power: moving.scatter(&power), gain: moving.scatter(&gain) }
+    }
+
+    /// For a matrix of this norm, in whatever units.
+    fn within(t: f64, jacobian: &Matrix<N>, norm: f64) -> Transition<N> {
         let (mut part, mut doublings) = (t, 0);
         while norm * part > SMALL && doublings < MOST_DOUBLINGS {
             part *= 0.5;
@@ -288,6 +362,10 @@ impl<const N: usize> Transition<N> {
 #[inline(always)]
 fn from<const N: usize>(value: impl Fn(usize, usize) -> f64) -> Matrix<N> {
     std::array::from_fn(|i| std::array::from_fn(|j| value(i, j)))
+}
+
+fn norm<const N: usize>(matrix: &Matrix<N>) -> f64 {
+    matrix.iter().map(|row| row.iter().map(|value| value.abs()).sum::<f64>()).fold(0.0, f64::max)
 }
 
 /// A product.
@@ -374,6 +452,40 @@ mod tests {
         }
     }
 
+    /// v' = -1e4 (v - 1) + x, x' = 0.5 y, y' = 0.1, once or twice among six states.
+    fn among_six(twice: bool, length: f64) -> (Flow<6>, [[usize; 3]; 2]) {
+        let places = [[4, 1, 3], [0, 5, 2]];
+        let (mut matrix, mut states, mut rates) = ([[0.0; 6]; 6], [0.0; 6], [0.0; 6]);
+        for (at, [x, v, y]) in places.into_iter().enumerate().take(if twice { 2 } else { 1 }) {
+            (matrix[v][v], matrix[v][x], matrix[x][y]) = (-1e4, 1.0, 0.5);
+            (states[v], states[y]) = (0.2 + at as f64, 1.0);
+            (rates[v], rates[x], rates[y]) = (1e4 * (1.0 - states[v]), 0.5, 0.1);
+        }
+        (flow(matrix, states, rates, length), places)
+    }
+
+    /// Short steps have power series; in long ones, those that move are told apart.
+    #[test]
+    fn six_states_go_on_as_their_parts_do() {
+        let path = |t: f64| 0.5 * t + 0.025 * t * t;
+        let slow = |t: f64| 1.0 + 1e-4 * path(t) - 1e-8 * (0.5 + 0.05 * t) + 0.05e-12;
+        for (twice, length) in [1e-5, 2e-4, 1e-3, 0.2, 3.0].into_iter().flat_map(|h| [(false, h), (true, h)]) {
+            let (flow, places) = among_six(twice, length);
+            assert_eq!(flow.series(length, &flow.rates).is_some(), length < 2.5e-4);
+            for fraction in [1e-4, 0.25, 0.3, 0.5, 0.77, 1.0] {
+                let (found, t) = (at(&flow, fraction), fraction * length);
+                for (number, [x, v, y]) in places.into_iter().enumerate() {
+                    let begin = 0.2 + number as f64;
+                    let expected = [path(t), slow(t) + (begin - slow(0.0)) * (-1e4 * t).exp(), 1.0 + 0.1 * t];
+                    let expected = if number == 0 || twice { expected } else { [0.0; 3] };
+                    for (found, expected) in [found[x], found[v], found[y]].into_iter().zip(expected) {
+                        assert_relative_eq!(found, expected, max_relative = 1e-13);
+                    }
+                }
+            }
+        }
+    }
+
     /// Eigenvalues that are equal, or nearly so, and one that is 0, beside the power series of all matrices.
     #[test]
     fn two_states_agree_with_three() {
@@ -397,13 +509,19 @@ mod tests {
     /// Output times in blocks beside the states at each of them.
     #[test]
     fn outputs_are_those_of_the_flow() {
-        let flow = flow([[0.0, 1.0], [-2.0, -0.4]], [0.3, 0.1], [0.1, -0.7], 1.5);
+        outputs(&flow([[0.0, 1.0], [-2.0, -0.4]], [0.3, 0.1], [0.1, -0.7], 1.5));
+        for length in [2e-4, 1e-3, 0.2] {
+            [false, true].into_iter().for_each(|twice| outputs(&among_six(twice, length).0));
+        }
+    }
+
+    fn outputs<const N: usize>(flow: &Flow<N>) {
         for (first, past) in [(7, 8), (7, 12), (3, 400), (0, 5000)] {
             let times = Times { first, past, spacing: 1.0 / 5000.0, offset: 0.0 };
-            let mut columns = vec![vec![f64::NAN; 5000]; 2];
+            let mut columns = vec![vec![f64::NAN; 5000]; N];
             flow.fill(&times, &mut columns);
             for number in first..past {
-                for (column, expected) in columns.iter().zip(at(&flow, times.fraction(number))) {
+                for (column, expected) in columns.iter().zip(at(flow, times.fraction(number))) {
                     assert!((column[number] - expected).abs() < 1e-13, "{number}");
                 }
             }

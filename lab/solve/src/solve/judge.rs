@@ -71,7 +71,7 @@ pub(super) fn grows<const N: usize>(jacobian: &Matrix<N>, length: f64) -> bool {
 const SCALING: f64 = 1e4;
 
 /// The matrix with its states scaled so that rows and columns are of the same size; this keeps the eigenvalues.
-fn balanced<const N: usize>(jacobian: &Matrix<N>) -> Matrix<N> {
+pub(super) fn balanced<const N: usize>(jacobian: &Matrix<N>) -> Matrix<N> {
     let mut matrix = *jacobian;
     for i in (0..BALANCING).flat_map(|_| 0..N) {
         let row: f64 = others::<N>(i).map(|j| matrix[i][j].abs()).sum();
