@@ -223,27 +223,65 @@ impl<T: Scalar> MaxwellSlip<T> {
             division: Division::new(self.distribution, shares).among(self.count()),
             stiffness: self.sigma_0,
             level,
-            attraction: self.attraction,
+            rate: self.attraction / level,
             slip: PhaseColumn(self.slip),
         }
     }
 
-    /// Dissipated power, for the sums of F_i and dF_i/dt.
-    fn power(&self, [force, rate]: [T; 2]) -> T {
-        let damped = self.sigma_1 / self.sigma_0 * rate + self.viscous_coefficient * self.velocity;
-        self.normal_force.is_positive().choose(|| (force + damped) * self.velocity, || T::zero())
+    /// Dissipated power.
+    fn power(&self, sums: &Sums<T>) -> T {
+        let damped = self.sigma_1 / self.sigma_0 * sums.rate + self.viscous_coefficient * self.velocity;
+        self.normal_force.is_positive().choose(|| (sums.force + damped) * self.velocity, || T::zero())
     }
 
-    /// Sum of dF_i/dt, and whether all elements slip.
-    fn force_rate(&self, memory: &[T], level: T) -> (T, T::Mask) {
-        let springs = self.springs(level);
-        let mut sum = (T::zero(), T::Mask::from(true));
-        self.elements(memory).enumerate().for_each(|(index, (share, block))| {
+    /// Sums over elements, each of whose dF_i/dt is given away.
+    fn sums<'a>(
+        &self,
+        elements: impl Iterator<Item = (Share<T>, &'a Block<T>)>,
+        mut take: impl FnMut(usize, T),
+    ) -> Sums<T>
+    where
+        T: 'a,
+    {
+        let springs = self.springs(self.level());
+        let mut sums = Sums { force: T::zero(), rate: T::zero(), all_slip: T::Mask::from(true) };
+        elements.enumerate().for_each(|(index, (share, block))| {
             let spring = springs.of(index, &share);
-            sum = (sum.0 + spring.force_rate(block, self.velocity), sum.1 & spring.slips(block, self.velocity));
+            let slips = spring.slips(block, self.velocity);
+            let rate = spring.force_rate(block, self.velocity, slips);
+            let Sums { force: force_before, rate: rate_before, all_slip } = sums;
+            sums = Sums { force: force_before + block.force, rate: rate_before + rate, all_slip: all_slip & slips };
+            take(index, rate);
         });
-        sum
+        sums
     }
+
+    /// Sums over the elements that have variables, whose dF_i/dt are written.
+    fn listed_sums(&self, rate: &mut Self) -> Sums<T> {
+        let elements = self.element[..self.listed()].iter().map(|element| (element.share, &element.block));
+        self.sums(elements, |index, force_rate| rate.element[index].block.force = force_rate)
+    }
+
+    /// Writes the outputs.
+    fn put_outputs(&mut self, sums: &Sums<T>) {
+        let Sums { force, rate, all_slip } = *sums;
+        let is_loaded = self.normal_force.is_positive();
+        let loaded = || force + self.sigma_1 / self.sigma_0 * rate + self.viscous_coefficient * self.velocity;
+        self.friction_force = is_loaded.choose(loaded, || T::zero());
+        self.sticking = is_loaded.choose(|| T::truth(!all_slip), || T::zero());
+        self.dissipated_power = self.friction_force * self.velocity;
+    }
+}
+
+/// Sums over the elements.
+#[derive(Clone, Copy)]
+struct Sums<T: Scalar> {
+    /// Of F_i.
+    force: T,
+    /// Of dF_i/dt.
+    rate: T,
+    /// Whether all of them slip.
+    all_slip: T::Mask,
 }
 
 /// The elements that have variables, then those that have none.
@@ -262,8 +300,8 @@ struct Springs<T> {
     stiffness: T,
     /// s(v).
     level: T,
-    /// C.
-    attraction: T,
+    /// C / s(v).
+    rate: T,
     /// Direction of slip that an event has found.
     slip: PhaseColumn<T>,
 }
@@ -276,7 +314,7 @@ impl<T: Scalar> Springs<T> {
             stiffness: share.stiffness_share * self.stiffness,
             strength: share.strength_share * self.level,
             // Slip, divided by the share of the element: the time constant is the same for all.
-            rate: self.attraction / self.level,
+            rate: self.rate,
             slip: self.slip,
         }
     }
@@ -294,17 +332,7 @@ impl<T: Scalar> Law for MaxwellSlip<T> {
     }
 
     fn output_with(&mut self, memory: &[T]) {
-        let is_loaded = self.normal_force.is_positive();
-        let mut sticking = T::zero();
-        let loaded = || {
-            let force = self.elements(memory).fold(T::zero(), |sum, (_, block)| sum + block.force);
-            let (rate, all_slip) = self.force_rate(memory, self.level());
-            sticking = is_loaded.choose(|| T::truth(!all_slip), || T::zero());
-            force + self.sigma_1 / self.sigma_0 * rate + self.viscous_coefficient * self.velocity
-        };
-        self.friction_force = is_loaded.choose(loaded, || T::zero());
-        self.sticking = sticking;
-        self.dissipated_power = self.friction_force * self.velocity;
+        self.put_outputs(&self.sums(self.elements(memory), |_, _| {}));
     }
 
     fn slide_steadily(&mut self) {
@@ -321,15 +349,13 @@ impl<T: Scalar> Law for MaxwellSlip<T> {
 
 impl<T: Scalar> Derivatives for MaxwellSlip<T> {
     fn derivatives(&self, rate: &mut Self) {
-        let springs = self.springs(self.level());
-        let mut sum = [T::zero(); 2];
-        for index in 0..self.listed() {
-            let Element { share, block } = &self.element[index];
-            let force_rate = springs.of(index, share).force_rate(block, self.velocity);
-            rate.element[index].block.force = force_rate;
-            sum = [sum[0] + block.force, sum[1] + force_rate];
-        }
-        rate.dissipated_energy = self.power(sum);
+        rate.dissipated_energy = self.power(&self.listed_sums(rate));
+    }
+
+    fn output_and_derivatives(&mut self, rate: &mut Self) {
+        let sums = self.listed_sums(rate);
+        rate.dissipated_energy = self.power(&sums);
+        self.put_outputs(&sums);
     }
 }
 
@@ -410,14 +436,14 @@ impl Model for MaxwellSlip {
     }
 
     fn rate_with(&self, memory: &[f64], rate: &mut Self, memory_rate: &mut [f64]) {
-        let springs = self.springs(self.level());
-        let mut sum = [0.0, 0.0];
-        let rates = all_mut(&mut rate.element[..self.listed()], memory_rate);
-        self.elements(memory).zip(rates).enumerate().for_each(|(index, ((share, block), (_, rate)))| {
-            rate.force = springs.of(index, &share).force_rate(block, self.velocity);
-            sum = [sum[0] + block.force, sum[1] + rate.force];
+        let mut rates = all_mut(&mut rate.element[..self.listed()], memory_rate);
+        let sums = self.sums(self.elements(memory), |_, force_rate| {
+            if let Some((_, rate)) = rates.next() {
+                rate.force = force_rate;
+            }
         });
-        rate.dissipated_energy = self.power(sum);
+        drop(rates);
+        rate.dissipated_energy = self.power(&sums);
     }
 
     const EVENT_INDICATORS: usize = EVENTS_OF_ELEMENTS;
@@ -528,11 +554,11 @@ impl<T: Scalar> Spring<T> {
         self.slip.slides() & slipped | self.slip.is_free() & moves_on
     }
 
-    /// dF_i/dt.
-    fn force_rate(&self, block: &Block<T>, velocity: T) -> T {
+    /// dF_i/dt of an element that slips or does not.
+    fn force_rate(&self, block: &Block<T>, velocity: T, slips: T::Mask) -> T {
         let direction = choose!(self.slip.slides(), self.slip.direction(), velocity.sign());
         let slipping = || self.rate * (direction * self.strength - block.force);
-        let loaded = || self.slips(block, velocity).choose(slipping, || self.stiffness * velocity);
+        let loaded = || slips.choose(slipping, || self.stiffness * velocity);
         self.strength.vanishes().choose(|| T::zero(), loaded)
     }
 
@@ -582,119 +608,4 @@ impl Spring<f64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use approx::assert_abs_diff_eq;
-
-    use super::*;
-
-    fn one_element() -> MaxwellSlip {
-        MaxwellSlip { element_count: 1.0, ..Default::default() }
-    }
-
-    fn move_by(law: &mut MaxwellSlip, distance: f64, velocity: f64) {
-        law.velocity = velocity * distance.signum();
-        law.step(distance.abs() / velocity);
-        law.output();
-    }
-
-    /// With one element and equal levels: an elastic, perfectly plastic contact, as Dahl's law with alpha = 0.
-    #[test]
-    fn one_element_with_equal_levels_is_elastic_and_perfectly_plastic() {
-        let mut law = MaxwellSlip { mu_s: 0.1, attraction: 1e9, ..one_element() };
-        let mut dahl = crate::friction::Dahl { alpha: 0.0, ..Default::default() };
-        for velocity in [1e-3, 2e-2, -1e-3, -3e-3, 4e-3, -1e-3, 0.0, 2.0] {
-            (law.velocity, dahl.velocity) = (velocity, velocity);
-            law.step(5e-3);
-            dahl.step(5e-3);
-            law.output();
-            dahl.output();
-            assert!((law.friction_force - dahl.friction_force).abs() < 1e-15, "{velocity}");
-            assert!((law.dissipated_energy - dahl.dissipated_energy).abs() < 1e-17, "{velocity}");
-        }
-    }
-
-    /// Slip ends only when the velocity changes sign: slowing down raises the force with the time constant s / C. Backwards
-    /// the printed (7.36) would diverge; here it is the mirror image.
-    #[test]
-    fn a_slipping_element_follows_the_level_and_does_not_stick_again() {
-        for direction in [1.0, -1.0] {
-            let mut law = one_element();
-            move_by(&mut law, direction * 1e-3, 0.1);
-            assert_abs_diff_eq!(law.friction_force, direction * 0.981, epsilon = 1e-15);
-            law.velocity = direction * 1e-9;
-            law.step(1e-3);
-            law.output();
-            let by_hand = direction * (1.4715 - 0.4905 * (-1.0f64 / 1.4715).exp());
-            assert!((law.friction_force - by_hand).abs() < 1e-12, "{}", law.friction_force);
-            assert_eq!(law.sticking, 0.0);
-            law.velocity = -direction * 1e-9;
-            law.output();
-            assert_eq!(law.sticking, 1.0);
-        }
-    }
-
-    /// Rest holds the force, for any duration and any element.
-    #[test]
-    fn rest_holds_the_force() {
-        let mut law = MaxwellSlip::default();
-        move_by(&mut law, 1e-3, 0.1);
-        law.velocity = 0.0;
-        law.step(1e3);
-        law.output();
-        assert_abs_diff_eq!(law.friction_force, 0.981, epsilon = 1e-15);
-        assert_eq!(law.sticking, 1.0);
-    }
-
-    /// Springs that stick are linear; those that slip follow a level that depends on the velocity, if its ends differ.
-    #[test]
-    fn elements_that_slip_are_linear_at_equal_levels_only() {
-        let mut law = MaxwellSlip { velocity: 0.1, slip: Phase::Held.number(), ..one_element() };
-        law.at_event();
-        assert!(law.is_linear() && law.element[0].block.slipping == 0.0);
-        law.element[0].block.force = 1.0;
-        law.at_event();
-        assert!(!law.is_linear() && law.element[0].block.slipping == 1.0);
-        law.mu_s = law.mu_k;
-        assert!(law.is_linear());
-    }
-
-    /// The energy against the trapezoidal sum of the power over many small steps.
-    #[test]
-    fn energy_is_the_integral_of_power() {
-        let mut law = MaxwellSlip { sigma_1: 300.0, viscous_coefficient: 0.3, ..Default::default() };
-        let mut integral = 0.0;
-        for (velocity, time) in [(2e-3, 8e-3), (5e-4, 5e-3), (-1e-3, 2e-2), (3e-3, 1e-2)] {
-            law.velocity = velocity;
-            let mut fine = law;
-            let n = 100_000;
-            for _ in 0..n {
-                fine.output();
-                let before = fine.dissipated_power;
-                fine.step(time / f64::from(n));
-                fine.output();
-                integral += 0.5 * (before + fine.dissipated_power) * time / f64::from(n);
-            }
-            law.step(time);
-            assert!((law.dissipated_energy / integral - 1.0).abs() < 1e-4, "{} {integral}", law.dissipated_energy);
-            assert_abs_diff_eq!(law.dissipated_energy / fine.dissipated_energy, 1.0, epsilon = 1e-11);
-        }
-    }
-
-    /// The cycle of the docs: slip at speed, slow down, go back, speed up. It returns energy, and no more than stated.
-    #[test]
-    fn falling_level_makes_the_law_active_by_the_stated_amount() {
-        let mut law = one_element();
-        let back = 0.4905 / 1e5;
-        move_by(&mut law, 1e-3, 1.0);
-        let before = law.dissipated_energy;
-        for _ in 0..10 {
-            law.velocity = 1e-12;
-            law.step(1.0);
-            move_by(&mut law, -back, 1e-9);
-            assert_abs_diff_eq!(law.friction_force, 0.981, epsilon = 1e-9);
-            move_by(&mut law, back, 1.0);
-        }
-        let per_cycle = (law.dissipated_energy - before) / 10.0;
-        assert!((per_cycle / (-0.4905f64.powi(2) / 2e5) - 1.0).abs() < 1e-5, "{per_cycle}");
-    }
-}
+mod tests;
