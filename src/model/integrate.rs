@@ -2,10 +2,17 @@
 
 use crate::model::ramp::{Inputs, set_inputs};
 use crate::model::{Described, Model, row_of, row_of_mut};
+use crate::numerics::rosenbrock::rosenbrock;
 use crate::numerics::runge_kutta::{dormand_prince, growth};
 
 /// Error allowed in a piece of a step, relative to the larger of the state and its nominal value (chosen).
-pub(crate) const TOLERANCE: f64 = 1e-10;
+const TOLERANCE: f64 = 1e-10;
+
+/// The same for those who compare a force with a measured one, which has more noise by far (chosen).
+const COARSE: f64 = 1e-6;
+
+/// Pieces of such a step after which its rates are taken for stiff (chosen: smooth motion between samples takes fewer).
+const SMOOTH: u32 = 16;
 
 /// Length of a piece in s within which the model may change its branch (chosen: where the rate of the rate jumps by j,
 /// it leaves an error of less than j times its square, 1e-10 m/s for a wheel that lands at 1 m/s).
@@ -21,6 +28,13 @@ const HOPELESS: f64 = 10.0;
 
 /// States that move continuously through a step.
 pub(crate) trait Moving<const N: usize> {
+    /// Whether an error of 1e-6 is small enough. Such steps go on by an implicit method where the rates are stiff, as they are
+    /// with some of the parameters that a search tries.
+    const IS_COARSE: bool = false;
+
+    /// Error allowed in a piece.
+    const TOLERANCE: f64 = if Self::IS_COARSE { COARSE } else { TOLERANCE };
+
     /// Rates at a time after the beginning of the step and at these states.
     fn rates(&mut self, time: f64, at: [f64; N]) -> [f64; N];
 
@@ -33,8 +47,8 @@ pub(crate) trait Moving<const N: usize> {
 
 /// The states after `dt`, from those before; none if the step would take too many pieces. Errors are relative to the
 /// larger of a state and its nominal value.
-pub(crate) fn moved<const N: usize>(
-    moving: &mut impl Moving<N>,
+pub(crate) fn moved<M: Moving<N>, const N: usize>(
+    moving: &mut M,
     mut at: [f64; N],
     nominal: [f64; N],
     dt: f64,
@@ -46,8 +60,13 @@ pub(crate) fn moved<const N: usize>(
         // A remainder hardly longer than the piece is made in one.
         let end = if time + 1.01 * piece >= dt { dt } else { time + piece };
         let length = end - time;
-        let (next, error) = dormand_prince(|since, at| moving.rates(time + since, at), at, length);
-        let error = largest(&nominal, next, error) / TOLERANCE;
+        let rates = |since, at| moving.rates(time + since, at);
+        let (next, error) = if M::IS_COARSE && count > SMOOTH {
+            rosenbrock(rates, at, std::array::from_fn(|i| at[i].abs().max(nominal[i])), length)
+        } else {
+            dormand_prince(rates, at, length)
+        };
+        let error = largest(&nominal, next, error) / M::TOLERANCE;
         piece = length * growth(error);
         if error <= 1.0 {
             if moving.leaves(end, next, length) {

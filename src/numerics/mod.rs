@@ -8,5 +8,6 @@ pub mod quadrature;
 pub(crate) mod random;
 pub mod relaxation;
 pub mod root;
+pub(crate) mod rosenbrock;
 pub mod runge_kutta;
 pub mod vector;

@@ -10,7 +10,7 @@
 //! * `joints [SEEDS]`: simulated joints (200), every other one an arm with gravity: how many intervals hold the truth.
 //! * `sliders [SEEDS]`: the same of simulated sliders (200) with LuGre's law.
 //! * `mounts [SEEDS]`: the same of simulated rubber mounts (100).
-//! * `dampers [SEEDS]`: the same of simulated magnetorheological dampers (100), minutes each.
+//! * `dampers [SEEDS]`: the same of simulated magnetorheological dampers (100).
 //! * `ropes [SEEDS]`, `gears [SEEDS]`, `servos [SEEDS]`: the same of simulated ropes over a drum, gears and servo drives
 //!   (100).
 //! * `camera`: what a camera of 100 Hz makes of the static level and the Stribeck velocity.
