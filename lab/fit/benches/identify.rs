@@ -12,7 +12,7 @@
 //! * `mounts [SEEDS]`: the same of simulated rubber mounts (100).
 //! * `dampers [SEEDS]`: the same of simulated magnetorheological dampers (100).
 //! * `ropes [SEEDS]`, `gears [SEEDS]`, `servos [SEEDS]`: the same of simulated ropes over a drum, gears and servo drives
-//!   (100).
+//!   (100). A second number, as in `dampers 100 60`, is that of the first record: the count can be made in parts.
 //! * `camera`: what a camera of 100 Hz makes of the static level and the Stribeck velocity.
 //!
 //! Without arguments all of them.
@@ -22,6 +22,7 @@ mod simulated;
 use std::collections::{BTreeMap, HashMap};
 use std::fs::File;
 use std::io::Write;
+use std::ops::Range;
 use std::slice;
 use std::sync::Mutex;
 use std::sync::atomic::AtomicBool;
@@ -64,7 +65,7 @@ fn main() {
             trust(&[]);
             ranking();
             methods();
-            SIMULATED.iter().for_each(|(names, seeds, of)| count(names, *seeds, of));
+            SIMULATED.iter().for_each(|(names, seeds, of)| count(names, 0..*seeds, of));
             camera();
         }
         Some("trust") => trust(&arguments[1..]),
@@ -72,7 +73,7 @@ fn main() {
         Some("methods") => methods(),
         Some("camera") => camera(),
         Some(other) => match SIMULATED.iter().find(|(names, ..)| *names == other) {
-            Some((names, most, of)) => count(names, seeds(&arguments, *most), of),
+            Some((names, most, of)) => count(names, number(&arguments, 2, 0)..number(&arguments, 1, *most), of),
             None => {
                 let names = SIMULATED.map(|(names, ..)| names).join(", ");
                 eprintln!("no part '{other}': trust, ranking, methods, camera, {names}");
@@ -84,13 +85,12 @@ fn main() {
 /// Records of each law, and of each kind that is simulated.
 const SEEDS: u64 = 200;
 
-fn seeds(arguments: &[String], usual: u64) -> u64 {
-    arguments.get(1).and_then(|text| text.parse().ok()).unwrap_or(usual)
+fn number(arguments: &[String], at: usize, usual: u64) -> u64 {
+    arguments.get(at).and_then(|text| text.parse().ok()).unwrap_or(usual)
 }
 
 fn trust(arguments: &[String]) {
-    let number = |at: usize, usual: u64| arguments.get(at).and_then(|text| text.parse().ok()).unwrap_or(usual);
-    let (seeds, ranked) = (number(0, SEEDS), number(1, u64::MAX));
+    let (seeds, ranked) = (number(arguments, 0, SEEDS), number(arguments, 1, u64::MAX));
     let named = arguments.get(2..).unwrap_or(&[]);
     let chosen: Vec<&'static ModelType> =
         laws().filter(|law| named.is_empty() || named.iter().any(|name| name == law.name)).collect();
@@ -208,9 +208,10 @@ fn logged(law: &'static ModelType, experiment: &Experiment, task: &Settings) -> 
 }
 
 /// Simulated things, each with its record: how many intervals hold the truth.
-fn count(names: &str, seeds: u64, of: &Drawn) {
+fn count(names: &str, seeds: Range<u64>, of: &Drawn) {
     let mut all = Held::default();
-    for seed in 0..seeds {
+    let records = seeds.end.saturating_sub(seeds.start);
+    for seed in seeds {
         let mut random = fastrand::Rng::with_seed(seed);
         all.look(&*of(seed, &mut random), &mut random);
     }
@@ -220,7 +221,7 @@ fn count(names: &str, seeds: u64, of: &Drawn) {
     let ([told, held], warned) = (all.total(), all.warned);
     let share = 100.0 * f64::from(held) / f64::from(told.max(1));
     println!(
-        "figure: {names}: {held} of {told} intervals hold the truth ({share:.1} %) in {seeds} records, {warned} with \
+        "figure: {names}: {held} of {told} intervals hold the truth ({share:.1} %) in {records} records, {warned} with \
          warnings"
     );
 }
