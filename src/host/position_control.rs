@@ -47,7 +47,7 @@ crate::model! {
     /// e_I is then raised by T (x_n - x_d)
     /// ```
     ///
-    /// Its observer computes f_c from v_n and x_n - x_d, and then solves its equation for them over the time T:
+    /// Its observer computes $f_c$ from $v_n$ and $x_n - x_d$, and then solves its equation for them over the time T:
     ///
     /// ```text
     /// z is then raised by T dz/dt (1 - exp(-a)) / a,   a = T sigma_0 |v_n| / g(v_n)
