@@ -2,6 +2,7 @@
 
 import hashlib
 import io
+import re
 import shutil
 import sys
 import tarfile
@@ -14,6 +15,8 @@ RECIPE = PROJECT / "release" / "recipe.yaml"
 # A crate that the workspace puts in the place of one of the registry. Maturin packs those only that are asked for.
 CLOCK = "web/clock"
 LAST_MEMBER = '"ssp"]'
+# Benches, whose files are not packed: a manifest must not name them.
+BENCH = re.compile(r"\[\[bench\]\]\n(\w+ = .+\n)+\n?")
 
 
 def built(release: Release) -> None:
@@ -25,8 +28,8 @@ def built(release: Release) -> None:
         release.add(f"python/{wheel.name}", wheel, "Python package, with the FMUs of its platform")
 
 
-def with_clock(packed: bytes) -> bytes:
-    """Packed sources with the crate that replaces one of the registry, which makes them complete."""
+def completed(packed: bytes) -> bytes:
+    """Packed sources with the crate that replaces one of the registry, and without the names of benches."""
     with tarfile.open(fileobj=io.BytesIO(packed)) as archive:
         files = {entry.name: archive.extractfile(entry).read() for entry in archive if entry.isfile()}
     top = f"stribeck-{VERSION}"
@@ -34,7 +37,7 @@ def with_clock(packed: bytes) -> bytes:
     if manifest.count(LAST_MEMBER) != 1:
         sys.exit(f"the members of the workspace in the packed sources do not end with {LAST_MEMBER}")
     more = f'{LAST_MEMBER[:-1]}, "{CLOCK}"]'
-    files[f"{top}/Cargo.toml"] = manifest.replace(LAST_MEMBER, more).encode()
+    files[f"{top}/Cargo.toml"] = BENCH.sub("", manifest.replace(LAST_MEMBER, more)).encode()
     for path in sorted((PROJECT / CLOCK).rglob("*")):
         if path.is_file():
             files[f"{top}/{path.relative_to(PROJECT).as_posix()}"] = path.read_bytes()
@@ -48,7 +51,7 @@ def sources(release: Release) -> None:
     maturin = [sys.executable, "-m", "maturin", "sdist", "--manifest-path", "python/Cargo.toml", "--out", written]
     run(*maturin, SOURCE_DATE_EPOCH=str(moment()))
     (packed,) = written.glob("*.tar.gz")
-    content = with_clock(packed.read_bytes())
+    content = completed(packed.read_bytes())
     release.add(f"python/{packed.name}", content, "sources of the Python package, without FMUs, built by maturin")
     blanks = {"version": VERSION, "sha256": hashlib.sha256(content).hexdigest()}
     recipe = Template(RECIPE.read_text(encoding="utf-8")).substitute(blanks)

@@ -16,7 +16,7 @@ import pytest
 
 from examples.fmpy.coupling import PROJECT
 from release import __main__ as command
-from release import checks, crates, fmus, index, made, making, papers, program, wheels
+from release import checks, crates, fmus, index, made, making, papers, program, python_package, wheels
 from release.making import Release
 
 WORKSPACE = tomllib.loads((PROJECT / "Cargo.toml").read_text(encoding="utf-8"))["workspace"]
@@ -276,3 +276,10 @@ def test_a_wheel_that_cannot_be_installed_fails_its_check_only(release, tmp_path
     monkeypatch.setattr(checks, "environment", lambda _: sys.executable)
     with pytest.raises(checks.Failed, match="pip"):
         checks.wheel(release.folder, tmp_path)
+
+
+def test_packed_sources_name_no_bench_that_is_not_packed():
+    manifest = (PROJECT / "Cargo.toml").read_text(encoding="utf-8")
+    whole, kept = tomllib.loads(manifest), tomllib.loads(python_package.BENCH.sub("", manifest))
+    assert whole.pop("bench")
+    assert kept == whole
