@@ -320,7 +320,7 @@ def components(release: Path, _: Path) -> str:
     validator = JsonStrictValidator(SchemaVersion.V1_5)
     texts = {}
     for path in sorted(release.rglob("*")):
-        if path.name == "sbom.cdx.json" or path.suffix in (".zip", ".gz", ".fmu", ".ssp"):
+        if path.name == "sbom.cdx.json" or path.suffix in (".zip", ".gz", ".fmu", ".ssp", ".whl"):
             found = made.within(path.name, path.read_bytes())
             texts |= {f"{path.name}: {name}": content for name, content in found if name.endswith("sbom.cdx.json")}
     for name, content in texts.items():

@@ -5,6 +5,7 @@ python3 -m release.wheels FOLDER [PLATFORM ...]
 """
 
 import os
+import shutil
 import sys
 from pathlib import Path
 
@@ -28,10 +29,14 @@ PARTS = "python/stribeck/fmus"
 
 
 def build(target: str, linked: list[str], out: Path) -> None:
-    """Builds the wheel for a target; for this machine if it has no name."""
+    """Builds the wheel for a target, with the list of its components; for this machine if it has no name."""
+    of_target = ["--target", target] if target else []
+    listed = PROJECT / "out" / "wheels" / "components"
+    shutil.rmtree(listed, ignore_errors=True)
+    run(*FMU_BUILD, "components", "stribeck-python", *of_target, "--out", listed)
     run(
-        *(sys.executable, "-m", "maturin", "build", "--release", *(["--target", target] if target else []), *linked),
-        *("--manifest-path", "python/Cargo.toml", "--out", out),
+        *(sys.executable, "-m", "maturin", "build", "--release", *of_target, *linked),
+        *("--manifest-path", "python/Cargo.toml", "--out", out, "--sbom-include", listed / "sbom.cdx.json"),
         # Other flags would build everything again each time.
         CARGO_TARGET_DIR=str(TARGET / "wheels"),
         CARGO_ENCODED_RUSTFLAGS=flags(),
