@@ -160,11 +160,11 @@ def test_paths_of_the_build_machine_are_found_within_archives(release, ending):
 
 
 def test_a_file_that_is_named_like_a_folder_of_this_machine_is_not_in_it(monkeypatch, release):
-    monkeypatch.setattr(making, "PROJECT", Path("/root"))
-    release.add("x/program", b"/crates/solver-1.0.0/src/root.rs", "a program")
+    monkeypatch.setattr(making, "PROJECT", Path("/projects"))
+    release.add("x/program", b"/crates/solver-1.0.0/src/projects.rs", "a program")
     checks.places(release.folder, release.folder)
-    release.add("x/program", b"/root/src/lib.rs", "a program")
-    with pytest.raises(checks.Failed, match="program contains /root/"):
+    release.add("x/program", b"/projects/src/lib.rs", "a program")
+    with pytest.raises(checks.Failed, match="program contains /projects/"):
         checks.places(release.folder, release.folder)
 
 
