@@ -51,19 +51,19 @@ pub struct Function<'a> {
     skipped: Option<usize>,
     /// Statement in C that follows a trap.
     exit: &'static str,
-    /// What the statements since the last jump, label or brace need.
+    /// Needs of the statements since the last jump, label or brace.
     recent: Needs,
     pub facts: Facts,
 }
 
-/// What statements need.
+/// Functions and addresses that statements need.
 #[derive(Default)]
 pub struct Needs {
     /// Functions that are called.
     pub functions: BTreeSet<u32>,
     /// Types of the functions that are called by number.
     pub kinds: BTreeSet<u32>,
-    /// What has an address that is used.
+    /// Data and functions whose address is used.
     pub targets: BTreeSet<Target>,
 }
 
@@ -341,7 +341,8 @@ impl<'a> Function<'a> {
         Ok(())
     }
 
-    /// What leads here has no effect: nobody looks into a broken instance, or reads what a panic says.
+    /// Ends the call, without the statements that lead here: nobody looks into a broken instance, or reads what a panic
+    /// says.
     fn trap(&mut self) {
         self.facts.traps = true;
         self.recent = Needs::default();

@@ -12,11 +12,11 @@ use super::module::Module;
 /// Bytes of C's stack that a call takes beside variables: registers, the return address, and a function of the runtime.
 const BESIDE_VARIABLES: u32 = 128;
 
-/// What some functions of a module need: those that they call, also by number, and data.
+/// Functions of a module with all that they need: the functions that they call, directly or by number, and data.
 pub struct Graph<'a> {
     module: &'a Module<'a>,
     pub functions: BTreeMap<u32, Facts>,
-    /// What has an address that is used.
+    /// Data and functions whose address is used.
     pub targets: BTreeSet<Target>,
     /// The function that writes texts, if nobody reads them: it writes nothing, and its callers take that for success.
     silent: Option<u32>,

@@ -6,6 +6,14 @@ use std::ops::Range;
 use anyhow::{Context, Result, bail};
 use wasmparser::{KnownCustom, Linking, LinkingSectionReader, RelocSectionReader, RelocationType, SymbolInfo};
 
+/// Start values of a part of the memory.
+pub struct Part<'a> {
+    pub address: u32,
+    /// Bytes of the module before them.
+    pub place: u64,
+    pub bytes: &'a [u8],
+}
+
 /// Something that has an address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Target {
@@ -20,8 +28,6 @@ pub enum Target {
 pub struct Links {
     /// Where the contents of the sections begin.
     sections: Vec<u64>,
-    /// Where the bytes of the parts of the memory begin.
-    data: Vec<u64>,
     /// Bytes of the symbols of data.
     parts: BTreeMap<u32, Range<u64>>,
     /// Functions by symbol.
@@ -36,29 +42,24 @@ impl Links {
         self.sections.push(at);
     }
 
-    /// Begins the next part of the memory.
-    pub fn begin_data(&mut self, at: u64) {
-        self.data.push(at);
-    }
-
-    /// Reads a section, if it is about links. It follows those of code and data.
-    pub fn add(&mut self, section: KnownCustom) -> Result<()> {
+    /// Reads a section, if it is about links. It follows that of the data.
+    pub fn add(&mut self, section: KnownCustom, data: &[Part]) -> Result<()> {
         match section {
-            KnownCustom::Linking(reader) => self.add_symbols(&reader),
+            KnownCustom::Linking(reader) => self.add_symbols(&reader, data),
             KnownCustom::Reloc(reader) => self.add_references(&reader),
             _ => Ok(()),
         }
     }
 
-    fn add_symbols(&mut self, reader: &LinkingSectionReader) -> Result<()> {
+    fn add_symbols(&mut self, reader: &LinkingSectionReader, data: &[Part]) -> Result<()> {
         for part in reader.subsections() {
             if let Linking::SymbolTable(symbols) = part? {
                 for (at, symbol) in (0..).zip(symbols) {
                     match symbol? {
                         SymbolInfo::Func { index, .. } => drop(self.functions.insert(at, index)),
                         SymbolInfo::Data { symbol: Some(place), .. } => {
-                            let data = self.data.get(place.index as usize).context("data of an unknown part")?;
-                            let begin = data + u64::from(place.offset);
+                            let part = data.get(place.index as usize).context("data of an unknown part")?;
+                            let begin = part.place + u64::from(place.offset);
                             self.parts.insert(at, begin..begin + u64::from(place.size));
                         }
                         _ => {}
@@ -81,8 +82,9 @@ impl Links {
                 MemoryAddrI32 | MemoryAddrLeb | MemoryAddrSleb | TableIndexI32 | TableIndexSleb => {
                     self.references.insert(section + u64::from(entry.offset), entry.index);
                 }
-                FunctionIndexLeb | GlobalIndexLeb | TableNumberLeb | TypeIndexLeb => {}
-                FunctionOffsetI32 | SectionOffsetI32 => {}
+                // No addresses: calls, types and places in the code.
+                FunctionIndexLeb | GlobalIndexLeb | TableNumberLeb | TypeIndexLeb | FunctionOffsetI32
+                | SectionOffsetI32 => {}
                 other => bail!("links of the type {other:?} are not supported"),
             }
         }
@@ -99,12 +101,12 @@ impl Links {
         self.parts[&symbol].clone()
     }
 
-    /// What these bytes refer to.
+    /// Data and functions to which these bytes refer.
     pub fn of(&self, bytes: Range<u64>) -> impl Iterator<Item = Target> + '_ {
         self.references.range(bytes).filter_map(|(_, symbol)| self.target(*symbol))
     }
 
-    /// What a symbol stands for. What the linker defines, such as the end of the data, has no bytes.
+    /// Data or function of a symbol; none if the linker itself defines it, as it does the end of the data.
     fn target(&self, symbol: u32) -> Option<Target> {
         let function = self.functions.get(&symbol).map(|function| Target::Function(*function));
         function.or_else(|| self.parts.contains_key(&symbol).then_some(Target::Data(symbol)))

@@ -1,18 +1,18 @@
-//! The memory of a module as it is at first: the parts that are needed and not zero.
+//! The memory of a module as it is at first: the pieces that are needed and not zero.
 
 use std::collections::BTreeSet;
 
 use super::links::Target;
 use super::module::Module;
 
-/// Zeros in a row that are left out: as many bytes as address and length of a part.
+/// Zeros in a row that are left out: as many bytes as address and length of a piece.
 const ROW: usize = 8;
 
 /// Bytes with the address of the first one.
-pub type Part = (u32, Vec<u8>);
+pub type Piece = (u32, Vec<u8>);
 
-/// The parts of the memory of a module that hold some of its data.
-pub fn parts(module: &Module, targets: &BTreeSet<Target>) -> Vec<Part> {
+/// The pieces of the memory of a module that hold these data.
+pub fn pieces(module: &Module, targets: &BTreeSet<Target>) -> Vec<Piece> {
     module
         .data
         .iter()
@@ -35,13 +35,13 @@ pub fn parts(module: &Module, targets: &BTreeSet<Target>) -> Vec<Part> {
 }
 
 /// The bytes that follow an address, without zeros at the ends and rows of them.
-fn without_zeros(address: u32, bytes: &[u8]) -> Vec<Part> {
-    let mut found: Vec<Part> = Vec::new();
+fn without_zeros(address: u32, bytes: &[u8]) -> Vec<Piece> {
+    let mut found: Vec<Piece> = Vec::new();
     for (at, byte) in (address..).zip(bytes).filter(|(_, byte)| **byte != 0) {
-        let near = found.last_mut().filter(|(begin, part)| ((at - begin) as usize) < part.len() + ROW);
-        if let Some((begin, part)) = near {
-            part.resize((at - *begin) as usize, 0);
-            part.push(*byte);
+        let near = found.last_mut().filter(|(begin, piece)| ((at - begin) as usize) < piece.len() + ROW);
+        if let Some((begin, piece)) = near {
+            piece.resize((at - *begin) as usize, 0);
+            piece.push(*byte);
         } else {
             found.push((at, vec![*byte]));
         }

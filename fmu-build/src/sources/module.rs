@@ -8,21 +8,13 @@ use wasmparser::{
     Name, NameSectionReader, Operator, Parser, Payload,
 };
 
-use super::links::Links;
+use super::links::{Links, Part};
 
 /// Largest alignment in the memory of a module.
 pub const ALIGNMENT: u32 = 16;
 
 /// Start of the heap, as the linker names it: from here on nothing is used, because the module has its own room.
 const END: &str = "__heap_base";
-
-/// Start values of a part of the memory.
-pub struct Part<'a> {
-    pub address: u32,
-    /// Bytes of the module before them.
-    pub place: u64,
-    pub bytes: &'a [u8],
-}
 
 /// A module without imports, whose memory does not grow.
 #[derive(Default)]
@@ -116,7 +108,7 @@ impl<'a> Module<'a> {
             }
             Payload::CustomSection(section) => match section.as_known() {
                 KnownCustom::Name(names) => self.add_names(names)?,
-                other => self.links.add(other)?,
+                other => self.links.add(other, &self.data)?,
             },
             Payload::CodeSectionEntry(body) => self.bodies.push(body),
             _ => {}
@@ -153,7 +145,6 @@ impl<'a> Module<'a> {
             bail!("data that are copied later are not supported");
         };
         let place = data.range.end - data.data.len() as u64;
-        self.links.begin_data(place);
         self.data.push(Part { address: constant(offset_expr)?, place, bytes: data.data });
         Ok(())
     }

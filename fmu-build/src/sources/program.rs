@@ -141,7 +141,7 @@ fn by_number(module: &Module, kind: u32, functions: &BTreeMap<u32, u32>) -> Resu
 
 /// The memory as it is at first.
 fn creation(module: &Module, graph: &Graph, layout: &Layout) -> Result<String> {
-    let data = memory::parts(module, &graph.targets);
+    let data = memory::pieces(module, &graph.targets);
     let mut text =
         String::from("\n/* Addresses of the parts of the memory that are not zero at first, and their bytes. */");
     text.push_str("\nstatic const u32 parts[][2] = {\n");
