@@ -291,8 +291,8 @@ pub trait Model: Described + Law<Number = f64> {
     /// of a law that was not chosen. Steps and outputs must not change them; in return, they cost nothing.
     const HAS_IDLE: bool = false;
 
-    /// [`Model::step_ramp`] to 1e-6 of each state, for those who compare the force with a measured one; of a model that
-    /// integrates its rates, for which held inputs are no cheaper than moving ones.
+    /// [`Model::step_ramp`] with an error of 1e-6 of each state, which is enough to compare the force with a measured
+    /// one. For models that integrate their rates: moving inputs cost them no more than held ones.
     const COARSE_RAMP: Option<fn(&mut Self, &Self, f64)> = None;
 
     /// The idle columns, in order, of a model that has some.

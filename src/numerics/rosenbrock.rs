@@ -9,7 +9,7 @@ const MOMENT: f64 = 1e-3;
 /// One step of the method of order 2 of Shampine and Reichelt (1997), doi:10.1137/S1064827594276424, section 3, and its
 /// difference to one of order 3. However fast states relax, longer steps follow them. The rates are functions of the time
 /// since the beginning of the step and of the states, whose `sizes` are positive; their derivatives are differences. Numbers
-/// are NaN where the rates are, and where there is no such step.
+/// are NaN where the rates are NaN, and where the linear equations of the step have no solution.
 pub fn rosenbrock<const N: usize>(
     mut rates: impl FnMut(f64, [f64; N]) -> [f64; N],
     at: [f64; N],
