@@ -452,13 +452,14 @@ mod tests {
         }
     }
 
-    /// v' = -1e4 (v - 1) + x, x' = 0.5 y, y' = 0.1, once or twice among six states.
-    fn among_six(twice: bool, length: f64) -> (Flow<6>, [[usize; 3]; 2]) {
+    /// v' = -1e4 (v - 1) + x, x' = 0.5 y, y' = 0.1, once or twice among six states. With v = 1 at first, v has no rate of its
+    /// own.
+    fn among_six(twice: bool, begin: f64, length: f64) -> (Flow<6>, [[usize; 3]; 2]) {
         let places = [[4, 1, 3], [0, 5, 2]];
         let (mut matrix, mut states, mut rates) = ([[0.0; 6]; 6], [0.0; 6], [0.0; 6]);
         for (at, [x, v, y]) in places.into_iter().enumerate().take(if twice { 2 } else { 1 }) {
             (matrix[v][v], matrix[v][x], matrix[x][y]) = (-1e4, 1.0, 0.5);
-            (states[v], states[y]) = (0.2 + at as f64, 1.0);
+            (states[v], states[y]) = (begin + at as f64, 1.0);
             (rates[v], rates[x], rates[y]) = (1e4 * (1.0 - states[v]), 0.5, 0.1);
         }
         (flow(matrix, states, rates, length), places)
@@ -469,13 +470,16 @@ mod tests {
     fn six_states_go_on_as_their_parts_do() {
         let path = |t: f64| 0.5 * t + 0.025 * t * t;
         let slow = |t: f64| 1.0 + 1e-4 * path(t) - 1e-8 * (0.5 + 0.05 * t) + 0.05e-12;
-        for (twice, length) in [1e-5, 2e-4, 1e-3, 0.2, 3.0].into_iter().flat_map(|h| [(false, h), (true, h)]) {
-            let (flow, places) = among_six(twice, length);
+        let cases = [(false, 0.2), (false, 1.0), (true, 0.2)];
+        for (length, (twice, first)) in
+            [1e-5, 2e-4, 1e-3, 0.2, 3.0].into_iter().flat_map(|h| cases.map(|case| (h, case)))
+        {
+            let (flow, places) = among_six(twice, first, length);
             assert_eq!(flow.series(length, &flow.rates).is_some(), length < 2.5e-4);
             for fraction in [1e-4, 0.25, 0.3, 0.5, 0.77, 1.0] {
                 let (found, t) = (at(&flow, fraction), fraction * length);
                 for (number, [x, v, y]) in places.into_iter().enumerate() {
-                    let begin = 0.2 + number as f64;
+                    let begin = first + number as f64;
                     let expected = [path(t), slow(t) + (begin - slow(0.0)) * (-1e4 * t).exp(), 1.0 + 0.1 * t];
                     let expected = if number == 0 || twice { expected } else { [0.0; 3] };
                     for (found, expected) in [found[x], found[v], found[y]].into_iter().zip(expected) {
@@ -511,7 +515,7 @@ mod tests {
     fn outputs_are_those_of_the_flow() {
         outputs(&flow([[0.0, 1.0], [-2.0, -0.4]], [0.3, 0.1], [0.1, -0.7], 1.5));
         for length in [2e-4, 1e-3, 0.2] {
-            [false, true].into_iter().for_each(|twice| outputs(&among_six(twice, length).0));
+            [false, true].into_iter().for_each(|twice| outputs(&among_six(twice, 0.2, length).0));
         }
     }
 
