@@ -44,8 +44,7 @@ impl<R: Register> Groups<R> {
     }
 
     fn numbers_mut(&mut self) -> &mut [f64] {
-        // SAFETY: as in `numbers_of`; the borrow is exclusive and passes on to the result.
-        unsafe { std::slice::from_raw_parts_mut(self.lanes.as_mut_ptr().cast::<f64>(), self.lanes.len() * R::LANES) }
+        numbers_of_mut(&mut self.lanes)
     }
 
     /// Writes a column. Lanes without a row follow the last one.
@@ -87,37 +86,43 @@ impl<R: Register> Groups<R> {
     /// Writes a column; rows beyond the values follow the last one.
     #[inline]
     pub fn set_from(&mut self, column: usize, values: &[f64]) {
-        let (columns, last) = (self.columns, values[values.len() - 1]);
-        let mut parts = values.chunks(R::LANES);
-        for numbers in self.numbers_mut().chunks_exact_mut(columns * R::LANES) {
-            let lanes = &mut numbers[column * R::LANES..(column + 1) * R::LANES];
-            let part = parts.next().unwrap_or_default();
-            if part.len() == R::LANES {
-                lanes.copy_from_slice(part);
-            } else {
-                lanes.fill(last);
-                lanes[..part.len()].copy_from_slice(part);
-            }
+        let last = values[values.len() - 1];
+        let mut groups = self.lanes.chunks_exact_mut(self.columns);
+        let whole = values.chunks_exact(R::LANES);
+        let rest = whole.remainder();
+        for (part, group) in whole.zip(groups.by_ref()) {
+            numbers_of_mut(&mut group[column..=column]).copy_from_slice(part);
+        }
+        for (number, group) in groups.enumerate() {
+            let (lanes, rest) = (numbers_of_mut(&mut group[column..=column]), if number == 0 { rest } else { &[] });
+            lanes.fill(last);
+            lanes[..rest.len()].copy_from_slice(rest);
         }
     }
 
     /// Reads a column of the first rows.
     #[inline]
     pub fn read(&self, column: usize, values: &mut [f64]) {
-        let groups = self.numbers().chunks_exact(self.columns * R::LANES);
-        for (part, numbers) in values.chunks_mut(R::LANES).zip(groups) {
-            let lanes = &numbers[column * R::LANES..(column + 1) * R::LANES];
-            part.copy_from_slice(&lanes[..part.len()]);
+        let mut groups = self.lanes.chunks_exact(self.columns).map(|group| numbers_of(&group[column..=column]));
+        let mut whole = values.chunks_exact_mut(R::LANES);
+        for (part, lanes) in whole.by_ref().zip(groups.by_ref()) {
+            part.copy_from_slice(lanes);
+        }
+        if let Some(lanes) = groups.next() {
+            whole.into_remainder().iter_mut().zip(lanes).for_each(|(value, lane)| *value = *lane);
         }
     }
 
     /// The number of a column that all rows have, with the same bits, if there is one.
     #[inline]
     pub fn same(&self, column: usize) -> Option<f64> {
-        let (numbers, column) = (self.numbers(), column * R::LANES..(column + 1) * R::LANES);
-        let first = numbers.get(column.start)?.to_bits();
-        let lanes = numbers.chunks_exact(self.columns * R::LANES).flat_map(|numbers| &numbers[column.clone()]);
-        let differ = lanes.fold(0, |found, number| found | (number.to_bits() ^ first));
+        let first = self.numbers().get(column * R::LANES)?.to_bits();
+        let mut differ = 0;
+        for group in self.lanes.chunks_exact(self.columns) {
+            for number in numbers_of(&group[column..=column]) {
+                differ |= number.to_bits() ^ first;
+            }
+        }
         (differ == 0).then_some(f64::from_bits(first))
     }
 
@@ -165,4 +170,9 @@ impl<R: Register> Groups<R> {
 fn numbers_of<R: Register>(lanes: &[Lanes<R>]) -> &[f64] {
     // SAFETY: a register consists of so many numbers, and `Lanes` of a register.
     unsafe { std::slice::from_raw_parts(lanes.as_ptr().cast::<f64>(), lanes.len() * R::LANES) }
+}
+
+fn numbers_of_mut<R: Register>(lanes: &mut [Lanes<R>]) -> &mut [f64] {
+    // SAFETY: as in `numbers_of`; the borrow is exclusive and passes on to the result.
+    unsafe { std::slice::from_raw_parts_mut(lanes.as_mut_ptr().cast::<f64>(), lanes.len() * R::LANES) }
 }

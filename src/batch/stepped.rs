@@ -56,6 +56,8 @@ pub struct Stepped {
     /// Rows of some runs, if there are registers for them, and whether all runs can be worked on there.
     batch: Option<Batch>,
     fits: bool,
+    /// The value of each column in all rows there, where that is known.
+    in_all: Box<[Option<u64>]>,
     /// Whether the parameters of a run ask for memory.
     uses_memory: bool,
     row: Box<[f64]>,
@@ -88,6 +90,7 @@ impl Stepped {
             unchecked: true,
             batch: Batch::new(model, registers, TOGETHER.min(runs))?,
             fits: false,
+            in_all: memory::filled(None, columns)?,
             uses_memory: false,
             row: memory::filled(0.0, columns)?,
             results: memory::filled(0.0, TOGETHER)?,
@@ -271,6 +274,10 @@ impl Stepped {
     /// Checks a step against the time of each run.
     pub(super) fn check_step(&mut self, dt: f64) -> Result<(), Stopped> {
         let late = |time: &f64| !(dt > 0.0 && time + dt < f64::INFINITY);
+        // All of them are looked at without a way out first, which registers can do.
+        if !self.times.iter().fold(false, |found, time| found | late(time)) {
+            return Ok(());
+        }
         self.times.iter().position(late).map_or(Ok(()), |run| Err((run, self.reason(run, Some(dt)))))
     }
 
@@ -312,6 +319,7 @@ impl Stepped {
 
     fn make(&mut self, work: Work, take: Take) -> Result<(), Stopped> {
         let is_advice = self.model.table.at(work.result).is_advice;
+        self.in_all.fill(None);
         for runs in blocks(self.runs) {
             if is_advice || !self.side_by_side(runs.clone(), work) {
                 self.one_by_one(runs.clone(), work)?;
@@ -324,35 +332,53 @@ impl Stepped {
     /// Makes some runs in lanes. False if that cannot be done, or if a number is not finite.
     fn side_by_side(&mut self, runs: Range<usize>, work: Work) -> bool {
         let Some(mut batch) = self.batch.take_if(|_| self.fits) else { return false };
-        for column in 0..self.columns.len() {
-            if self.model.table.role(column) != Role::Output {
-                match self.source(column) {
-                    // Those before had the same value, and have left it.
-                    [_] if runs.start > 0 && !self.is_carried(column) => {}
-                    values @ [_] => batch.set_from(column, values),
-                    values => batch.set_from(column, &values[runs.clone()]),
-                }
-            }
-        }
+        self.load(&mut batch, runs.clone());
         let mut is_finite = work.dt.is_none_or(|dt| batch.advance(dt));
         is_finite &= batch.output();
         batch.read(work.result, &mut self.results[..runs.len()]);
-        for column in 0..self.columns.len() {
-            if work.dt.is_some() && self.is_carried(column) {
-                let next = &mut self.next[column];
-                let same = if next.len() < self.runs { batch.same(column) } else { None };
-                match (same, &next[..]) {
-                    (Some(value), []) => next.push(value),
-                    (Some(value), [before]) if value.to_bits() == before.to_bits() => {}
-                    _ => {
-                        spread(next, self.runs);
-                        batch.read(column, &mut next[runs.clone()]);
-                    }
-                }
-            }
+        if work.dt.is_some() {
+            self.keep(&batch, runs);
         }
         self.batch = Some(batch);
         is_finite
+    }
+
+    /// Writes what a step begins with into the lanes.
+    fn load(&mut self, batch: &mut Batch, runs: Range<usize>) {
+        for column in 0..self.columns.len() {
+            if self.model.table.role(column) == Role::Output {
+                continue;
+            }
+            match self.source(column) {
+                // The runs before had the same value, and have left it.
+                [value] if self.in_all[column] == Some(value.to_bits()) => {}
+                values @ [value] => {
+                    batch.set_from(column, values);
+                    self.in_all[column] = Some(value.to_bits());
+                }
+                values => batch.set_from(column, &values[runs.clone()]),
+            }
+        }
+    }
+
+    /// Keeps what a step has led to.
+    fn keep(&mut self, batch: &Batch, runs: Range<usize>) {
+        for column in 0..self.columns.len() {
+            if !self.is_carried(column) {
+                continue;
+            }
+            let next = &mut self.next[column];
+            let same = if next.len() < self.runs { batch.same(column) } else { None };
+            self.in_all[column] = same.map(f64::to_bits);
+            match (same, &next[..]) {
+                (Some(value), []) => next.push(value),
+                (Some(value), [before]) if value.to_bits() == before.to_bits() => {}
+                _ => {
+                    spread(next, self.runs);
+                    batch.read(column, &mut next[runs.clone()]);
+                }
+            }
+        }
     }
 
     fn one_by_one(&mut self, runs: Range<usize>, work: Work) -> Result<(), Stopped> {
