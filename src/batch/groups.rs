@@ -165,6 +165,15 @@ impl<R: Register> Groups<R> {
         // SAFETY: the processor has the register: the promise to `new`.
         unsafe { (self.kernel.advance)(&mut self.lanes, dt) }
     }
+
+    #[inline]
+    pub fn advance_and_output(&mut self, dt: f64) -> bool {
+        match self.kernel.advance_and_output {
+            // SAFETY: the processor has the register: the promise to `new`.
+            Some(both) => unsafe { both(&mut self.lanes, dt) },
+            None => self.advance(dt) & self.output(),
+        }
+    }
 }
 
 fn numbers_of<R: Register>(lanes: &[Lanes<R>]) -> &[f64] {

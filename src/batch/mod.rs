@@ -192,9 +192,16 @@ impl Batch {
         on_groups!(&mut self.groups, groups => groups.output())
     }
 
-    /// Advances all rows by `dt` > 0, while their inputs are held; outputs lag behind. False if a state is not finite.
+    /// Advances all rows by `dt` > 0, while their inputs are held; whether outputs lag behind is not said. False if a
+    /// number is not finite.
     #[inline]
     pub fn advance(&mut self, dt: f64) -> bool {
         on_groups!(&mut self.groups, groups => groups.advance(dt))
+    }
+
+    /// [`Batch::advance`], and [`Batch::output`] after it. False if a state or an output is not finite.
+    #[inline]
+    pub fn advance_and_output(&mut self, dt: f64) -> bool {
+        on_groups!(&mut self.groups, groups => groups.advance_and_output(dt))
     }
 }

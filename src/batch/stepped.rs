@@ -333,8 +333,10 @@ impl Stepped {
     fn side_by_side(&mut self, runs: Range<usize>, work: Work) -> bool {
         let Some(mut batch) = self.batch.take_if(|_| self.fits) else { return false };
         self.load(&mut batch, runs.clone());
-        let mut is_finite = work.dt.is_none_or(|dt| batch.advance(dt));
-        is_finite &= batch.output();
+        let is_finite = match work.dt {
+            Some(dt) => batch.advance_and_output(dt),
+            None => batch.output(),
+        };
         batch.read(work.result, &mut self.results[..runs.len()]);
         if work.dt.is_some() {
             self.keep(&batch, runs);

@@ -3,7 +3,7 @@ use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::passivity::names_least_viscous;
 use crate::laws::stribeck;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, change, in_lanes};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Shared, Steps, change, in_lanes};
 use crate::number::{Real, choose};
 use crate::numerics::relaxation::{self, Relaxation};
 
@@ -224,6 +224,8 @@ impl<T: Real> LuGre<T> {
 }
 
 impl<T: Real> Steps for LuGre<T> {
+    const SHARED: Shared = Shared::Term;
+
     #[inline(always)]
     fn advance(&mut self, dt: T) {
         self.relax(self.level(), self.damping(), dt);

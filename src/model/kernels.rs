@@ -6,7 +6,7 @@
 )]
 
 use super::row::{numbers_of, view};
-use super::{Fit, InLanes, Law, Steps, model_in};
+use super::{Fit, InLanes, Law, Shared, Steps, model_in};
 use crate::number::register::For;
 use crate::number::{Lanes, Register};
 use crate::numerics::relaxation::NUMBERS;
@@ -45,9 +45,11 @@ pub(crate) type Groups<'a, R> = &'a mut [Lanes<R>];
 pub(crate) struct Kernel<R> {
     /// Computes the outputs. It must only be called where the processor has the register.
     pub output: unsafe fn(Groups<R>) -> bool,
-    /// Advances the states by a time > 0 while the inputs are held. It must only be called where the processor has the
-    /// register.
+    /// Advances the states by a time > 0 while the inputs are held, and may compute the outputs as well. It must only be
+    /// called where the processor has the register.
     pub advance: unsafe fn(Groups<R>, f64) -> bool,
+    /// Does both, if that costs less. It must only be called where the processor has the register.
+    pub advance_and_output: Option<unsafe fn(Groups<R>, f64) -> bool>,
     /// Computes the outputs of steady sliding, and leaves the states. It must only be called where the processor has the
     /// register.
     pub slide_steadily: unsafe fn(Groups<R>) -> bool,
@@ -56,35 +58,47 @@ pub(crate) struct Kernel<R> {
     pub relax: unsafe fn(Groups<R>, f64, Groups<R>),
 }
 
+/// The functions of a law for one kind of register, of which it needs some.
+macro_rules! kernel {
+    ($M:ident: $output:expr, $advance:expr, $both:expr, $slide_steadily:expr, $relax:expr) => {
+        Kernel {
+            output: $output,
+            advance: if shared::<$M>(Shared::All) { $both } else { $advance },
+            advance_and_output: if shared::<$M>(Shared::Nothing) { None } else { Some($both) },
+            slide_steadily: if $M::STEADY_SLIDING { $slide_steadily } else { $output },
+            relax: if $M::RELAXES.is_some() { $relax } else { |_, _, _| {} },
+        }
+    };
+}
+
 impl Kernels {
     /// Those of a law.
     pub(crate) const fn of<M: InLanes>() -> Kernels {
         Kernels {
             #[cfg(target_arch = "x86_64")]
-            four: Kernel {
-                output: output_with_avx2::<M>,
-                advance: advance_with_avx2::<M>,
-                slide_steadily: if M::STEADY_SLIDING { slide_steadily_with_avx2::<M> } else { output_with_avx2::<M> },
-                relax: if M::RELAXES.is_some() { relax_with_avx2::<M> } else { |_, _, _| {} },
-            },
+            four: kernel!(
+                M: output_with_avx2::<M>,
+                advance_with_avx2::<M>,
+                advance_and_output_with_avx2::<M>,
+                slide_steadily_with_avx2::<M>,
+                relax_with_avx2::<M>
+            ),
             #[cfg(target_arch = "x86_64")]
-            eight: Kernel {
-                output: output_with_avx512::<M>,
-                advance: advance_with_avx512::<M>,
-                slide_steadily: if M::STEADY_SLIDING {
-                    slide_steadily_with_avx512::<M>
-                } else {
-                    output_with_avx512::<M>
-                },
-                relax: if M::RELAXES.is_some() { relax_with_avx512::<M> } else { |_, _, _| {} },
-            },
+            eight: kernel!(
+                M: output_with_avx512::<M>,
+                advance_with_avx512::<M>,
+                advance_and_output_with_avx512::<M>,
+                slide_steadily_with_avx512::<M>,
+                relax_with_avx512::<M>
+            ),
             #[cfg(target_arch = "aarch64")]
-            two: Kernel {
-                output: output::<M, Two>,
-                advance: advance::<M, Two>,
-                slide_steadily: if M::STEADY_SLIDING { slide_steadily::<M, Two> } else { output::<M, Two> },
-                relax: if M::RELAXES.is_some() { relax::<M, Two> } else { |_, _, _| {} },
-            },
+            two: kernel!(
+                M: output::<M, Two>,
+                advance::<M, Two>,
+                advance_and_output::<M, Two>,
+                slide_steadily::<M, Two>,
+                relax::<M, Two>
+            ),
             fit: |row| view::<M, f64>(row).fit(),
             relaxes: M::RELAXES,
         }
@@ -104,6 +118,12 @@ fn advance_with_avx2<M: InLanes>(groups: Groups<Pair<Four>>, dt: f64) -> bool {
 }
 
 #[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn advance_and_output_with_avx2<M: InLanes>(groups: Groups<Pair<Four>>, dt: f64) -> bool {
+    advance_and_output::<M, Pair<Four>>(groups, dt)
+}
+
+#[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512dq")]
 fn output_with_avx512<M: InLanes>(groups: Groups<Eight>) -> bool {
     output::<M, Eight>(groups)
@@ -113,6 +133,12 @@ fn output_with_avx512<M: InLanes>(groups: Groups<Eight>) -> bool {
 #[target_feature(enable = "avx512f,avx512dq")]
 fn advance_with_avx512<M: InLanes>(groups: Groups<Eight>, dt: f64) -> bool {
     advance::<M, Eight>(groups, dt)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq")]
+fn advance_and_output_with_avx512<M: InLanes>(groups: Groups<Eight>, dt: f64) -> bool {
+    advance_and_output::<M, Eight>(groups, dt)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -144,6 +170,12 @@ const OUTPUT: usize = 0;
 const ADVANCE: usize = 1;
 const STEADY: usize = 2;
 const RELAX: usize = 3;
+const BOTH: usize = 4;
+
+/// Whether a step and the outputs of a law have so much in common.
+const fn shared<M: InLanes>(much: Shared) -> bool {
+    <M::Of<f64> as Steps>::SHARED as u8 == much as u8
+}
 
 #[inline(always)]
 fn output<M: InLanes, R: Register>(groups: Groups<R>) -> bool {
@@ -163,6 +195,18 @@ fn advance<M: InLanes, R: Register>(groups: Groups<R>, dt: f64) -> bool {
     for row in For::<ADVANCE, R>::groups(groups).chunks_exact_mut(M::TABLE.len()) {
         model_in::<M, Lanes<For<ADVANCE, R>>>(row).advance(Lanes::from(dt));
         found += not_finite(&row[states.0..states.1]);
+    }
+    found == Lanes::from(0.0)
+}
+
+#[inline(always)]
+fn advance_and_output<M: InLanes, R: Register>(groups: Groups<R>, dt: f64) -> bool {
+    let outputs = const { columns(M::TABLE, Role::Output, Role::Output) };
+    let states = const { columns(M::TABLE, Role::State, Role::StateOutput) };
+    let mut found = Lanes::from(0.0);
+    for row in For::<BOTH, R>::groups(groups).chunks_exact_mut(M::TABLE.len()) {
+        model_in::<M, Lanes<For<BOTH, R>>>(row).advance_and_output(Lanes::from(dt));
+        found += not_finite(&row[states.0..states.1]) + not_finite(&row[outputs.0..outputs.1]);
     }
     found == Lanes::from(0.0)
 }

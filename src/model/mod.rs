@@ -35,4 +35,4 @@ pub use passivity::GivesBack;
 pub(crate) use row::{change, either, mix, parts, parts_mut};
 pub use row::{row_of, row_of_mut};
 pub(crate) use steps::in_lanes;
-pub use steps::{Fit, InLanes, Steps, model_in, model_of};
+pub use steps::{Fit, InLanes, Shared, Steps, model_in, model_of};

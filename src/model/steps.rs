@@ -7,6 +7,9 @@ use crate::numerics::vector::Component;
 
 /// A law whose step has no modes that decide the course of the computation: it is written once for every number type.
 pub trait Steps: Law {
+    /// What [`Steps::advance_and_output`] computes once for both.
+    const SHARED: Shared = Shared::Nothing;
+
     /// Advances the states by `dt` > 0 while the inputs are held.
     fn advance(&mut self, dt: Self::Number);
 
@@ -22,6 +25,17 @@ pub trait Steps: Law {
     fn relaxation(&self, _dt: Self::Number) -> Option<Relaxation<Self::Number>> {
         None
     }
+}
+
+/// What a step and the outputs after it have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shared {
+    /// Nothing that takes long.
+    Nothing,
+    /// A costly term.
+    Term,
+    /// All that takes long: a step without the outputs saves nothing.
+    All,
 }
 
 /// A model with such steps: it runs on several rows at once, each in a lane of its own, and through dual numbers.

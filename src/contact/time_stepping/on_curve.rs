@@ -336,6 +336,8 @@ macro_rules! memoryless {
         }
 
         impl<T: Real> $crate::model::Steps for $Law<T> {
+            const SHARED: $crate::model::Shared = $crate::model::Shared::All;
+
             #[inline(always)]
             fn advance(&mut self, dt: T) {
                 $crate::contact::time_stepping::step(self, dt);
@@ -343,17 +345,24 @@ macro_rules! memoryless {
 
             #[inline(always)]
             fn advance_and_output(&mut self, dt: T) {
-                let is_printed = self.time_stepping.mass.vanishes() | (!T::SEARCHES).into();
-                let printed = |law: &mut Self| {
-                    // The force over the step is the force after it.
-                    law.time_stepping.forget();
-                    $crate::model::Law::output(law);
-                    law.dissipated_energy = law.dissipated_energy + law.dissipated_power * dt;
-                };
-                $crate::model::either(self, is_printed, printed, |law| {
+                if !T::SEARCHES {
+                    return self.advance_as_printed(dt);
+                }
+                let is_printed = self.time_stepping.mass.vanishes();
+                $crate::model::either(self, is_printed, |law| law.advance_as_printed(dt), |law| {
                     $crate::model::Steps::advance(law, dt);
                     $crate::model::Law::output(law);
                 });
+            }
+        }
+
+        impl<T: Real> $Law<T> {
+            /// A step whose force is the force after it, and the outputs.
+            #[inline(always)]
+            fn advance_as_printed(&mut self, dt: T) {
+                self.time_stepping.forget();
+                $crate::model::Law::output(self);
+                self.dissipated_energy = self.dissipated_energy + self.dissipated_power * dt;
             }
         }
 
