@@ -2,17 +2,18 @@
 //! of Rust's standard library, and with those of the project. Processor time, in one run; medians of the ratios.
 
 use std::hint::black_box;
-use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Range, Sub, SubAssign};
 
 use cpu_time::ThreadTime;
-use stribeck::batch::{Batch, Registers};
+use stribeck::batch::{Batch, Registers, Stepped};
 use stribeck::catalogue;
 use stribeck::friction::{BrownMcPhee, Dahl, LuGre, Specker, Threlfall};
-use stribeck::model::{Columns, InLanes, Law, Model, Steps, model_in};
+use stribeck::model::{Columns, InLanes, Law, Model, ModelType, Steps, model_in};
 use stribeck::number::Real;
 use stribeck::numerics::vector::{Component, One, Zero};
 
 const ROWS: usize = 1024;
+const CONTACTS: usize = 4096;
 /// Odd, so that the median is one of the rounds.
 const ROUNDS: usize = 51;
 /// Repetitions in a round.
@@ -216,6 +217,23 @@ fn compare<M: InLanes + Model>(work: Work, name: &str) {
     }
 }
 
+/// Microseconds for a step of all contacts with the widest registers: velocities in, forces out.
+fn stepped(law: &'static ModelType) -> f64 {
+    let column = |name: &str| law.find(name).expect("a variable");
+    let mut contacts = Stepped::new(law, Registers::best(), CONTACTS).expect("memory");
+    let velocities: Vec<f64> =
+        (0..CONTACTS).map(|number| 6e-3 * (number as f64 * 0.618_033_988_749_894_9).fract() - 3e-3).collect();
+    let (velocity, force, mut forces) = (column("velocity"), column("friction_force"), vec![0.0; CONTACTS]);
+    let mut step = || {
+        let mut take = |runs: Range<usize>, values: &[f64]| {
+            forces[runs].copy_from_slice(values);
+            Ok(())
+        };
+        contacts.step(STEP, &[(velocity, &velocities)], force, &mut take).expect("a step");
+    };
+    median((0..ROUNDS).map(|_| timed(&mut step) * ROWS as f64 * 1e-3).collect())
+}
+
 fn main() {
     println!("{ROWS} rows, ns per row, and ratios; medians of {ROUNDS} rounds\n");
     let heading = ["standard", "own", "lanes", "to standard", "to own"];
@@ -229,4 +247,8 @@ fn main() {
     compare::<LuGre>(Work::Output, "LuGre, output");
     compare::<LuGre>(Work::Step, "LuGre, step");
     compare::<Dahl>(Work::Step, "Dahl, step");
+    println!("\n{CONTACTS} contacts that the caller steps, us per step\n");
+    let runs_in_lanes = |law: &'static ModelType| Batch::new(law, Registers::best(), 1).expect("memory").is_some();
+    let laws = catalogue::documented(catalogue::Family::Friction).map(|(law, _)| law).filter(|law| runs_in_lanes(law));
+    laws.for_each(|law| println!("{:24} {:8.1}", law.name, stepped(law)));
 }
