@@ -2,7 +2,7 @@
 
 #![cfg_attr(
     not(any(target_arch = "x86_64", target_arch = "aarch64")),
-    allow(dead_code, reason = "other processors have no registers for it")
+    allow(dead_code, unused_macros, reason = "other processors have no registers for it")
 )]
 
 use super::row::{numbers_of, view};
