@@ -15,6 +15,10 @@ const TOGETHER: usize = 16;
 /// Samples of one run that are made together (chosen): their rows still fit into it.
 const SAMPLES: usize = 64;
 
+/// Samples of runs that are made together whose values lie side by side (chosen): those of a run lie far from those of the
+/// next one, often in the same place of the nearest cache.
+const TILE: usize = 32;
+
 /// Runs of which each is made along its samples, where its law has a state that relaxes: as few as leave most lanes of a
 /// large register empty (chosen).
 const FEW: usize = 3;
@@ -96,7 +100,12 @@ pub struct Worker<'a> {
     batch: Option<Batch>,
     samples: Option<Batch>,
     course: Vec<Input<'a>>,
+    /// For each input, and for each result.
+    tiles: [Vec<Tile>; 2],
 }
+
+/// Values of runs that are made together at some samples, sample after sample.
+type Tile = [[f64; TOGETHER]; TILE];
 
 impl<'a> Worker<'a> {
     /// Workspace for runs of a model.
@@ -105,7 +114,9 @@ impl<'a> Worker<'a> {
         let mut samples = if runs.samples < TOGETHER { None } else { Batch::new(model, registers, SAMPLES)? };
         samples.as_mut().map_or(Ok(()), Batch::make_room_to_relax)?;
         let course = memory::each(runs.inputs.iter(), |rows| Ok(Input { column: rows.column, samples: &[] }))?;
-        Ok(Worker { batch, samples, course })
+        let tiles = |columns: usize| memory::each(0..columns, |_| Ok([[0.0; TOGETHER]; TILE]));
+        let tiles = [tiles(runs.inputs.len())?, tiles(runs.results.len())?];
+        Ok(Worker { batch, samples, course, tiles })
     }
 
     /// The number of runs to be made in one call.
@@ -206,7 +217,7 @@ impl<'a> Worker<'a> {
                     return Err(Not::Together);
                 }
             }
-            across(&mut batch, runs, &some, steps, arrays, cancel)
+            across(&mut batch, runs, &some, steps, &mut self.tiles, arrays, cancel)
         })();
         self.batch = Some(batch);
         done
@@ -317,37 +328,53 @@ fn across(
     runs: &Runs,
     some: &Range<usize>,
     steps: bool,
+    tiles: &mut [Vec<Tile>; 2],
     arrays: &mut [&mut [f64]],
     cancel: &AtomicBool,
 ) -> Result<(), Not> {
-    let last = some.end - 1;
-    for sample in 0..runs.samples {
-        if sample % PATIENCE == 0 && cancel.load(Ordering::Relaxed) {
+    let [inputs, results] = tiles;
+    for rows in runs.inputs.iter().filter(|rows| rows.width == 1) {
+        batch.set(rows.column, |place| rows.at((some.start + place).min(some.end - 1), 0));
+    }
+    for from in (0..runs.samples).step_by(TILE) {
+        if cancel.load(Ordering::Relaxed) {
             return Err(Not::Cancelled);
         }
-        for rows in runs.inputs.iter().filter(|rows| sample == 0 || rows.width > 1) {
-            if rows.rows == 1 {
-                batch.fill(rows.column, rows.at(0, sample));
-            } else {
-                batch.set(rows.column, |place| rows.at((some.start + place).min(last), sample));
+        let samples = from..runs.samples.min(from + TILE);
+        gather(runs, some, samples.clone(), inputs);
+        for (number, sample) in samples.clone().enumerate() {
+            for (rows, tile) in runs.inputs.iter().zip(&*inputs).filter(|(rows, _)| rows.width > 1) {
+                batch.set_from(rows.column, &tile[number]);
+            }
+            let mut is_finite = batch.output();
+            for (column, tile) in runs.results.iter().zip(&mut *results) {
+                batch.read(*column, &mut tile[number]);
+            }
+            if steps && sample + 1 < runs.samples {
+                is_finite &= batch.advance(runs.times.step(sample));
+            }
+            if !is_finite {
+                return Err(Not::Together);
             }
         }
-        let mut is_finite = batch.output();
-        for (column, array) in runs.results.iter().zip(arrays.iter_mut()) {
-            batch.get(*column, |place, value| {
-                if place < some.len() {
-                    array[place * runs.samples + sample] = value;
-                }
-            });
-        }
-        if steps && sample + 1 < runs.samples {
-            is_finite &= batch.advance(runs.times.step(sample));
-        }
-        if !is_finite {
-            return Err(Not::Together);
+        for (tile, array) in results.iter().zip(arrays.iter_mut()) {
+            for place in 0..some.len() {
+                let row = &mut array[place * runs.samples..][samples.clone()];
+                row.iter_mut().zip(tile).for_each(|(value, values)| *value = values[place]);
+            }
         }
     }
     Ok(())
+}
+
+/// Brings the values of inputs that move at some samples side by side; lanes without a run follow the last one.
+fn gather(runs: &Runs, some: &Range<usize>, samples: Range<usize>, inputs: &mut [Tile]) {
+    for (rows, tile) in runs.inputs.iter().zip(inputs).filter(|(rows, _)| rows.width > 1) {
+        for place in 0..TOGETHER {
+            let row = &rows.row((some.start + place).min(some.end - 1))[samples.clone()];
+            row.iter().zip(&mut *tile).for_each(|(value, values)| values[place] = *value);
+        }
+    }
 }
 
 /// Drives a batch with a run, some samples at a time. `make` makes the results at these samples, and returns whether all
