@@ -131,6 +131,22 @@ fn runs_that_are_alike_are_not_taken_for_others() {
     }
 }
 
+/// One value for all runs is that of each, also after values of their own.
+#[test]
+fn one_value_for_all_is_in_force_again() {
+    let law = by_name("LuGre").expect("a law");
+    let [velocity, force] = ["velocity", "friction_force"].map(|name| law.find(name).expect("a variable"));
+    for registers in Registers::here() {
+        let own = (0..MANY).map(|run| -1e-5 * run as f64).collect();
+        let [mut by_one, mut by_each] = [0, 1].map(|_| Stepped::new(law, registers, MANY).expect("memory"));
+        for values in [vec![1e-3], own, vec![1e-3], vec![2e-3]] {
+            let each = if values.len() == 1 { vec![values[0]; MANY] } else { values.clone() };
+            let forces = found(&mut by_one, Some(1e-3), &[(velocity, values)], force);
+            assert_eq!(forces, found(&mut by_each, Some(1e-3), &[(velocity, each)], force), "{registers:?}");
+        }
+    }
+}
+
 /// Whatever is refused names the run, and leaves all runs as they are.
 #[test]
 fn what_is_refused_changes_nothing() {
