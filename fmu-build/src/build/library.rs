@@ -51,10 +51,14 @@ fn joined(mut parts: Vec<Vec<u8>>) -> Result<Vec<u8>> {
 }
 
 impl Library {
-    /// The static library.
-    pub fn static_library(&self) -> Result<Vec<u8>> {
+    /// The static library; rejected if it contains a path of this machine.
+    pub fn static_library(&self, root: &Path) -> Result<Vec<u8>> {
         let is_static = |file: &&PathBuf| name_of(file) == "libstribeck.a";
-        joined(self.beside.iter().filter(is_static).map(|file| read(file)).collect::<Result<_>>()?)
+        let is_for_windows = self.platform.suffix == ".dll";
+        let bytes = |file: &PathBuf| if is_for_windows { toolchain::without_debug_data(file) } else { read(file) };
+        let library = joined(self.beside.iter().filter(is_static).map(bytes).collect::<Result<_>>()?)?;
+        check_paths(root, self.platform, &library)?;
+        Ok(library)
     }
 
     /// The library that programs for Windows are linked to in place of the shared one.
@@ -85,11 +89,16 @@ pub fn check(root: &Path, platform: Platform, bytes: &[u8], exports: &[String]) 
         platform.check(library, exports)?;
         glibc = library.newest_glibc();
     }
+    check_paths(root, platform, bytes)?;
+    Ok(glibc)
+}
+
+fn check_paths(root: &Path, platform: Platform, bytes: &[u8]) -> Result<()> {
     let folders = remapped_paths(root)?.into_iter().map(|(folder, _)| folder);
     for path in folders.chain([target_folder(root), toolchain::sysroot()?]) {
         ensure!(!contains(bytes, &path), "{}: contains the path {}", platform.name(), path.display());
     }
-    Ok(glibc)
+    Ok(())
 }
 
 /// Folders of this machine with which source paths in the library begin, and their replacements.

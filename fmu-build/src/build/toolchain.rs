@@ -260,11 +260,28 @@ fn of_rustc(property: &str) -> Result<String> {
     Ok(found.with_context(|| format!("rustc does not report its {property}"))?.1.into())
 }
 
-fn has_rust_lld() -> Result<bool> {
+/// A program of the toolchain that is not in the search path.
+fn inner_program(name: &str) -> Result<PathBuf> {
     let programs = sysroot()?.join("lib").join("rustlib").join(host()?).join("bin");
-    let name = |tool: &str| programs.join(format!("{tool}{}", env::consts::EXE_SUFFIX));
+    Ok(programs.join(format!("{name}{}", env::consts::EXE_SUFFIX)))
+}
+
+fn has_rust_lld() -> Result<bool> {
     // The latter strips the output of the former.
-    Ok(name("rust-lld").is_file() && name("rust-objcopy").is_file())
+    Ok(inner_program("rust-lld")?.is_file() && inner_program("rust-objcopy")?.is_file())
+}
+
+/// A static library without data for debuggers: for Windows, even without any, they name the file that the compiler wrote,
+/// and its folder.
+pub fn without_debug_data(library: &Path) -> Result<Vec<u8>> {
+    let folder = tempfile::tempdir()?;
+    let stripped = folder.path().join("stripped.a");
+    let mut program = Command::new(inner_program("rust-objcopy")?);
+    program.args(["--strip-debug", "--enable-deterministic-archives"]).arg(library).arg(&stripped);
+    // It shares LLVM with the compiler.
+    let shared = sysroot()?.join("lib");
+    stdout(program.env("LD_LIBRARY_PATH", &shared).env("DYLD_LIBRARY_PATH", &shared))?;
+    fs::read(&stripped).with_context(|| format!("cannot read {}", stripped.display()))
 }
 
 /// Programs of the Python environment that tasks.py creates.

@@ -33,7 +33,7 @@ pub fn files(root: &Path, library: &Library) -> Result<Files> {
     let mut files = Files::from([
         ("include/stribeck.h".into(), read(&root.join("include/stribeck.h"))?),
         (shared.clone(), library.bytes.clone()),
-        ("lib/libstribeck.a".into(), library.static_library()?),
+        ("lib/libstribeck.a".into(), library.static_library(root)?),
     ]);
     files.extend(library.import_library()?.map(|bytes| ("lib/libstribeck.dll.a".into(), bytes)));
     for example in EXAMPLES {
