@@ -56,7 +56,7 @@ pub struct Stepped {
     /// Rows of some runs, if there are registers for them, and whether all runs can be worked on there.
     batch: Option<Batch>,
     fits: bool,
-    /// The value of each column in all rows there, where that is known.
+    /// Bits of the value that all rows there have in a column, if they are known to have the same one.
     in_all: Box<[Option<u64>]>,
     /// Whether the parameters of a run ask for memory.
     uses_memory: bool,

@@ -48,7 +48,8 @@ pub(crate) struct Kernel<R> {
     /// Advances the states by a time > 0 while the inputs are held, and may compute the outputs as well. It must only be
     /// called where the processor has the register.
     pub advance: unsafe fn(Groups<R>, f64) -> bool,
-    /// Does both, if that costs less. It must only be called where the processor has the register.
+    /// Advances the states and computes the outputs, where one function for both costs less than two. It must only be
+    /// called where the processor has the register.
     pub advance_and_output: Option<unsafe fn(Groups<R>, f64) -> bool>,
     /// Computes the outputs of steady sliding, and leaves the states. It must only be called where the processor has the
     /// register.

@@ -7,7 +7,7 @@ use crate::numerics::vector::Component;
 
 /// A law whose step has no modes that decide the course of the computation: it is written once for every number type.
 pub trait Steps: Law {
-    /// What [`Steps::advance_and_output`] computes once for both.
+    /// The work that [`Steps::advance_and_output`] does once instead of twice.
     const SHARED: Shared = Shared::Nothing;
 
     /// Advances the states by `dt` > 0 while the inputs are held.
@@ -27,7 +27,7 @@ pub trait Steps: Law {
     }
 }
 
-/// What a step and the outputs after it have in common.
+/// The work that a step and the outputs after it have in common.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shared {
     /// Nothing that takes long.
