@@ -147,6 +147,21 @@ fn one_value_for_all_is_in_force_again() {
     }
 }
 
+/// An output that is not finite is refused, even if all states are: the power, but not the energy of a short step.
+#[test]
+fn an_output_that_is_not_finite_is_refused() {
+    let law = by_name("LuGre").expect("a law");
+    let [velocity, force] = ["velocity", "friction_force"].map(|name| law.find(name).expect("a variable"));
+    let large = MANY - 80;
+    for registers in Registers::here() {
+        let mut stepped = Stepped::new(law, registers, MANY).expect("memory");
+        let speeds = (0..MANY).map(|run| if run == large { 1e160 } else { 1e-3 }).collect();
+        let refused = found(&mut stepped, Some(1e-20), &[(velocity, speeds)], force).expect_err("infinite power");
+        assert!(refused.starts_with(&format!("run {large}: ")) && refused.contains("velocity = 1e160"), "{refused}");
+        assert_eq!(stepped.times(), [0.0; MANY]);
+    }
+}
+
 /// Whatever is refused names the run, and leaves all runs as they are.
 #[test]
 fn what_is_refused_changes_nothing() {
