@@ -88,9 +88,10 @@ crate::model! {
     /// body at $2 v_0 sinh(f_e / (a f_n)) exp(-(mu_0 + b psi) / a)$: for the defaults at $psi = 0$ and half of
     /// $mu_0 f_n$ that is 1e-13 of $v_0$. No elasticity either, hence no pre-sliding displacement.
     ///
-    /// The force passes from one level to the other within $2 v_0 exp(-mu_0 / a)$, 1e-32 m/s for the defaults, which no
-    /// solver resolves: its steps become tiny where a body comes to rest, or creeps far below 1e-9 m/s. Model Exchange
-    /// is for motions that go on in one direction, as in the system `spring-slider`.
+    /// The force passes from one level to the other within $2 v_0 exp(-mu_0 / a)$, 1e-32 m/s for the defaults, which a
+    /// solver does not resolve: where a body comes to rest or creeps far below 1e-9 m/s its steps become tiny, or it
+    /// takes the force for linear and holds the body forever. Model Exchange is for motions that go on in one direction,
+    /// as in the system `spring-slider`; the workbench starts others by steps of the law itself.
     ///
     /// $a < b$ weakens with speed: a spring softer than $(b - a) f_n / D_c$ then gives stick-slip. Fits are made around
     /// $v_0$; far from it the logarithm goes on, down to a friction of 0, which it does not pass. Only the product of

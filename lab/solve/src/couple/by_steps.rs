@@ -86,6 +86,16 @@ fn rests_at_events(part: &Part) -> bool {
     part.model.check_without_events(&part.row).is_err() && part.model.variables().any(is_carried)
 }
 
+/// Refuses a system with a part that only events bring to rest.
+pub fn check_steps(system: &System) -> Result<(), Fault> {
+    match system.parts.iter().find(|part| rests_at_events(part)) {
+        None => Ok(()),
+        Some(Part { name, model, .. }) => {
+            Err(Fault::value(format_args!("{name}: {} sticks and slips at events, which steps do not see", model.name)))
+        }
+    }
+}
+
 /// Runs a system.
 pub fn by_steps(
     system: &System,
@@ -93,14 +103,7 @@ pub fn by_steps(
     options: &Options,
     recorded: &[WireSource],
 ) -> Result<(End, Statistics, Recorded), Fault> {
-    for part in &system.parts {
-        if rests_at_events(part) {
-            let (name, model) = (&part.name, part.model.name);
-            return Err(Fault::value(format_args!(
-                "{name}: {model} sticks and slips at events, which steps do not see"
-            )));
-        }
-    }
+    check_steps(system)?;
     let mut coupling = Coupling::new(system, options)?;
     let mut table = (Vec::new(), vec![Vec::new(); recorded.len()]);
     let end = match coupling.go(grid, options, recorded, &mut table) {

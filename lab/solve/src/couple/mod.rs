@@ -4,7 +4,7 @@ mod by_steps;
 mod co_simulation;
 mod train;
 
-pub use by_steps::by_steps;
+pub use by_steps::{by_steps, check_steps};
 pub use co_simulation::{Exchange, Master, co_simulation, hold};
 pub use train::{Recorded, Train, is_host};
 

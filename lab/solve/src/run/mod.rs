@@ -180,6 +180,8 @@ fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSo
                 if motion.has_bonds() {
                     return Err(Fault::value(format_args!("solver {solver}: follows no bonds that snap one by one")));
                 }
+                let refused = |fault: Fault| Fault::value(format_args!("solver {solver}: {fault}"));
+                solver::check_slopes(motion).map_err(refused)?;
                 let locates = settings.events && motion.indicators() > 0;
                 check_foreign(solver, !locates || foreign.has_events(), states)?;
                 Ok(solve_foreign(foreign, motion, states, &options, recorder))

@@ -2,15 +2,16 @@
 
 use std::fmt;
 
+use crate::couple::check_steps;
 #[cfg(feature = "foreign")]
 use crate::solve::Foreign;
-use crate::solve::Method;
-use crate::system::{Motion, System};
+use crate::solve::{Equations, Method};
+use crate::system::{Fault, Motion, System};
 
 /// A solver, with the class of MATLAB's solvers that it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Solver {
-    /// Rodas5P, or steps for systems with a part that has no rates.
+    /// Rodas5P, or steps for systems with a part that has no rates, or rates steeper than states resolve.
     Auto,
     /// Rosenbrock method of order 5 with located events; exact for laws made of straight lines.
     #[value(name = "rodas5p")]
@@ -52,12 +53,32 @@ pub enum Kind {
     CoSimulation,
 }
 
+/// Steepest rate at the start, in 1/s, that is taken to be resolved (chosen): where it is steeper, the rounding of a velocity
+/// of 0.1 m/s is more than 1e-5 m/s2.
+const STEEPEST: f64 = 1e12;
+
+/// Refuses rates that are so steep at the start that their states hardly tell them.
+pub(super) fn check_slopes(motion: &mut Motion) -> Result<(), Fault> {
+    match motion.steepest() {
+        Some((state, slope)) if slope > STEEPEST => Err(Fault::value(format_args!(
+            "the rate of {} has a slope of {slope:.0e} 1/s at the start, which rounding hides: at most {STEEPEST:e} 1/s",
+            motion.state_name(state)
+        ))),
+        _ => Ok(()),
+    }
+}
+
+fn is_too_steep(system: &System) -> bool {
+    Motion::new(system, &[]).is_ok_and(|mut motion| check_slopes(&mut motion).is_err())
+}
+
 impl Solver {
-    /// The solver that runs a system: steps if a part has no rates.
+    /// The solver that runs a system: steps if a part has no rates, or if they can make steps where rates are too steep.
     pub fn for_system(self, system: &System) -> Solver {
         match self {
-            Solver::Auto if Motion::check(system).is_ok() => Solver::Rodas5P,
-            Solver::Auto => Solver::Steps,
+            Solver::Auto if Motion::check(system).is_err() => Solver::Steps,
+            Solver::Auto if is_too_steep(system) && check_steps(system).is_ok() => Solver::Steps,
+            Solver::Auto => Solver::Rodas5P,
             other => other,
         }
     }

@@ -16,6 +16,16 @@
 use super::elimination::Factors;
 use super::step::Beginning;
 
+/// Factor by which a steep slope makes an error smaller from which on it is tried whether it does (chosen): slopes of the
+/// laws that are resolved stay below.
+pub(super) const STEEP: f64 = 1e6;
+
+/// Tolerances to which defects may add up over a run without a look at them (chosen).
+pub(super) const HARMLESS: f64 = 1e3;
+
+/// Part of a defect that its correction may leave (chosen).
+pub(super) const ILLUSION: f64 = 0.5;
+
 /// Largest growth within a step, as an exponent (chosen).
 const GROWTH: f64 = 1.0;
 

@@ -294,10 +294,44 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
         if excess > 1.0 {
             return Ok(Some(change(excess, S::ERROR_ORDER).min(DOUBT)));
         }
+        if let Some(correction) = defect
+            && self.is_illusion(&ahead, &slopes, length, &correction)
+        {
+            self.check_resolution(&ahead, &correction)?;
+            return Ok(Some(DOUBT));
+        }
         self.ahead = Some(ahead);
         // The law may hold the body at the end: then only the beginning knows that the motion grew away from there.
         let grows = [&self.begin.jacobian, &ahead.jacobian].into_iter().any(|jacobian| judge::grows(jacobian, length));
         Ok(grows.then_some(DOUBT))
+    }
+
+    /// Whether the correction of a steep state, small as it is, leaves the defect as it was: the slope does not last so far,
+    /// or the state does not change by so little.
+    fn is_illusion(&mut self, end: &Beginning<N>, slopes: &[f64; N], length: f64, correction: &[f64; N]) -> bool {
+        let by_rates = |rates: &[f64; N]| -> [f64; N] { std::array::from_fn(|i| rates[i] * length - slopes[i]) };
+        let before = self.norm(&by_rates(&end.rates), &end.states);
+        let share = length / (self.options.end - self.options.begin);
+        if before <= (judge::STEEP * self.norm(correction, &end.states)).max(judge::HARMLESS * share) {
+            return false;
+        }
+        let corrected: [f64; N] = std::array::from_fn(|i| end.states[i] + correction[i]);
+        let mut rates = [0.0; N];
+        self.equations.rates(end.time, &corrected, &mut rates);
+        self.statistics.evaluations += 1;
+        let after: [f64; N] = by_rates(&rates);
+        let left: [f64; N] = std::array::from_fn(|i| after[i] - correction[i] / S::GAMMA);
+        self.norm(&left, &end.states) > judge::ILLUSION * before
+    }
+
+    /// Refuses a state whose correction is lost in rounding: no step is short enough for it.
+    fn check_resolution(&self, end: &Beginning<N>, correction: &[f64; N]) -> Result<(), String> {
+        if (0..N).any(|i| end.states[i] + correction[i] != end.states[i]) {
+            return Ok(());
+        }
+        let slope = |i: &usize| end.jacobian[*i][*i].abs();
+        let state = (0..self.equations.states()).max_by(|a, b| slope(a).total_cmp(&slope(b))).unwrap_or(0);
+        Err(format!("the rounding of {} decides on its rate", self.equations.state_name(state)))
     }
 
     /// Factor by which the next step is longer.

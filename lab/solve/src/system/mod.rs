@@ -39,6 +39,8 @@ mod servo_tests;
 #[cfg(test)]
 mod slider_tests;
 #[cfg(test)]
+mod steep_tests;
+#[cfg(test)]
 mod strut_tests;
 #[cfg(test)]
 mod tests;

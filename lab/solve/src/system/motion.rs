@@ -172,6 +172,15 @@ impl Motion {
         self.columns.iter().map(|column| self.rows.values[*column]).collect()
     }
 
+    /// Largest derivative of a rate by its own state, at the start, in 1/s, and the number of the state.
+    pub fn steepest(&mut self) -> Option<(usize, f64)> {
+        let (states, count) = (self.start(), self.states());
+        let (mut jacobian, mut by_time) = (vec![0.0; count * count], vec![0.0; count]);
+        self.jacobian(0.0, &states, &mut jacobian, &mut by_time);
+        let slope = |state: usize| (state, jacobian[state * (count + 1)].abs());
+        (0..count).map(slope).max_by(|(_, a), (_, b)| a.total_cmp(b))
+    }
+
     /// The variables that are states.
     pub fn places(&self) -> &[Place] {
         &self.states

@@ -3,7 +3,7 @@
 use stribeck::catalogue::{Family, documented};
 use stribeck::table::Kind;
 use stribeck_solve::run::{Outcome, Settings, Solver, run};
-use stribeck_solve::solve::{End, Equations};
+use stribeck_solve::solve::End;
 use stribeck_solve::system::{Motion, Setting, Source, System};
 
 /// Largest part of the amplitude by which a run that is reached may be off.
@@ -68,9 +68,9 @@ pub fn tallies(
     let source = Source::open(case.system).ok()?;
     let base = System::assemble(&source, Some(law), &[]).ok()?;
     // Solvers of other crates, of which one checks the reference, keep no past and follow no bonds.
-    let motion = Motion::new(&base, &[]).ok().filter(|motion| !motion.has_past() && !motion.has_bonds())?;
+    let mut motion = Motion::new(&base, &[]).ok().filter(|motion| !motion.has_past() && !motion.has_bonds())?;
     // The explicit one of them cannot follow a law of creep.
-    Some(stiffness(motion)).filter(|most| *most < STIFFEST)?;
+    motion.steepest().filter(|(_, most)| *most < STIFFEST)?;
     let mut random = fastrand::Rng::with_seed(7);
     let mut tallies = vec![Tally::default(); tolerances.len()];
     let mut settings = Vec::new();
@@ -90,14 +90,6 @@ pub fn tallies(
         }
     }
     Some(tallies)
-}
-
-/// Largest derivative of a rate by its own state, at the start.
-fn stiffness(mut motion: Motion) -> f64 {
-    let (states, count) = (motion.start(), motion.states());
-    let (mut jacobian, mut by_time) = (vec![0.0; count * count], vec![0.0; count]);
-    motion.jacobian(0.0, &states, &mut jacobian, &mut by_time);
-    (0..count).map(|state| jacobian[state * (count + 1)].abs()).fold(0.0, f64::max)
 }
 
 /// All laws of friction.
