@@ -24,6 +24,10 @@ const MOST_ITERATIONS: u32 = 25;
 /// Longest step, in parts of the run (chosen): a motion that is given repeats itself unseen in a longer one.
 const LONGEST: f64 = 1e-3;
 
+/// Step, in s, up to which forces need not agree (chosen): right behind a reversal a force that follows the logarithm of the
+/// speed differs in a step of any length, and moves nothing in one of this length.
+const BRIEF: f64 = 1e-8;
+
 /// Part of the tolerance that a step may err by (chosen): steps of second order are many, and what a stiff contact that
 /// holds a body does not damp adds up from the one to the next.
 const SHARE: f64 = 1e-2;
@@ -275,7 +279,7 @@ impl<'a> Coupling<'a> {
         let sources = self.compared.iter().copied().zip(pairs);
         let mut worst = sources.fold(0.0, |worst, (source, pair)| self.worse(worst, source, pair));
         // The force that brings a body to rest at the end of a step depends on the step. Others show what a law remembers.
-        if !(found.by_bisection || self.halves.iter().any(|half| half.found.by_bisection)) {
+        if h > BRIEF && !(found.by_bisection || self.halves.iter().any(|half| half.found.by_bisection)) {
             let pairs = self.forces()?.into_iter().zip(forces);
             worst = self.back.iter().zip(pairs).fold(worst, |worst, (wire, pair)| self.worse(worst, wire.from, pair));
         }
