@@ -8,7 +8,7 @@
 //! of a part of the half step they lie in.
 
 use stribeck::instance::Snapshot;
-use stribeck::model::{Meaning, Variable};
+use stribeck::model::{Brief, Meaning, Variable};
 use stribeck::number::elementary::pow;
 
 use super::train::{Recorded, Train};
@@ -34,6 +34,13 @@ const SHARE: f64 = 1e-2;
 
 /// Part of the tolerance to which the iteration converges (chosen).
 const CLOSURE: f64 = 1e-4;
+
+/// Speed, in m/s, below which a peak of friction is not seen, and powers of ten in which it is looked for (chosen).
+const NARROW: f64 = 1e-9;
+const DECADES: i32 = 12;
+
+/// Factor by which a force may be larger there (chosen).
+const HIDDEN: f64 = 1.01;
 
 /// Part of its size within which the force on a held body is first looked for (chosen).
 const HELD: f64 = 1e-3;
@@ -333,8 +340,40 @@ impl<'a> Coupling<'a> {
         self.inverse = identity(self.back.len());
         let [first] = &*guess else { return Err(NO_CONVERGENCE.to_owned()) };
         let found = self.bisect(h, *first, 1.0)?;
+        if found.by_bisection {
+            self.check_peak()?;
+        }
         self.bisects = true;
         Ok(found)
+    }
+
+    /// Refuses a law whose force has a peak at a speed that steps hardly tell from rest: it carries more than they find.
+    fn check_peak(&mut self) -> Result<(), String> {
+        let WireSource::Variable(force) = self.back[0].from else { return Ok(()) };
+        let Part { name, model, .. } = &self.train.system.parts[force.part];
+        let Some(column) = model.table.of(Meaning::Velocity) else { return Ok(()) };
+        let place = Place { column, ..force };
+        let velocity = self.train.state(place);
+        let at = |train: &mut Train, speed: f64| -> Result<f64, String> {
+            train.put(place, speed.copysign(velocity))?;
+            Ok(train.value(WireSource::Variable(force))?.abs())
+        };
+        let beyond = at(&mut self.train, NARROW)?;
+        let mut speed = NARROW;
+        for _ in 0..DECADES {
+            speed *= 0.1;
+            let peak = at(&mut self.train, speed)?;
+            if peak > HIDDEN * beyond {
+                return Err(format!(
+                    "{name}: the friction force of {} is {} N at {speed:.0e} m/s and {} N at {NARROW:.0e} m/s: steps do \
+                     not see the peak",
+                    model.name,
+                    Brief(peak),
+                    Brief(beyond),
+                ));
+            }
+        }
+        at(&mut self.train, velocity.abs()).map(|_| ())
     }
 
     /// Finds the values at the end of a step at which the parts agree; none if the iteration does not converge.

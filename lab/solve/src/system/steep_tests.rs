@@ -88,3 +88,27 @@ fn a_velocity_that_is_a_state_is_resolved() {
         assert!(error < most, "{solver} {tolerance}: {error}");
     }
 }
+
+/// Laws whose speed of transition is next to nothing: with a peak there, no solver finds the motion, and each says so;
+/// without one, it is that of a speed which is resolved.
+#[test]
+fn a_peak_that_is_too_narrow_is_noticed() {
+    let on_belt = |law: &str, transition: &str| {
+        let setting = Setting { name: "friction.transition_velocity".to_owned(), value: transition.to_owned() };
+        let system = System::assemble(&Source::open("belt").unwrap(), Some(law), &[setting]).unwrap();
+        run(&system, &Settings::of(&system), &[BELT[0].to_owned()]).unwrap()
+    };
+    for (law, transition, solver, reason) in [
+        ("BrownMcPhee", "1e-12", Solver::Steps, "steps do not see the peak"),
+        ("Hollars", "1e-14", Solver::Steps, "steps do not see the peak"),
+        ("BrownMcPhee", "1e-10", Solver::Rodas5P, "the rounding of rig.block_velocity decides on its rate"),
+    ] {
+        let outcome = on_belt(law, transition);
+        assert_eq!(outcome.solver, solver, "{law} {transition}");
+        assert!(outcome.end.to_string().contains(reason), "{law} {transition}: {}", outcome.end);
+    }
+    let [wide, narrow] = ["1e-8", "1e-13"].map(|transition| on_belt("Threlfall", transition));
+    assert!(wide.solver == Solver::Rodas5P && narrow.solver == Solver::Steps && narrow.is_reached());
+    let pairs = narrow.columns[0].values.iter().zip(&wide.columns[0].values);
+    assert!(pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) < 1e-6);
+}
