@@ -27,6 +27,17 @@ pub const EVERY: f64 = 1e-4;
 /// Error of the position, in m, up to which a motion is right (chosen: a percent of the amplitude of a few decimetres).
 pub const RIGHT: f64 = 2.5e-3;
 
+/// Steps after which a solver is said not to come to its end (chosen): those of the models evaluate them many times.
+pub const MOST_STEPS: [u64; 2] = [1_000_000, 200_000];
+
+/// Most steps of a solver.
+pub const fn most_steps(solver: Solver) -> u64 {
+    MOST_STEPS[matches!(solver, Solver::Steps) as usize]
+}
+
+/// Time of a run that is not repeated (chosen).
+const LONG: Duration = Duration::from_secs(1);
+
 /// A run of a law with a solver.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trial {
@@ -51,6 +62,8 @@ pub struct Measurement {
     pub time: Duration,
     /// Largest error of the position, in m; none if the run did not come to its end.
     pub error: Option<f64>,
+    /// Whether the motion is known well enough to judge it.
+    pub is_judged: bool,
     /// Largest error of a time of switching, in s; none if their number differs from that of the reference.
     pub switching: Option<f64>,
     /// How the run ended, or why there was none.
@@ -63,9 +76,23 @@ impl Measurement {
         match (&self.end, self.error) {
             (Err(_), _) => "refused",
             (Ok(_), None) => "DNC",
+            (Ok(_), Some(_)) if !self.is_judged => "not judged",
             (Ok(_), Some(error)) if error <= RIGHT => "right",
             (Ok(_), Some(_)) => "wrong",
         }
+    }
+
+    /// The outcome of a finer run: if this one has too many steps, it has, too.
+    pub fn for_finer(&self, trial: Trial) -> Option<Measurement> {
+        let End::Failed { time, reason } = self.end.as_ref().ok()? else { return None };
+        let Trial { solver, events, .. } = self.trial;
+        if (solver, events) != (trial.solver, trial.events) || !reason.starts_with("more than ") {
+            return None;
+        }
+        // The looser run says at which tolerance it was.
+        let said = if reason.contains(", at ") { String::new() } else { format!(", at {:e}", self.trial.tolerance) };
+        let end = Ok(End::Failed { time: *time, reason: format!("{reason}{said}") });
+        Some(Measurement { law: self.law.clone(), trial, end, ..*self })
     }
 
     /// How it ended, in words.
@@ -73,25 +100,17 @@ impl Measurement {
         self.end.as_ref().map_or_else(Clone::clone, End::to_string)
     }
 
-    /// The trial that a reference is.
-    fn of_reference(law: String, trial: Trial, reference: &Reference) -> Measurement {
-        let Reference { counts, time, uncertainty, .. } = *reference;
-        Measurement { law, trial, counts, time, error: Some(uncertainty), switching: None, end: Ok(End::Reached) }
-    }
-
     /// A trial that was refused.
     fn refused(law: String, trial: Trial, fault: &Fault) -> Measurement {
-        let (counts, time, end) = ([0; 5], Duration::ZERO, Err(fault.to_string()));
-        Measurement { law, trial, counts, time, error: None, switching: None, end }
+        // The solver has a column of its own.
+        let reason = fault.to_string().replacen(&format!("solver {}: ", trial.solver), "", 1);
+        let (counts, time, end) = ([0; 5], Duration::ZERO, Err(reason));
+        Measurement { law, trial, counts, time, error: None, is_judged: false, switching: None, end }
     }
 }
 
-/// Runs a law with a solver several times. What is refused is a result as well. The reference of a law that steps
-/// itself is not run again: its error is then its uncertainty.
+/// Runs a law with a solver several times. What is refused is a result as well.
 pub fn measure(system: &System, known: &Reference, trial: Trial, settings: &Settings, repeats: usize) -> Measurement {
-    if trial.solver == Solver::Steps && trial.tolerance == known.tolerance {
-        return Measurement::of_reference(law(system), trial, known);
-    }
     let Trial { solver, tolerance, events } = trial;
     let outcome = run_often(system, &Settings { solver, tolerance, events, ..*settings }, repeats);
     outcome.map_or_else(
@@ -102,6 +121,7 @@ pub fn measure(system: &System, known: &Reference, trial: Trial, settings: &Sett
             counts: counts(&outcome),
             time,
             error: outcome.is_reached().then(|| known.error(position(&outcome))),
+            is_judged: known.is_certain(),
             switching: known.switching(&outcome.events),
             end: Ok(outcome.end),
         },
@@ -117,7 +137,7 @@ fn run_often(system: &System, settings: &Settings, repeats: usize) -> Result<(Ou
     let run = || run(system, settings, &[POSITION.to_owned()]);
     let mut outcome = run()?;
     let mut times = vec![outcome.elapsed];
-    for _ in 1..repeats {
+    for _ in 1..if outcome.elapsed > LONG { 1 } else { repeats } {
         outcome = run()?;
         times.push(outcome.elapsed);
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Measurement, RIGHT, Reference};
+use super::{MOST_STEPS, Measurement, RIGHT, Reference};
 use stribeck_fit::thesis::{CLASSES, TABLE_6_5};
 use stribeck_solve::run::Solver;
 
@@ -37,10 +37,13 @@ pub fn page(
 }
 
 fn head(tolerance: f64) -> String {
+    let [most, of_models] = MOST_STEPS.map(|steps| steps as f64);
     format!(
         "# Benchmark\n\nEvery law of the catalogue on the belt of Table 6.1 (40 s, 400,001 results, relative and \
          absolute tolerance {tolerance:e}), with\n{HEAD}\nA motion is *right* if its position is never off by more \
-         than {} mm; *DNC* means that the solver did not come\nto the end.\n\n",
+         than {} mm; *DNC* means that the solver did not come\nto the end within {most:e} steps, {of_models:e} of the \
+         models, at this tolerance or at a looser one. A motion in brackets is\nnot judged: rounding errors alone move it \
+         by as much ([References](#references)).\n\n",
         RIGHT * 1e3
     )
 }
@@ -48,16 +51,16 @@ fn head(tolerance: f64) -> String {
 /// Error of the position, in m, for which the price is listed (chosen).
 const PRECISE: f64 = 1e-6;
 
-/// Fewest evaluations with which each solver keeps the error small, and the pictures of each law.
+/// From which tolerance on each solver is right, the fewest evaluations with which it keeps the error small, and the
+/// pictures of each law.
 fn precise(measurements: &[Measurement], pictures: &[(String, Vec<String>)]) -> String {
     let solvers = solvers(measurements);
-    let names: Vec<String> = solvers.iter().map(Solver::to_string).collect();
-    let mut text = format!(
+    let [columns, rule] = [solvers.iter().map(|solver| format!(" {solver} |")).collect(), "---|".repeat(solvers.len())];
+    let head: String = format!("| law |{columns}\n|---|{rule}\n");
+    let mut text = format!("{BEGINS}{head}{}", begins(measurements, &solvers));
+    text += &format!(
         "\n## Work and precision\n\nFewest evaluations of the rates in a run whose position is never off by more than \
-         {PRECISE:e} m, over nine tolerances from 1e-3 to 1e-11; events located or stepped over.\n\n| law | {} \
-         |\n|---|{}\n",
-        names.join(" | "),
-        "---|".repeat(names.len())
+         {PRECISE:e} m, over nine tolerances from 1e-3 to 1e-11; events located or stepped over.\n\n{head}"
     );
     for (law, _) in pictures {
         let counts: Vec<String> = solvers.iter().map(|solver| fewest(measurements, law, *solver)).collect();
@@ -71,6 +74,54 @@ fn precise(measurements: &[Measurement], pictures: &[(String, Vec<String>)]) -> 
     text
 }
 
+/// Where each solver begins to be right: for all laws that it runs, and for each.
+fn begins(measurements: &[Measurement], solvers: &[Solver]) -> String {
+    let judged: Vec<&str> = laws(measurements)
+        .into_iter()
+        .filter(|law| measurements.iter().any(|one| one.law == *law && one.is_judged))
+        .collect();
+    let (mut all, mut loosest) = (String::new(), String::new());
+    for solver in solvers {
+        let known: Vec<Begin> = judged.iter().filter_map(|law| begin(measurements, law, *solver)).collect();
+        let first = known.iter().copied().reduce(|a, b| a.zip(b).map(|(a, b)| f64::min(a, b))).flatten();
+        all += &format!(" **{}** |", tolerance_text(first));
+        let at_once = known.iter().filter(|one| one.is_some_and(|one| one >= LOOSEST)).count();
+        loosest += &format!(" {at_once} of {} |", known.len());
+    }
+    let mut text =
+        format!("| **all laws that it runs** |{all}\n| laws with which it is right at {LOOSEST:e} |{loosest}\n");
+    for law in judged {
+        text += &format!("| {law} |");
+        for solver in solvers {
+            let begin = begin(measurements, law, *solver);
+            text += &begin.map_or_else(|| " |".to_owned(), |begin| format!(" {} |", tolerance_text(begin)));
+        }
+        text += "\n";
+    }
+    text
+}
+
+/// The loosest tolerance from which on a solver is right, if there is one.
+type Begin = Option<f64>;
+
+/// The loosest tolerance of the tables.
+const LOOSEST: f64 = 1e-3;
+
+fn tolerance_text(begin: Begin) -> String {
+    begin.map_or_else(|| "-".to_owned(), |tolerance| format!("{tolerance:e}"))
+}
+
+/// Where a solver begins to be right with a law, by the runs that come to their end; none if there is no such run.
+fn begin(measurements: &[Measurement], law: &str, solver: Solver) -> Option<Begin> {
+    let tolerances = measurements.iter().filter(|one| one.law == law && one.trial.solver == solver);
+    let tolerances: BTreeSet<u64> = tolerances.map(|one| one.trial.tolerance.to_bits()).collect();
+    let at = |tolerance: u64| find(measurements, law, solver, f64::from_bits(tolerance));
+    let ended: Vec<&Measurement> = tolerances.into_iter().filter_map(at).filter(|one| one.error.is_some()).collect();
+    ended.first()?;
+    let right = ended.iter().take_while(|one| one.verdict() == "right");
+    Some(right.last().map(|one| one.trial.tolerance))
+}
+
 fn fewest(measurements: &[Measurement], law: &str, solver: Solver) -> String {
     let is_precise = |one: &&Measurement| {
         one.law == law && one.trial.solver == solver && one.error.is_some_and(|error| error <= PRECISE)
@@ -79,18 +130,28 @@ fn fewest(measurements: &[Measurement], law: &str, solver: Solver) -> String {
     counts.min().map_or_else(|| "-".to_owned(), |count| count.to_string())
 }
 
+/// Text before the table of where solvers begin to be right.
+const BEGINS: &str = "
+## Where each solver begins to be right
+
+The loosest tolerance, of nine from 1e-3 to 1e-11, from which on the motion is right: at it and in all finer runs that
+come to their end. `-`: not even the finest is; empty: the law was refused, or no run came to its end. Events are
+located where the solver can do so. Laws that are not judged are left out.
+
+";
+
 const HEAD: &str = "the solver classes of F. Novais (2024), Tables 6.3, 6.5 and 7.2, and with ours. `stribeck bench \
 thesis` writes this page
 and `benchmark.csv`; with `--work-precision` the table there has nine tolerances, events located and not.
 
 Times are medians on the machine that made the page: compare them with each other, not with those of the thesis. They
-include the 400,001 results. Laws that advance their memory themselves run by their own steps, which are halved until two
-halves agree; their error is the difference from a run at ten times the tolerance.
+include the 400,001 results. The last column, `steps`, knows no rates: it makes steps of the models, as an importer of
+FMUs does, halved until two halves agree.
 ";
 
 /// Laws whose motion on the belt amplifies small errors, and why.
 const SENSITIVE: &str = "
-Some of these motions amplify every error, so that no solver is as good as its tolerance:
+Why some of these motions amplify errors, so that no solver is as good as its tolerance:
 
 - `LinearStiction` and `Hollars` let the block creep until their force has its peak. It arrives there with an acceleration
   of (v_0 / f_s) k v_b, 1.4e-4 m/s2 for the defaults: a velocity that is off by 1e-8 m/s is a breakaway that is off by
@@ -99,15 +160,11 @@ Some of these motions amplify every error, so that no solver is as good as its t
   breakaway by 2 (f_s - f_C) / (k v_b^2), 49 us.
 - `Bristle` gives a bond that breaks a new place at random. The k-th number of a bond is the same in all runs with a seed,
   so that its bonds are those of the distance slid, at any tolerance. The spring that they are while the block sticks is
-  not damped, however: it swings at 50 Hz, and each turn decides which bond snaps. Runs that differ by rounding only agree
-  within 1e-9 m in the first slip, and differ by 1e-4 m at 13 s and by 1e-2 m at 27 s.
+  not damped, however: it swings at 50 Hz, and each turn decides which bond snaps.
 - `Wojewoda` lets the block slow down to 1.6 um/s, which it keeps until the spring reaches the upper curve: how fast it creeps
-  decides when it speeds up again, and the difference grows exponentially then. Runs at 1e-6 and 1e-7 differ by 1e-3 m at
-  the end.
-- `MaxwellSlip`, `Armstrong` and `FrictionalLag` break away where their force falls with speed, and what differs before
-  grows exponentially then. Runs at 1e-6 and 1e-7 differ by 5e-8, 2e-9 and 9e-13 m shortly before the first slip (at 7, 6
-  and 7 s), and by 3e-4, 4e-5 and 8e-7 m at 8 s. Each of the four further slips adds to it, and a tolerance ten times finer
-  makes it two to four times smaller.
+  decides when it speeds up again, and a difference grows exponentially then.
+- `MaxwellSlip`, `Armstrong` and `FrictionalLag` break away where their force falls with speed: a difference grows
+  exponentially then, in each of the five slips.
 ";
 
 pub(super) fn solvers(measurements: &[Measurement]) -> Vec<Solver> {
@@ -137,7 +194,7 @@ fn table(measurements: &[Measurement], tolerance: f64) -> String {
     let mut text = String::from(
         "## All laws, all solvers\n\nEvaluations of the rates / ms / largest error in m. Events are located where the \
          solver can do so. For laws made of straight lines rodas5p is exact, as is what it is compared with (0e0): what \
-         both are worth is in the last column of the references.\n\n| law |",
+         both are worth is in the column of another code, in the references.\n\n| law |",
     );
     solvers.iter().for_each(|solver| text += &heading(*solver));
     text += &format!("\n|---|{}\n", "---|".repeat(solvers.len()));
@@ -161,6 +218,7 @@ fn cell(one: &Measurement) -> String {
     let ms = one.time.as_secs_f64() * 1e3;
     match one.error {
         Some(error) if one.verdict() == "right" => format!(" {} / {ms:.1} / {error:.0e} |", one.counts[2]),
+        Some(error) if !one.is_judged => format!(" {} / {ms:.1} / ({error:.0e}) |", one.counts[2]),
         Some(error) => format!(" {} / {ms:.1} / **{error:.0e}** |", one.counts[2]),
         None => format!(" {} |", one.verdict()),
     }
@@ -186,7 +244,10 @@ fn failures(measurements: &[Measurement], tolerance: f64) -> String {
     );
     // One row for all solvers that ended in the same way.
     let mut rows: Vec<(&Measurement, Vec<String>)> = Vec::new();
-    for one in measurements.iter().filter(|one| one.trial.tolerance == tolerance && one.verdict() != "right") {
+    for one in measurements
+        .iter()
+        .filter(|one| one.trial.tolerance == tolerance && !matches!(one.verdict(), "right" | "not judged"))
+    {
         let what = |one: &Measurement| (one.law.clone(), one.trial.events, one.end.clone());
         match rows.iter_mut().find(|(other, _)| what(other) == what(one)) {
             Some((_, solvers)) => solvers.push(one.trial.solver.to_string()),
@@ -201,22 +262,24 @@ fn failures(measurements: &[Measurement], tolerance: f64) -> String {
     text + "\n"
 }
 
-/// Laws whose reference is uncertain.
+/// How well each motion is known, and how errors grow in it.
 fn uncertain(references: &[(String, Result<Reference, String>)]) -> String {
-    let (other, tolerance) = Reference::OTHER;
+    let ((other, at), shift) = (Reference::OTHER, Reference::SHIFT);
     let head = format!(
-        "## References\n\nEach motion is compared with a run at the tolerance named here; the uncertainty is its \
-         largest difference from a\nrun at ten times that tolerance. The last column is its largest difference from a \
-         run of another code, {other} at {tolerance:e}.\n\n| law | tolerance | uncertainty in m | difference in m \
-         |\n|---|---|---|---|\n"
+        "## References\n\nEach motion is compared with one by the solver and at the tolerance named here; the uncertainty \
+         is its largest difference from\na run at ten times that tolerance, the next column its largest difference from \
+         a run of another code, {other} at {at:e}. The last\none says how errors grow: by how much the motion is off at \
+         most if the block starts {shift:e} m beside its place. A motion is\nnot judged if one of the three is above {} \
+         mm.\n\n| law | solver | uncertainty in m | other code in m | growth of {shift:e} m, in m \
+         |\n|---|---|---|---|---|\n",
+        RIGHT * 1e3
     );
     let row = |(law, reference): &(String, Result<Reference, String>)| match reference {
-        Ok(Reference { tolerance, uncertainty, other, .. }) => {
-            let none = |reason: &String| format!("none: {reason}");
-            let other = other.as_ref().map_or_else(none, |other| format!("{other:.0e}"));
-            format!("| {law} | {tolerance:e} | {uncertainty:.0e} | {other} |\n")
+        Ok(Reference { by: (solver, tolerance), uncertainty, other, growth, .. }) => {
+            let other = other.as_ref().map_or_else(|reason| format!("none: {reason}"), |other| format!("{other:.0e}"));
+            format!("| {law} | {solver}, {tolerance:e} | {uncertainty:.0e} | {other} | {growth:.0e} |\n")
         }
-        Err(reason) => format!("| {law} | - | not measured, since it has no reference: {reason} | - |\n"),
+        Err(reason) => format!("| {law} | - | not measured, since it has no reference: {reason} | - | - |\n"),
     };
     head + &references.iter().map(row).collect::<String>()
 }

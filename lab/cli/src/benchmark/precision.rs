@@ -49,8 +49,11 @@ pub fn work_precision(
     let of_law: Vec<&Measurement> =
         measurements.iter().filter(|one| one.law == law && one.trial.events == events).collect();
     // A solver has the same colour in all diagrams, whichever solvers can run the law.
-    let compared = solvers(measurements).into_iter().filter(|solver| *solver != Solver::Steps);
-    let all = compared.take(MOST_LAWS).enumerate().map(|(look, solver)| line(&of_law, solver, precision, look));
+    let all = solvers(measurements)
+        .into_iter()
+        .take(MOST_LAWS)
+        .enumerate()
+        .map(|(look, solver)| line(&of_law, solver, precision, look));
     let lines: Vec<Line> = all.filter(|line| line.points.len() > 1).collect();
     lines.first()?;
     let (quantity, unit, what) = precision.shown();
@@ -90,6 +93,7 @@ mod tests {
             counts: [0, 0, evaluations, 0, 0],
             time: Duration::ZERO,
             error: Some(error),
+            is_judged: true,
             switching: None,
             end: Ok(End::Reached),
         }

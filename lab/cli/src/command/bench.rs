@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
 use crate::benchmark::{
-    EVERY, Measurement, Precision, Reference, Trial, belt, csv, karnopp_as_printed, measure, page, work_precision,
+    EVERY, Measurement, Precision, Reference, Trial, belt, csv, karnopp_as_printed, measure, most_steps, page,
+    work_precision,
 };
 use clap::{Args, ValueEnum};
 use stribeck_plot::picture::Theme;
@@ -113,29 +114,26 @@ fn draw(measurements: &[Measurement], laws: &[String], folder: &Path) -> Result<
 /// A law with each solver that can run it.
 fn one_law(arguments: &Arguments, system: &System, reference: &Reference, settings: &Settings) -> Vec<Measurement> {
     let mut measurements = Vec::new();
-    let has_rates = Solver::Auto.for_system(system) != Solver::Steps;
-    for solver in Solver::value_variants() {
-        let is_for_it = match solver {
-            Solver::Auto | Solver::CoSimulation => false,
-            Solver::Steps => !has_rates,
-            _ => has_rates,
-        };
-        if !is_for_it {
-            continue;
-        }
+    // The others choose a solver themselves, or have no tolerance.
+    let compared = Solver::value_variants().iter().filter(|one| !matches!(one, Solver::Auto | Solver::CoSimulation));
+    for solver in compared {
+        let settings = &Settings { most_steps: most_steps(*solver), ..*settings };
         for trial in trials(arguments, *solver) {
             let repeats = if trial.tolerance == arguments.tol { arguments.repeats.max(1) } else { 1 };
-            measurements.push(measure(system, reference, trial, settings, repeats));
+            let looser = measurements.iter().rev().find_map(|one: &Measurement| one.for_finer(trial));
+            measurements.push(looser.unwrap_or_else(|| measure(system, reference, trial, settings, repeats)));
         }
     }
     measurements
 }
 
+/// From the loosest tolerance on.
 fn trials(arguments: &Arguments, solver: Solver) -> Vec<Trial> {
     let mut tolerances = vec![arguments.tol];
-    if arguments.work_precision && solver != Solver::Steps {
+    if arguments.work_precision {
         tolerances.extend((3..=11).map(|power| 10f64.powi(-power)).filter(|other| *other != arguments.tol));
     }
+    tolerances.sort_by(|a, b| b.total_cmp(a));
     // These two locate no events.
     let events: &[bool] = if matches!(solver, Solver::Steps | Solver::Dop853) { &[false] } else { &[true, false] };
     let both = |tolerance: f64| events.iter().map(move |events| Trial { solver, tolerance, events: *events });

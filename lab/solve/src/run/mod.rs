@@ -24,7 +24,7 @@ pub use step::Step;
 use crate::couple::{Exchange, Master, by_steps, co_simulation};
 #[cfg(feature = "foreign")]
 use crate::solve::solve_foreign;
-use crate::solve::{End, Equations, Grid, Options, Progress, Recorder, Statistics, solve};
+use crate::solve::{End, Equations, Grid, MOST_STEPS, Options, Progress, Recorder, Statistics, solve};
 use crate::system::{Fault, Motion, Part, System, WireSource};
 
 /// How a system is run.
@@ -44,6 +44,8 @@ pub struct Settings<'a> {
     pub master: Master,
     /// Whether the run is repeated at a tenth of its steps' tolerance, or of the master's step.
     pub is_checked: bool,
+    /// Largest number of steps, rejected ones included.
+    pub most_steps: u64,
     /// Set from outside to end the run early.
     pub cancel: Option<&'a std::sync::atomic::AtomicBool>,
     /// Listener to the progress.
@@ -68,8 +70,9 @@ impl Settings<'_> {
         let (until, every) = (system.description.until, system.description.every);
         let master = Master { step: 1e-3, exchange: Exchange::Sequential, jitter: 0.0 };
         let (solver, tolerance) = (Solver::Auto, 1e-8);
-        let (events, is_checked) = (true, false);
-        Settings { solver, tolerance, until, every, events, master, is_checked, cancel: None, progress: None }
+        let (events, is_checked, most_steps) = (true, false, MOST_STEPS);
+        let (cancel, progress) = (None, None);
+        Settings { solver, tolerance, until, every, events, master, is_checked, most_steps, cancel, progress }
     }
 
     /// Refuses settings with which nothing can be run.
@@ -105,6 +108,7 @@ impl Settings<'_> {
     fn options(&self) -> Options<'_> {
         Options {
             events: self.events,
+            most_steps: self.most_steps,
             cancel: self.cancel,
             progress: self.progress,
             ..Options::new(self.until, self.tolerance)

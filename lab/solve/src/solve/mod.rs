@@ -142,6 +142,9 @@ pub trait Progress: Sync + std::fmt::Debug {
     fn reached(&self, time: f64);
 }
 
+/// Steps of a run after which it ends, if nothing else is said (chosen: a minute or more).
+pub const MOST_STEPS: u64 = 100_000_000;
+
 impl<'a> Options<'a> {
     /// A run from 0 to `end` with equal tolerances.
     pub fn new(end: f64, tolerance: f64) -> Options<'a> {
@@ -151,7 +154,7 @@ impl<'a> Options<'a> {
             relative: tolerance,
             absolute: tolerance,
             events: true,
-            most_steps: 100_000_000,
+            most_steps: MOST_STEPS,
             longest: f64::INFINITY,
             cancel: None,
             progress: None,
