@@ -160,3 +160,39 @@ fn position(outcome: &Outcome) -> &[f64] {
 pub fn belt(law: &str) -> Result<System, Fault> {
     System::assemble(&Source::open("belt")?, Some(law), &[])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A run of `LuGre` that comes to its end.
+    pub(super) fn trial(solver: Solver, tolerance: f64, evaluations: u64, error: f64) -> Measurement {
+        Measurement {
+            law: "LuGre".to_owned(),
+            trial: Trial { solver, tolerance, events: true },
+            counts: [0, 0, evaluations, 0, 0],
+            time: Duration::ZERO,
+            error: Some(error),
+            is_judged: true,
+            switching: None,
+            end: Ok(End::Reached),
+        }
+    }
+
+    /// Too many steps at a tolerance are too many at a finer one; whatever else ends a run may not.
+    #[test]
+    fn too_many_steps_are_too_many_at_a_finer_tolerance() {
+        let loose = trial(Solver::Bdf, 1e-4, 1, 0.0);
+        let failed = |reason: &str| {
+            let end = Ok(End::Failed { time: 2.0, reason: reason.to_owned() });
+            Measurement { error: None, end, ..loose.clone() }
+        };
+        let finer = Trial { tolerance: 1e-5, ..loose.trial };
+        let found = failed("more than 9 steps").for_finer(finer).expect("an outcome");
+        let finest = found.for_finer(Trial { tolerance: 1e-6, ..finer }).expect("an outcome");
+        assert_eq!((found.trial.tolerance, finest.verdict()), (1e-5, "DNC"));
+        assert!(finest.reason().ends_with("more than 9 steps, at 1e-4"), "{}", finest.reason());
+        assert!(failed("friction chatters").for_finer(finer).is_none() && loose.for_finer(finer).is_none());
+        assert!(failed("more than 9 steps").for_finer(Trial { solver: Solver::Dopri5, ..finer }).is_none());
+    }
+}

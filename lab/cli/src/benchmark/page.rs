@@ -111,7 +111,8 @@ fn tolerance_text(begin: Begin) -> String {
     begin.map_or_else(|| "-".to_owned(), |tolerance| format!("{tolerance:e}"))
 }
 
-/// Where a solver begins to be right with a law, by the runs that come to their end; none if there is no such run.
+/// Finds the loosest tolerance from which on a solver is right with a law, among the runs that reach their end. Returns
+/// None if no run does.
 fn begin(measurements: &[Measurement], law: &str, solver: Solver) -> Option<Begin> {
     let tolerances = measurements.iter().filter(|one| one.law == law && one.trial.solver == solver);
     let tolerances: BTreeSet<u64> = tolerances.map(|one| one.trial.tolerance.to_bits()).collect();
@@ -282,4 +283,27 @@ fn uncertain(references: &[(String, Result<Reference, String>)]) -> String {
         Err(reason) => format!("| {law} | - | not measured, since it has no reference: {reason} | - | - |\n"),
     };
     head + &references.iter().map(row).collect::<String>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::benchmark::tests::trial;
+
+    /// A run that happens to be right at a loose tolerance does not count if a finer one is wrong.
+    #[test]
+    fn a_solver_begins_to_be_right_where_no_finer_run_is_wrong() {
+        let of_bdf = |tolerance, error| trial(Solver::Bdf, tolerance, 1, error);
+        let chance = [of_bdf(1e-3, 1e-3), of_bdf(1e-4, 1e-2), of_bdf(1e-5, 1e-3), of_bdf(1e-6, 1e-4)];
+        assert_eq!(begin(&chance, "LuGre", Solver::Bdf), Some(Some(1e-5)));
+        assert_eq!(begin(&chance[..2], "LuGre", Solver::Bdf), Some(None));
+        assert_eq!(begin(&chance, "LuGre", Solver::Dopri5), None);
+        let text = begins(&chance, &[Solver::Bdf, Solver::Dopri5]);
+        assert!(text.contains("| **all laws that it runs** | **1e-5** | **-** |"), "{text}");
+        assert!(text.contains("| LuGre | 1e-5 | |"), "{text}");
+        // What is not judged has no row.
+        let unknown = chance.map(|one| Measurement { is_judged: false, ..one });
+        assert!(!begins(&unknown, &[Solver::Bdf]).contains("LuGre"));
+        assert_eq!(unknown[0].verdict(), "not judged");
+    }
 }

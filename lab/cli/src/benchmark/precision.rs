@@ -80,24 +80,8 @@ fn line(measurements: &[&Measurement], solver: Solver, precision: Precision, loo
 
 #[cfg(test)]
 mod tests {
-    use std::time::Duration;
-
     use super::*;
-    use crate::benchmark::Trial;
-    use stribeck_solve::solve::End;
-
-    fn trial(solver: Solver, tolerance: f64, evaluations: u64, error: f64) -> Measurement {
-        Measurement {
-            law: "LuGre".to_owned(),
-            trial: Trial { solver, tolerance, events: true },
-            counts: [0, 0, evaluations, 0, 0],
-            time: Duration::ZERO,
-            error: Some(error),
-            is_judged: true,
-            switching: None,
-            end: Ok(End::Reached),
-        }
-    }
+    use crate::benchmark::tests::trial;
 
     #[test]
     fn each_solver_with_two_runs_has_a_line() {
