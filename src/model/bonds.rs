@@ -3,10 +3,13 @@
 //! The force of a contact with such bonds is linear in the displacement between two snaps, and where the next one happens is
 //! known beforehand. There are far too many snaps for events: a solver follows them within its steps.
 
-use crate::numerics::random::uniform;
+use crate::numerics::random::{key, uniform, uniform_of};
 
 /// Largest number of bonds in a contact. Haessig and Friedland find fewer than 50 sufficient.
 pub const MOST_BONDS: usize = 64;
+
+/// Places for the bonds in their order, so that this can move on by one with each snap (chosen).
+const PLACES: usize = 4 * MOST_BONDS;
 
 /// Parameters that all bonds of a contact share.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,13 +51,18 @@ pub struct Bond {
 #[derive(Clone, Copy, Debug)]
 pub struct Bonds {
     surface: Surface,
-    /// Strains of those in use, in their order.
-    strains: [f64; MOST_BONDS],
+    /// Strains of those in use, in their order, from the place `first` on.
+    strains: [f64; PLACES],
     /// The numbers of the bonds that have them.
-    numbers: [u8; MOST_BONDS],
+    numbers: [u8; PLACES],
+    first: usize,
     /// Random numbers used, in the order of the bonds.
-    draws: [f64; MOST_BONDS],
+    draws: [u64; MOST_BONDS],
+    /// What their sequences begin with.
+    keys: [u64; MOST_BONDS],
     count: usize,
+    /// 1 / count
+    share: f64,
     /// Displacement that is to be added to each strain.
     moved: f64,
     /// Sum of the strains.
@@ -77,10 +85,23 @@ impl Bonds {
             *place = bond;
             count += 1;
         }
-        let (strains, numbers, draws) = ([0.0; MOST_BONDS], [0; MOST_BONDS], [0.0; MOST_BONDS]);
-        let [moved, sum, area] = [0.0; 3];
-        let mut bonds =
-            Bonds { surface, strains, numbers, draws, count, moved, sum, area, stiffness, energy, waits: false };
+        let keys = std::array::from_fn(|number| key(surface.seed as i32, number as u64));
+        let mut bonds = Bonds {
+            surface,
+            strains: [0.0; PLACES],
+            numbers: [0; PLACES],
+            first: 0,
+            draws: [0; MOST_BONDS],
+            keys,
+            count,
+            share: 1.0 / count as f64,
+            moved: 0.0,
+            sum: 0.0,
+            area: 0.0,
+            stiffness,
+            energy,
+            waits: false,
+        };
         bonds.put(&mut room[..count]);
         bonds
     }
@@ -88,24 +109,25 @@ impl Bonds {
     /// Takes the bonds in use over.
     fn put(&mut self, bonds: &mut [Bond]) {
         bonds.sort_unstable_by(|a, b| a.strain.total_cmp(&b.strain));
-        for (place, bond) in bonds.iter().enumerate() {
+        self.first = (PLACES - self.count) / 2;
+        for (place, bond) in (self.first..).zip(bonds.iter()) {
             self.strains[place] = bond.strain - self.moved;
             self.numbers[place] = bond.number as u8;
-            self.draws[bond.number] = bond.draws;
+            self.draws[bond.number] = bond.draws as u64;
         }
         self.sum = bonds.iter().map(|bond| bond.strain).sum();
     }
 
     /// Lets those that have used no random number take a stationary strain when the motion begins.
     pub(crate) fn waiting(self) -> Bonds {
-        Bonds { waits: self.draws[..self.count].contains(&0.0), ..self }
+        Bonds { waits: self.draws[..self.count].contains(&0), ..self }
     }
 
     /// The bonds in use.
     pub fn iter(&self) -> impl Iterator<Item = Bond> + '_ {
-        self.strains[..self.count].iter().zip(&self.numbers).map(|(strain, number)| {
-            let number = usize::from(*number);
-            Bond { number, strain: strain + self.moved, draws: self.draws[number] }
+        (self.first..self.first + self.count).map(|place| {
+            let number = usize::from(self.numbers[place]);
+            Bond { number, strain: self.strains[place] + self.moved, draws: self.draws[number] as f64 }
         })
     }
 
@@ -126,7 +148,7 @@ impl Bonds {
 
     /// Distances, backwards and forwards, after which the next bond snaps.
     pub fn rooms(&self) -> [f64; 2] {
-        let [least, most] = [0, self.count - 1].map(|at| self.strains[at] + self.moved);
+        let [least, most] = [0, self.count - 1].map(|at| self.strains[self.first + at] + self.moved);
         [self.surface.limit + least, self.surface.limit - most].map(|room| room.max(0.0))
     }
 
@@ -143,25 +165,49 @@ impl Bonds {
     pub fn snap(&mut self, is_forwards: bool) -> f64 {
         let [back, forth] = self.rooms();
         self.advance(if is_forwards { forth } else { -back });
-        let last = self.count - 1;
-        let from = if is_forwards { last } else { 0 };
-        let (before, number) = (self.strains[from], self.numbers[from]);
-        let draws = &mut self.draws[usize::from(number)];
-        let strain = self.surface.limit - self.surface.span * self.surface.draw(usize::from(number), draws);
+        let place = if is_forwards { self.first + self.count - 1 } else { self.first };
+        let (before, number) = (self.strains[place], self.numbers[place]);
+        let bond = usize::from(number);
+        let lost = self.surface.span * uniform_of(self.keys[bond], self.draws[bond]);
+        self.draws[bond] += 1;
+        let strain = self.surface.limit - lost;
         let strain = if is_forwards { strain } else { -strain } - self.moved;
-        // Counting is faster than a search that ends early.
-        let less = self.strains[..self.count].iter().map(|other| usize::from(*other < strain)).sum::<usize>();
-        let to = if is_forwards { less.min(last) } else { less.saturating_sub(1) };
-        if is_forwards {
-            self.strains.copy_within(to..last, to + 1);
-            self.numbers.copy_within(to..last, to + 1);
-        } else {
-            self.strains.copy_within(1..=to, 0);
-            self.numbers.copy_within(1..=to, 0);
-        }
-        (self.strains[to], self.numbers[to]) = (strain, number);
+        let place = self.make_room(strain, is_forwards);
+        (self.strains[place], self.numbers[place]) = (strain, number);
         self.sum += strain - before;
-        (strain - before) / self.count as f64
+        (strain - before) * self.share
+    }
+
+    /// Moves those that are strained less, away from the bond that snaps, by one place. Returns the place for it.
+    fn make_room(&mut self, strain: f64, is_forwards: bool) -> usize {
+        let last = self.first + self.count - 1;
+        if self.first == 0 || last + 1 == PLACES {
+            self.centre();
+            return self.make_room(strain, is_forwards);
+        }
+        let mut place = if is_forwards { self.first } else { last };
+        if is_forwards {
+            while place < last && self.strains[place] < strain {
+                (self.strains[place - 1], self.numbers[place - 1]) = (self.strains[place], self.numbers[place]);
+                place += 1;
+            }
+            self.first -= 1;
+            return place - 1;
+        }
+        while place > self.first && self.strains[place] > strain {
+            (self.strains[place + 1], self.numbers[place + 1]) = (self.strains[place], self.numbers[place]);
+            place -= 1;
+        }
+        self.first += 1;
+        place + 1
+    }
+
+    #[cold]
+    fn centre(&mut self) {
+        let (middle, all) = ((PLACES - self.count) / 2, self.first..self.first + self.count);
+        self.strains.copy_within(all.clone(), middle);
+        self.numbers.copy_within(all, middle);
+        self.first = middle;
     }
 
     /// Begins a motion for which bonds have waited. Returns by how much the mean strain changes.
@@ -176,7 +222,7 @@ impl Bonds {
         }
         self.put(&mut room[..self.count]);
         self.waits = false;
-        (self.sum - before) / self.count as f64
+        (self.sum - before) * self.share
     }
 
     /// The bonds as a row has them after a step, with the work of the step as energy: by the mean of the loads at its
@@ -199,11 +245,18 @@ mod tests {
     /// Back and forth, each bond by itself: it snaps where its own strain reaches the limit.
     #[test]
     fn the_next_bond_is_the_one_that_reaches_its_limit_first() {
+        for forwards in [60, 30] {
+            back_and_forth(forwards);
+        }
+    }
+
+    /// 600 snaps, so many of 90 forwards: the order moves on until no place is left.
+    fn back_and_forth(forwards: u32) {
         let mut bonds = bonds(&[0.3, -0.9, 0.0, 0.8, -0.2]);
         let mut alone: Vec<Bond> = bonds.iter().collect();
         let (mut sum, mut area) = (0.0, 0.0);
-        for snap in 0..400 {
-            let is_forwards = snap % 90 < 60;
+        for snap in 0..600 {
+            let is_forwards = snap % 90 < forwards;
             let direction = if is_forwards { 1.0 } else { -1.0 };
             let room = |bond: &Bond| 1.0 - direction * bond.strain;
             let next = (0..5).min_by(|a, b| room(&alone[*a]).total_cmp(&room(&alone[*b]))).unwrap();

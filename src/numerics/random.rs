@@ -4,9 +4,19 @@
 
 /// Random number k of a sequence of a seed, uniform in (0, 1]: a counter, mixed twice.
 pub(crate) fn uniform(seed: i32, sequence: u64, k: u64) -> f64 {
-    let key = mix(mix(seed as u64).wrapping_add(sequence));
+    uniform_of(key(seed, sequence), k)
+}
+
+/// What a sequence of a seed begins with.
+pub(crate) fn key(seed: i32, sequence: u64) -> u64 {
+    mix(mix(seed as u64).wrapping_add(sequence))
+}
+
+/// Random number k of the sequence with a key.
+pub(crate) fn uniform_of(key: u64, k: u64) -> f64 {
     let bits = mix(key.wrapping_add(k.wrapping_mul(0x9E37_79B9_7F4A_7C15)));
-    ((bits >> 11) + 1) as f64 / (1u64 << 53) as f64
+    // A number with sign is converted by one instruction.
+    ((bits >> 11) + 1) as i64 as f64 / (1u64 << 53) as f64
 }
 
 /// The mixing function of SplitMix64.
