@@ -172,9 +172,10 @@ impl Motion {
         self.columns.iter().map(|column| self.rows.values[*column]).collect()
     }
 
-    /// Largest derivative of a rate by its own state, at the start, in 1/s, and the number of the state.
+    /// Largest derivative of a rate by its own state, after the events at the start, in 1/s, and the number of the state.
     pub fn steepest(&mut self) -> Option<(usize, f64)> {
-        let (states, count) = (self.start(), self.states());
+        let (mut states, count) = (self.start(), self.states());
+        self.at_event(0.0, &mut states).ok()?;
         let (mut jacobian, mut by_time) = (vec![0.0; count * count], vec![0.0; count]);
         self.jacobian(0.0, &states, &mut jacobian, &mut by_time);
         let slope = |state: usize| (state, jacobian[state * (count + 1)].abs());

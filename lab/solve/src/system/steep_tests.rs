@@ -1,7 +1,7 @@
 //! A law whose force passes from one level to the other within a speed that no state resolves.
 
 use super::tests::solved;
-use super::{Setting, Source, System};
+use super::{Motion, Setting, Source, System};
 use crate::run::{Outcome, Settings, Solver, run};
 
 const LAW: &str = "RateAndState";
@@ -18,6 +18,19 @@ fn at(system: &str, solver: Solver, tolerance: f64, until: f64, results: &[&str]
 fn apart(one: &Outcome, other: &Outcome) -> f64 {
     let pairs = one.columns[0].values.iter().zip(&other.columns[0].values);
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// Slopes at the start, after which a solver is chosen, are those of a contact that carries its load: before its events that
+/// of a strut carries none, and its bristles have no slope.
+#[test]
+fn slopes_at_the_start_are_numbers() {
+    for system in ["belt", "two-blocks", "quarter-car", "four-post"] {
+        for law in ["Dahl", "LuGre", "Gonthier"] {
+            let system = System::assemble(&Source::open(system).unwrap(), Some(law), &[] as &[Setting]).unwrap();
+            let (_, slope) = Motion::new(&system, &[]).unwrap().steepest().unwrap();
+            assert!(slope < 1e6, "{law} in {}: {slope}", system.description.title);
+        }
+    }
 }
 
 /// The block rides on the belt, its contact carrying the spring, until the spring is stronger than friction; then it slips
