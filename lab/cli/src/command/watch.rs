@@ -1,20 +1,26 @@
 //! Progress of long work, and its cancellation.
 
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, LazyLock, Once};
 
 use indicatif::{ProgressBar, ProgressStyle};
+use signal_hook::consts::SIGINT;
+use signal_hook::flag;
 use stribeck_solve::solve::Progress;
 
 /// Set by Ctrl-C: work in progress ends early and keeps its results.
-pub static CANCELLED: AtomicBool = AtomicBool::new(false);
+pub static CANCELLED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
+
+/// Exit code of a program that Ctrl-C ended.
+const INTERRUPTED: i32 = 130;
 
 /// Lets Ctrl-C end the work early; pressed again, it ends the program.
 pub fn heed_interrupts() {
-    // Without the handler Ctrl-C ends the program at once, as usual.
-    let _ = ctrlc::set_handler(|| {
-        if CANCELLED.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        // In this order: the first signal finds the flag down. Without a handler Ctrl-C ends the program at once.
+        let _ = flag::register_conditional_shutdown(SIGINT, INTERRUPTED, CANCELLED.clone())
+            .and_then(|_| flag::register(SIGINT, CANCELLED.clone()));
     });
 }
 
