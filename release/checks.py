@@ -17,8 +17,17 @@ from pathlib import Path
 from cyclonedx.schema import SchemaVersion
 from cyclonedx.validation.json import JsonStrictValidator
 
-from release import made
+from release import macos, made
 from release.making import PROJECT, VERSION, Release, foreign
+
+# Libraries that every system of a kind has, in lower case; programs for Linux are static.
+OF_SYSTEMS = {
+    "apple-darwin": {"/usr/lib/libsystem.b.dylib"},
+    "linux-musl": set(),
+    "windows-gnu": {
+        *("api-ms-win-core-synch-l1-2-0.dll", "bcryptprimitives.dll", "kernel32.dll", "msvcrt.dll", "ntdll.dll")
+    },
+}
 
 
 class NotChecked(Exception):
@@ -234,6 +243,31 @@ def program(release: Path, folder: Path) -> str:
     return "models and a run; completions of bash; manual pages"
 
 
+def headers(release: Path, folder: Path) -> str:
+    """Programs for all systems need only what these have; Apple's processors get signed ones."""
+    try:
+        import lief
+    except ImportError:
+        raise NotChecked("lief not found: .venv/bin/python -m pip install -r requirements-platforms.txt") from None
+    found = sorted((release / "program").glob("stribeck-*"))
+    if not found:
+        raise NotChecked("the release has no program")
+    for packed in found:
+        (system,) = (name for name in OF_SYSTEMS if name in packed.name)
+        name = "stribeck.exe" if "windows" in system else "stribeck"
+        binary = lief.parse(str(unpacked(packed, folder) / name))
+        needed = {getattr(library, "name", library).lower() for library in binary.libraries}
+        if not needed <= OF_SYSTEMS[system]:
+            raise Failed(f"{packed.name} needs {', '.join(sorted(needed - OF_SYSTEMS[system]))}")
+        if "apple" in packed.name:
+            oldest = ".".join(map(str, binary.build_version.minos[:2]))
+            if oldest != macos.OLDEST:
+                raise Failed(f"{packed.name} is for macOS {oldest} or newer, not {macos.OLDEST}")
+            if "aarch64" in packed.name and not binary.has_code_signature:
+                raise Failed(f"{packed.name} is not signed, which Apple's processors require")
+    return f"{len(found)} programs need nothing but their systems"
+
+
 def environment(folder: Path) -> Path:
     """A virtual environment of Python; its Python."""
     call(sys.executable, "-m", "venv", folder / "my python", folder=folder, PATH=os.environ["PATH"])
@@ -335,7 +369,7 @@ def components(release: Path, _: Path) -> str:
 
 
 CHECKS: list[Callable[[Path, Path], str]] = [
-    *(sums, places, fmus, c_sources, cmake, pkg_config, program, wheel, sdist, crates, page, components),
+    *(sums, places, fmus, c_sources, cmake, pkg_config, program, headers, wheel, sdist, crates, page, components),
 ]
 
 
@@ -353,7 +387,5 @@ def main(release: Release) -> int:
                 print(f"figure: {check.__name__}: FAILED: {fault}", flush=True)
     others = [name for name in release.platforms if name not in ("host", "linux64")]
     for name in others:
-        print(
-            f"figure: kit, program and wheel for {name}: NOT CHECKED here; `tasks.py platforms` and `wheels` run them"
-        )
+        print(f"figure: library and wheel for {name}: NOT RUN here; `tasks.py platforms` and `wheels` run them")
     return 1 if failed else 0

@@ -68,7 +68,7 @@ def targets(package: str, platforms: list[str]) -> list[str]:
     if package == "stribeck-page":
         return [fmus.WASM]
     if package == "stribeck-cli":
-        known = [target for platform in platforms for target, _ in program.KINDS.get(platform, [])]
+        known = [target for platform in platforms for target in program.KINDS.get(platform, {})]
         return [target for target in dict.fromkeys(known) if program.lacking(target) is None]
     return list(dict.fromkeys(target for platform in platforms for target in wheels.PLATFORMS[platform][1]))
 

@@ -9,6 +9,7 @@ import shutil
 import sys
 from pathlib import Path
 
+from release import macos
 from release.making import FMU_BUILD, PROJECT, TARGET, flags, run
 
 # Linked by Zig, which knows the functions of old versions of glibc and those of macOS.
@@ -23,7 +24,6 @@ PLATFORMS = {
     # This machine, with its own tools: not for older systems.
     "host": (".", {"": []}),
 }
-OLDEST_MACOS = "11.0"
 # What the FMUs of a platform become in the package.
 PARTS = "python/stribeck/fmus"
 
@@ -40,7 +40,7 @@ def build(target: str, linked: list[str], out: Path) -> None:
         # Other flags would build everything again each time.
         CARGO_TARGET_DIR=str(TARGET / "wheels"),
         CARGO_ENCODED_RUSTFLAGS=flags(),
-        MACOSX_DEPLOYMENT_TARGET=OLDEST_MACOS,
+        MACOSX_DEPLOYMENT_TARGET=macos.OLDEST,
         # The programs of this environment, Zig among them.
         PATH=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
     )

@@ -11,12 +11,13 @@ import tomllib
 import zipfile
 from io import BytesIO
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from examples.fmpy.coupling import PROJECT
 from release import __main__ as command
-from release import checks, crates, fmus, index, made, making, papers, program, python_package, wheels
+from release import checks, crates, fmus, index, macos, made, making, papers, program, python_package, wheels
 from release.making import Release
 
 WORKSPACE = tomllib.loads((PROJECT / "Cargo.toml").read_text(encoding="utf-8"))["workspace"]
@@ -223,6 +224,32 @@ def test_the_page_about_releases_names_every_folder_of_fmus():
         assert f"`{kind}`" in page, kind
 
 
+def test_the_linker_gets_the_functions_of_macos(monkeypatch, tmp_path):
+    listed = """--- !tapi-tbd
+targets:         [ x86_64-macos, x86_64-maccatalyst, arm64e-macos,
+                   arm64e.x1-macos ]
+exports:
+  - targets:         [ arm64e-macos, arm64e-maccatalyst ]
+    symbols:         [ _free, _malloc ]
+  - targets:         [ arm64e.x1-maccatalyst ]
+    symbols:         [ _exp ]
+"""
+    zig = tmp_path / "zig"
+    (zig / "lib" / "libc" / "darwin").mkdir(parents=True)
+    (zig / "lib" / "libc" / "darwin" / "libSystem.tbd").write_text(listed, encoding="utf-8")
+    monkeypatch.setattr(macos, "find_spec", lambda _: SimpleNamespace(submodule_search_locations=[str(zig)]))
+    settings = macos.sdk(tmp_path / "sdk")
+    assert settings == {"SDKROOT": str(tmp_path / "sdk"), "MACOSX_DEPLOYMENT_TARGET": "11.0"}
+    for name in ("libSystem", "libc", "libm"):
+        text = (tmp_path / "sdk" / "usr" / "lib" / f"{name}.tbd").read_text(encoding="utf-8")
+        assert [line for line in text.splitlines() if "targets" in line] == [
+            "targets:         [ x86_64-macos, arm64-macos ]",
+            "  - targets:         [ arm64-macos ]",
+            "  - targets:         [  ]",
+        ]
+        assert "[ _free, _malloc ]" in text
+
+
 def test_components_are_those_of_all_targets(monkeypatch):
     monkeypatch.setattr(program, "lacking", lambda target: "a tool" if "aarch64" in target else None)
     platforms = ["host", "linux64", "aarch64-linux", "win64", "darwin64"]
@@ -230,7 +257,8 @@ def test_components_are_those_of_all_targets(monkeypatch):
     library |= {"x86_64-apple-darwin", "aarch64-apple-darwin"}
     for package in ("libstribeck", "stribeck-python"):
         assert set(papers.targets(package, platforms)) == library
-    assert papers.targets("stribeck-cli", platforms) == ["x86_64-unknown-linux-musl", "x86_64-pc-windows-gnu"]
+    of_programs = {"x86_64-unknown-linux-musl", "x86_64-pc-windows-gnu", "x86_64-apple-darwin"}
+    assert set(papers.targets("stribeck-cli", platforms)) == of_programs
     assert papers.targets("stribeck-page", ["host"]) == ["wasm32-unknown-unknown"]
 
 
