@@ -291,13 +291,20 @@ impl Armstrong {
         self.is_slipping().then_some(direction)
     }
 
-    /// Advances over inputs that move linearly.
-    fn advance(&mut self, motion: Motion) {
+    /// Advances over held inputs.
+    fn step_held(&mut self, dt: f64, counts: bool) {
+        self.phase = Phase::Free.number();
+        self.advance(Motion::held(self.velocity, self.normal_force, dt), counts);
+        self.settle();
+    }
+
+    /// Advances over inputs that move linearly: the states, and the energy of slip if it `counts`.
+    fn advance(&mut self, motion: Motion, counts: bool) {
         for part in motion.parts() {
             if part.is_unloaded() {
                 self.release();
             } else {
-                self.follow(part);
+                self.follow(part, counts);
             }
         }
     }
@@ -320,12 +327,12 @@ impl Armstrong {
     }
 
     /// Advances over a motion in one direction.
-    fn follow(&mut self, part: Motion) {
+    fn follow(&mut self, part: Motion, counts: bool) {
         if self.arrives(part.direction()) {
             self.stop(part.load);
         }
         if self.is_slipping() {
-            self.slip(part);
+            self.slip(part, counts);
             return;
         }
         self.limit_deflection(part.load);
@@ -335,7 +342,7 @@ impl Armstrong {
         };
         self.stick(part.part(0.0, breakaway));
         self.break_away(part.direction(), part.load_at(breakaway));
-        self.slip(part.part(breakaway, part.duration));
+        self.slip(part.part(breakaway, part.duration), counts);
     }
 
     /// Slipping -> stuck.
@@ -393,9 +400,11 @@ impl Armstrong {
         self.remember(Piece::held(part.duration, 0.0));
     }
 
-    fn slip(&mut self, part: Motion) {
+    fn slip(&mut self, part: Motion, counts: bool) {
         let present = Piece::of(&part);
-        self.dissipated_energy += self.slip_work(&part, present);
+        if counts {
+            self.dissipated_energy += self.slip_work(&part, present);
+        }
         self.remember(present);
         let level = self.sliding_level(part.load_at(part.duration), self.lagged_velocity);
         self.bristle_deflection = part.direction() * level / self.sigma_0;
@@ -504,19 +513,22 @@ impl Model for Armstrong {
     }
 
     fn step(&mut self, dt: f64) {
-        self.phase = Phase::Free.number();
-        self.advance(Motion::held(self.velocity, self.normal_force, dt));
-        self.settle();
+        self.step_held(dt, true);
+    }
+
+    fn step_without_energy(&mut self, _memory: &mut [f64], dt: f64) {
+        self.step_held(dt, false);
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         self.phase = Phase::Free.number();
         let begin = ramp::Inputs::of(self);
-        self.advance(Motion {
+        let motion = Motion {
             acceleration: slope.velocity,
             load_rate: slope.normal_force,
             ..Motion::held(self.velocity, self.normal_force, dt)
-        });
+        };
+        self.advance(motion, true);
         ramp::set_inputs(self, &begin, slope, dt);
         self.settle();
     }

@@ -142,15 +142,19 @@ impl<T: Real> CylinderFriction<T> {
         )
     }
 
+    /// exp(-(|v| / v_s)^n).
+    fn fall(&self) -> T {
+        stribeck::level(self.velocity, T::zero(), T::from(1.0), self.stribeck_velocity, self.stribeck_exponent)
+    }
+
     /// g / f_n at a thickness of the film.
-    fn coefficient(&self, film: T) -> T {
-        let breakaway = (T::from(1.0) - film) * self.mu_s;
-        stribeck::level(self.velocity, self.mu_k, breakaway, self.stribeck_velocity, self.stribeck_exponent)
+    fn coefficient(&self, film: T, fall: T) -> T {
+        self.mu_k + ((T::from(1.0) - film) * self.mu_s - self.mu_k) * fall
     }
 
     /// g at a thickness of the film.
     fn level(&self, film: T) -> T {
-        self.coefficient(film) * self.normal_force
+        self.coefficient(film, self.fall()) * self.normal_force
     }
 
     /// dz/dt.
@@ -220,10 +224,33 @@ impl<T: Real> Derivatives for CylinderFriction<T> {
 }
 
 impl CylinderFriction {
-    /// Change of the deflection in a time at the end of which the film is `film`, and the work of the force sigma_0 z.
-    fn slide(&self, film: f64, time: f64) -> [f64; 2] {
+    /// Advances the states, and the energy if it `counts`.
+    fn advance(&mut self, dt: f64, counts: bool) {
+        if self.normal_force == 0.0 {
+            (self.bristle_deflection, self.film_thickness) = (0.0, 0.0);
+            return;
+        }
+        let steady = self.steady_film();
+        let film = relaxation::after(self.film_thickness, steady, dt / self.film_time(steady)).clamp(0.0, 1.0);
+        if self.velocity != 0.0 {
+            let [change, work] = self.slide(film, dt, counts);
+            self.bristle_deflection += change;
+            if counts {
+                let viscous = self.viscous_coefficient * self.velocity * dt;
+                self.dissipated_energy += work + self.velocity * (self.sigma_1 * change + viscous);
+            }
+        }
+        self.film_thickness = film;
+    }
+
+    /// Change of the deflection in a time at the end of which the film is `film`, and, if it `counts`, the work of the force
+    /// sigma_0 z.
+    fn slide(&self, film: f64, time: f64, counts: bool) -> [f64; 2] {
         let steady_film = self.steady_film();
-        let [level, steady] = [self.film_thickness, steady_film].map(|film| self.level(film));
+        // It is costly, and the same for both.
+        let fall = self.fall();
+        let coefficients = [self.film_thickness, steady_film].map(|film| self.coefficient(film, fall));
+        let [level, steady] = coefficients.map(|coefficient| coefficient * self.normal_force);
         if level == 0.0 || steady == 0.0 {
             return [-self.bristle_deflection, 0.0];
         }
@@ -235,7 +262,15 @@ impl CylinderFriction {
             return [change, direction * level * (direction * distance - change)];
         }
         let film_time = self.film_time(steady_film);
-        let mut course = self.course(steady_film);
+        let [now, then] = coefficients;
+        let mut course = Course {
+            level: now / then,
+            excess: (steady_film - self.film_thickness) * self.mu_s * fall / then,
+            missing: direction * self.sigma_0 * self.bristle_deflection / steady - 1.0,
+            change: 0.0,
+            counts,
+            work: 0.0,
+        };
         let (excess, part) = (course.excess, -exp_m1(-time / film_time));
         // The film's time, measured by the level: g / g_ss is a logistic function of it.
         let log_time = time / film_time + ln_1p(-part * excess / course.level);
@@ -244,20 +279,6 @@ impl CylinderFriction {
         let change = direction * steady * course.change / self.sigma_0;
         let work = self.velocity.abs() * impulse - steady * steady * (course.change + course.work) / self.sigma_0;
         [change, work]
-    }
-
-    /// The beginning of a step that leads to a steady film.
-    fn course(&self, steady_film: f64) -> Course {
-        let steady = self.coefficient(steady_film);
-        let fall = stribeck::level(self.velocity, 0.0, 1.0, self.stribeck_velocity, self.stribeck_exponent);
-        let force = self.velocity.signum() * self.sigma_0 * self.bristle_deflection;
-        Course {
-            level: self.coefficient(self.film_thickness) / steady,
-            excess: (steady_film - self.film_thickness) * self.mu_s * fall / steady,
-            missing: force / self.level(steady_film) - 1.0,
-            change: 0.0,
-            work: 0.0,
-        }
     }
 }
 
@@ -294,19 +315,11 @@ impl Model for CylinderFriction {
     }
 
     fn step(&mut self, dt: f64) {
-        if self.normal_force == 0.0 {
-            (self.bristle_deflection, self.film_thickness) = (0.0, 0.0);
-            return;
-        }
-        let steady = self.steady_film();
-        let film = relaxation::after(self.film_thickness, steady, dt / self.film_time(steady)).clamp(0.0, 1.0);
-        if self.velocity != 0.0 {
-            let [change, work] = self.slide(film, dt);
-            self.bristle_deflection += change;
-            let viscous = self.viscous_coefficient * self.velocity * dt;
-            self.dissipated_energy += work + self.velocity * (self.sigma_1 * change + viscous);
-        }
-        self.film_thickness = film;
+        self.advance(dt, true);
+    }
+
+    fn step_without_energy(&mut self, _memory: &mut [f64], dt: f64) {
+        self.advance(dt, false);
     }
 }
 
@@ -367,6 +380,8 @@ struct Course {
     missing: f64,
     /// Change of e since the beginning.
     change: f64,
+    /// Whether the work is asked for.
+    counts: bool,
     /// Integral of d over e.
     work: f64,
 }
@@ -403,21 +418,23 @@ impl Course {
         let excess = self.series_of_excess(piece);
         if slip < LONG {
             let missing = self.series_of_missing(&excess, slip);
-            self.follow(rise(&missing), area(&excess, &missing));
+            self.follow(rise(&missing), self.area(&excess, &missing));
         } else {
             // The polynomial p that solves it, and what decays: e = p + c exp(-slip s).
             let smooth = sum_of_derivatives(&excess, -1.0 / slip);
             let decaying = self.missing - smooth.terms[0];
-            let weights = sum_of_derivatives(&excess, 1.0 / slip);
-            let end: f64 = weights.terms.iter().sum();
-            self.follow(
-                rise(&smooth) + decaying * exp_m1(-slip),
-                area(&excess, &smooth) - decaying * (weights.terms[0] - exp(-slip) * end),
-            );
+            let lost = if self.counts { decayed(&excess, slip) } else { 0.0 };
+            let work = self.area(&excess, &smooth) - decaying * lost;
+            self.follow(rise(&smooth) + decaying * exp_m1(-slip), work);
         }
         let rise = rise(&excess);
         self.level += rise;
         self.excess += rise;
+    }
+
+    /// Integral of p q' over a piece, if the work is asked for.
+    fn area(&self, p: &Polynomial, q: &Polynomial) -> f64 {
+        if self.counts { area(p, q) } else { 0.0 }
     }
 
     /// d as a polynomial of the share of the piece.
@@ -459,6 +476,13 @@ fn sum_of_derivatives(p: &Polynomial, c: f64) -> Polynomial {
         sum.terms[n] += c * (n + 1) as f64 * sum.terms[n + 1];
     }
     sum
+}
+
+/// Integral of p slip exp(-slip s) over s from 0 to 1.
+fn decayed(p: &Polynomial, slip: f64) -> f64 {
+    let weights = sum_of_derivatives(p, 1.0 / slip);
+    let end: f64 = weights.terms.iter().sum();
+    weights.terms[0] - exp(-slip) * end
 }
 
 /// Integral of p q' from 0 to 1.

@@ -240,13 +240,13 @@ impl FrictionalLag {
         }
     }
 
-    /// Advances over inputs that move linearly.
-    fn advance(&mut self, motion: Motion) {
+    /// Advances over inputs that move linearly: the states, and the energy if it `counts`.
+    fn advance(&mut self, motion: Motion, counts: bool) {
         for part in motion.parts() {
             if part.is_unloaded() {
                 self.release();
             } else {
-                self.slide(part);
+                self.slide(part, counts);
             }
         }
     }
@@ -257,45 +257,51 @@ impl FrictionalLag {
         self.delay_line.clear();
     }
 
-    fn slide(&mut self, part: Motion) {
+    fn slide(&mut self, part: Motion, counts: bool) {
         if self.has_past == 0.0 {
             self.has_past = 1.0;
             self.lagged_velocity = part.velocity;
         }
         match self.variant() {
-            _ if !self.lags() => self.follow(part),
-            FrictionalLagVariant::Delay => self.delay(part),
-            FrictionalLagVariant::FirstOrder => self.filter(part),
+            _ if !self.lags() => self.follow(part, counts),
+            FrictionalLagVariant::Delay => self.delay(part, counts),
+            FrictionalLagVariant::FirstOrder => self.filter(part, counts),
         }
     }
 
     /// No lag: w = v.
-    fn follow(&mut self, part: Motion) {
+    fn follow(&mut self, part: Motion, counts: bool) {
         let present = Piece::of(&part);
-        self.dissipated_energy += self.work(&part, 0.0, present);
+        if counts {
+            self.dissipated_energy += self.work(&part, 0.0, present);
+        }
         self.lagged_velocity = present.end;
     }
 
     /// w(t) = v(t - tau_L).
-    fn delay(&mut self, part: Motion) {
+    fn delay(&mut self, part: Motion, counts: bool) {
         if self.delay_line.is_empty() {
             self.delay_line.push(Piece::held(self.time_lag, self.lagged_velocity), self.time_lag);
         }
         let present = Piece::of(&part);
-        let mut work = 0.0;
-        self.delay_line.delayed(present, self.time_lag, |from, piece| work += self.work(&part, from, piece));
-        self.dissipated_energy += work;
+        if counts {
+            let mut work = 0.0;
+            self.delay_line.delayed(present, self.time_lag, |from, piece| work += self.work(&part, from, piece));
+            self.dissipated_energy += work;
+        }
         self.delay_line.push(present, self.time_lag);
         self.lagged_velocity = self.delay_line.velocity(self.time_lag);
     }
 
     /// tau_L dw/dt + w = v.
-    fn filter(&mut self, part: Motion) {
+    fn filter(&mut self, part: Motion, counts: bool) {
         let filter = Filter { start: self.lagged_velocity, time_lag: self.time_lag, motion: part };
         let w = |t| filter.at(t);
-        let power = |t| self.power(&part, t, w(t));
-        let work = |from, to| integral_past_peak(&power, &w, self.band(), from, to);
-        self.dissipated_energy += filter.sections().map(|(from, to)| work(from, to)).sum::<f64>();
+        if counts {
+            let power = |t| self.power(&part, t, w(t));
+            let work = |from, to| integral_past_peak(&power, &w, self.band(), from, to);
+            self.dissipated_energy += filter.sections().map(|(from, to)| work(from, to)).sum::<f64>();
+        }
         self.lagged_velocity = w(part.duration);
     }
 
@@ -376,17 +382,23 @@ impl Model for FrictionalLag {
 
     fn step(&mut self, dt: f64) {
         self.phase = Phase::Free.number();
-        self.advance(Motion::held(self.velocity, self.normal_force, dt));
+        self.advance(Motion::held(self.velocity, self.normal_force, dt), true);
+    }
+
+    fn step_without_energy(&mut self, _memory: &mut [f64], dt: f64) {
+        self.phase = Phase::Free.number();
+        self.advance(Motion::held(self.velocity, self.normal_force, dt), false);
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         self.phase = Phase::Free.number();
         let begin = ramp::Inputs::of(self);
-        self.advance(Motion {
+        let motion = Motion {
             acceleration: slope.velocity,
             load_rate: slope.normal_force,
             ..Motion::held(self.velocity, self.normal_force, dt)
-        });
+        };
+        self.advance(motion, true);
         ramp::set_inputs(self, &begin, slope, dt);
     }
 

@@ -260,17 +260,29 @@ impl Model for Gonthier {
     }
 
     fn step(&mut self, dt: f64) {
-        if self.normal_force == 0.0 {
-            (self.bristle_deflection, self.dwell) = (0.0, 0.0);
-            return;
-        }
-        let course = self.course();
-        self.bristle_deflection = course.deflection(dt);
-        self.dwell = course.dwell(dt).clamp(0.0, 1.0);
+        let Some(course) = self.advance(dt) else { return };
         if self.velocity != 0.0 {
             let viscous = self.viscous_coefficient * self.velocity * dt;
             self.dissipated_energy += self.velocity * (course.impulse(dt) + viscous);
         }
+    }
+
+    fn step_without_energy(&mut self, _memory: &mut [f64], dt: f64) {
+        self.advance(dt);
+    }
+}
+
+impl Gonthier {
+    /// Advances the states, the energy apart. Returns their course, if there is a load.
+    fn advance(&mut self, dt: f64) -> Option<Course> {
+        if self.normal_force == 0.0 {
+            (self.bristle_deflection, self.dwell) = (0.0, 0.0);
+            return None;
+        }
+        let course = self.course();
+        self.bristle_deflection = course.deflection(dt);
+        self.dwell = course.dwell(dt).clamp(0.0, 1.0);
+        Some(course)
     }
 }
 

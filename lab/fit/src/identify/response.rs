@@ -432,8 +432,10 @@ mod tests {
             found.collect::<Option<Vec<_>>>().filter(|_| law.memory > 0)
         };
         assert!(laws().any(|law| many(law).is_some()));
+        let other = |law: &ModelType| law.find("variant").map(|column| vec![(column, 2.0)]);
+        assert!(laws().filter(|law| other(law).is_some()).count() > 2);
         for law in laws() {
-            for values in [vec![]].into_iter().chain(many(law)) {
+            for values in [vec![]].into_iter().chain(many(law)).chain(other(law)) {
                 for parts in [1, 3] {
                     let ports = &Ports::of(law).unwrap();
                     let checked = forces(&mut Instance::new(law), ports, &values, &experiment, parts).unwrap();
