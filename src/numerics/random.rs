@@ -7,7 +7,7 @@ pub(crate) fn uniform(seed: i32, sequence: u64, k: u64) -> f64 {
     uniform_of(key(seed, sequence), k)
 }
 
-/// What a sequence of a seed begins with.
+/// Key of a sequence of a seed: two mixes, which all its numbers share.
 pub(crate) fn key(seed: i32, sequence: u64) -> u64 {
     mix(mix(seed as u64).wrapping_add(sequence))
 }

@@ -20,8 +20,8 @@ fn apart(one: &Outcome, other: &Outcome) -> f64 {
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// Slopes at the start, after which a solver is chosen, are those of a contact that carries its load: before its events that
-/// of a strut carries none, and its bristles have no slope.
+/// Slopes at the start, by which a solver is chosen, are those of a contact that carries its load: before the events at the
+/// start that of a strut carries none, and the slope of its bristles is not a number.
 #[test]
 fn slopes_at_the_start_are_numbers() {
     for system in ["belt", "two-blocks", "quarter-car", "four-post"] {
