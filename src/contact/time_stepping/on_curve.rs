@@ -110,6 +110,12 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
         landing(&self.law.lifted(lane), marks, inertia, side, velocity, load)
     }
 
+    /// The curve at a velocity: once for all places of a step, which is not in registers.
+    #[inline(never)]
+    fn at(&self, velocity: T) -> T {
+        self.law.curve(velocity)
+    }
+
     /// Velocities of the kinks and of rest, in descending order.
     fn marks(&self) -> [T; 5] {
         let [near, far] = self.law.kinks();
@@ -118,12 +124,12 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
 
     /// One Newton correction from the velocity at the end of the step, which gives it its derivatives.
     fn corrected(&self, velocity: T, inertia: T) -> T {
-        let on = || [inertia, self.law.curve(velocity)];
+        let on = || [inertia, self.at(velocity)];
         let [slope, _] = T::found(on, |lane| {
             let curve = self.law.lifted(lane).curve(Dual { value: velocity.lane(lane), slope: 1.0 });
             [inertia.lane(lane) + curve.slope, 0.0]
         });
-        let residual = inertia * (velocity - self.velocity) + self.law.curve(velocity) - self.external_force;
+        let residual = inertia * (velocity - self.velocity) + self.at(velocity) - self.external_force;
         // Where two zeros meet there is no derivative.
         let has_slope = slope.above(T::from(f64::EPSILON) * inertia);
         choose!(has_slope, velocity - residual / slope, velocity)
@@ -132,8 +138,7 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     /// Force over the step of a body that reaches a jump or a point of the curve, and 1 if it is then at rest.
     fn landed(&self, inertia: T, side: T) -> [T; 2] {
         let marks = self.marks();
-        let on =
-            || [inertia, side, self.velocity, self.external_force, self.law.curve(self.velocity), marks[0], marks[1]];
+        let on = || [inertia, side, self.velocity, self.external_force, self.at(self.velocity), marks[0], marks[1]];
         let [mark, velocity] = T::found(on, |lane| match self.landing(lane, inertia.lane(lane), side.lane(lane)) {
             Landing::Curve(velocity) => [NO_MARK, velocity],
             Landing::Jump(mark) => [mark as f64, 0.0],
@@ -144,7 +149,7 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
             let velocity = side * found;
             [self.force_to_reach(velocity, inertia), T::truth(velocity.vanishes())]
         };
-        let on_curve = || [self.law.curve(self.corrected(side * velocity, inertia)), T::zero()];
+        let on_curve = || [self.at(self.corrected(side * velocity, inertia)), T::zero()];
         mark.equals(T::from(NO_MARK)).choose_all(on_curve, at_jump)
     }
 
@@ -199,9 +204,10 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
     fn stepped(&self, mass: T, step_size: T) -> Outcome<T> {
         let inertia = mass / step_size;
         // The body accelerates against the excess of the friction force over the external force.
-        let side = (self.printed() - self.external_force).sign();
+        let printed = self.printed();
+        let side = (printed - self.external_force).sign();
         let held = || [self.force_to_reach(T::zero(), inertia), T::from(1.0)];
-        let printed = || [self.printed(), T::zero()];
+        let printed = || [printed, T::zero()];
         let is_driven = !side.vanishes() & inertia.below(T::from(f64::INFINITY));
         let moving = || is_driven.choose_all(|| self.landed(inertia, side), printed);
         let [force, is_held] = self.is_held().choose_all(held, moving);
