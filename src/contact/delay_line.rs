@@ -12,6 +12,7 @@
 
 use crate::contact::motion::Motion;
 use crate::model::{Fault, Meaning, real};
+use crate::number::Real;
 
 /// Number of pieces (chosen).
 const PIECES: usize = 64;
@@ -77,12 +78,14 @@ crate::part! {
     }
 }
 
-impl DelayLine {
+impl<T: Real> DelayLine<T> {
     /// Forgets everything.
     pub(crate) fn clear(&mut self) {
-        self.history.fill(Piece::UNUSED);
+        self.history.fill(Piece { duration: T::zero(), begin: T::zero(), end: T::zero() });
     }
+}
 
+impl DelayLine {
     /// Whether nothing has been added yet.
     pub(crate) fn is_empty(&self) -> bool {
         self.history[0].duration == 0.0

@@ -217,6 +217,14 @@ impl<T: Real> Law for FrictionalLag<T> {
         let rests = self.phase().is(Phase::Held) | self.velocity.vanishes();
         self.sticking = T::truth(rests & self.normal_force.is_positive());
     }
+
+    fn slide_steadily(&mut self) {
+        self.phase = T::from(Phase::Free.number());
+        self.has_past = T::truth(self.normal_force.is_positive());
+        self.lagged_velocity = self.has_past * self.velocity;
+        // The next step begins with a past of this velocity.
+        self.delay_line.clear();
+    }
 }
 
 impl<T: Real> Derivatives for FrictionalLag<T> {
@@ -326,6 +334,7 @@ impl FrictionalLag {
 }
 
 impl Model for FrictionalLag {
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "lubricated_guide",

@@ -41,6 +41,8 @@ crate::model! {
     /// f_f / f_n = mu_0 + (a - b) ln(v / v_0)
     /// ```
     ///
+    /// At rest there is no such age; a steady curve has the contacts there as they were before.
+    ///
     /// After a jump of the speed from $v_1$ to $v_2$ the coefficient changes by $a ln(v_2 / v_1)$ at once and by
     /// $-b ln(v_2 / v_1)$ over a way of some $D_c$.
     ///
@@ -203,6 +205,11 @@ impl<T: Real> Law for RateAndState<T> {
         let creeps = self.velocity.abs().below(self.reference_velocity);
         self.sticking = T::truth(creeps & self.normal_force.is_positive());
     }
+
+    fn slide_steadily(&mut self) {
+        let kept = choose!(self.velocity.vanishes(), self.log_age, -self.log_speed());
+        self.log_age = choose!(self.normal_force.is_positive(), kept, T::zero());
+    }
 }
 
 impl<T: Real> Derivatives for RateAndState<T> {
@@ -252,6 +259,7 @@ impl RateAndState {
 }
 
 impl Model for RateAndState {
+    const STEADY_SLIDING: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "seas_bp1",
