@@ -375,8 +375,8 @@ impl Armstrong {
         first_rise(excess, self.breakaway_cubic(part), part.duration)
     }
 
-    /// (sigma_0 |z| - f_C - F_S) (t_d + gamma) as a polynomial in time.
-    fn breakaway_cubic(&self, part: &Motion) -> [f64; 4] {
+    /// (sigma_0 |z| - f_C - F_S) (t_d + gamma) as a polynomial in time, without its value at the start.
+    fn breakaway_cubic(&self, part: &Motion) -> [f64; 3] {
         let stiffness = part.direction() * self.sigma_0;
         let [z_0, z_1, z_2] = [self.bristle_deflection, part.velocity, 0.5 * part.acceleration].map(|z| stiffness * z);
         let (n_0, n_1) = (part.load, part.load_rate);
@@ -384,7 +384,7 @@ impl Armstrong {
         let kept = self.kept_excess();
         let mu_0 = (self.mu_k + kept) * d_0 + (self.final_excess() - kept) * self.dwell_time;
         let mu_1 = self.mu_s;
-        [z_0 * d_0 - n_0 * mu_0, z_0 + z_1 * d_0 - n_0 * mu_1 - n_1 * mu_0, z_1 + z_2 * d_0 - n_1 * mu_1, z_2]
+        [z_0 + z_1 * d_0 - n_0 * mu_1 - n_1 * mu_0, z_1 + z_2 * d_0 - n_1 * mu_1, z_2]
     }
 
     /// Limits the displacement to what the level can carry.

@@ -281,7 +281,6 @@ impl ResetIntegrator {
         let compliance = self.mu_k / self.sigma_0;
         let excess = |t: f64| direction * (self.bristle_deflection + part.path(t)) - compliance * part.load_at(t);
         let parabola = [
-            direction * self.bristle_deflection - compliance * part.load,
             direction * part.velocity - compliance * part.load_rate,
             0.5 * direction * part.acceleration,
             0.0,
