@@ -55,7 +55,13 @@ fn both_ways(instance: &mut Instance, seed: i32) -> Option<[Vec<f64>; 2]> {
     by_steps(instance, &inputs, &results, &mut stepped, &NEVER).ok()?;
     instance.restore(&start);
     assert!(instance.slide_steadily().unwrap(), "{}", model.name);
-    let closed = results.iter().map(|column| instance.get_column(*column).unwrap()).collect();
+    let read = |instance: &mut Instance| results.iter().map(|column| instance.get_column(*column).unwrap()).collect();
+    let closed: Vec<f64> = read(instance);
+    // What slides steadily goes on to.
+    instance.step(1e-3).unwrap();
+    let later: Vec<f64> = read(instance);
+    let is_same = closed.iter().zip(&later).all(|(a, b)| (a - b).abs() <= 1e-9 * a.abs());
+    assert!(is_same, "{} {seed}: {closed:?}, then {later:?}", model.name);
     Some([closed, stepped])
 }
 

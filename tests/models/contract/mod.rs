@@ -5,6 +5,7 @@
 //! negated, the force is measured along the motion, and the dissipated power is the scalar product of force and
 //! velocity.
 
+mod breakaway;
 mod contact;
 mod events;
 mod inputs;

@@ -1,0 +1,256 @@
+//! Events of laws whose contact is a spring until it breaks away: what is due, and what the event finds.
+
+use super::friction_models;
+use crate::common::random::Random;
+use crate::common::rows;
+use approx::assert_abs_diff_eq;
+use stribeck::catalogue::{self, by_name};
+use stribeck::friction::Armstrong;
+use stribeck::model::{Model, ModelType, Visitor, output_and_rate_in, output_in, rate_in};
+
+const HELD: f64 = 2.0;
+const FORWARD: f64 = 3.0;
+const BACKWARD: f64 = 4.0;
+
+/// A row of a law, by names, under a load of 10 N.
+struct Contact {
+    model: &'static ModelType,
+    row: Vec<f64>,
+}
+
+impl Contact {
+    fn new(name: &str, values: &[(&str, f64)]) -> Contact {
+        let model = by_name(name).unwrap();
+        let row = model.table.iter().map(|variable| variable.start).collect();
+        let mut contact = Contact { model, row };
+        contact.put(&[&[("normal_force", 10.0)], values].concat());
+        contact
+    }
+
+    fn put(&mut self, values: &[(&str, f64)]) {
+        for (name, value) in values {
+            self.row[self.model.find(name).unwrap()] = *value;
+        }
+    }
+
+    fn get(&self, name: &str) -> f64 {
+        self.row[self.model.find(name).unwrap()]
+    }
+
+    fn due(&self) -> Vec<bool> {
+        let mut indicators = vec![f64::NAN; self.model.event_indicators];
+        self.model.indicate(&self.row, &mut indicators);
+        indicators.iter().map(|indicator| *indicator < 0.0).collect()
+    }
+
+    /// The events that are due with these values; the others keep theirs.
+    fn due_with(&mut self, values: &[(&str, f64)]) -> Vec<bool> {
+        self.put(values);
+        self.due()
+    }
+
+    fn pass_event(&mut self) {
+        assert!(self.model.at_event(&mut self.row));
+        self.compute();
+    }
+
+    fn compute(&mut self) {
+        assert!(self.model.output(&mut self.row));
+    }
+
+    /// The rate of a state by the law of this contact.
+    fn rate<M: Model>(&self, name: &str) -> f64 {
+        let mut rate = self.row.clone();
+        rate_in::<M, f64>(&self.row, &mut rate);
+        rate[self.model.find(name).unwrap()]
+    }
+
+    fn has(&self, expected: &[(&str, f64)]) {
+        for (name, value) in expected {
+            let found = self.get(name);
+            assert!((found - value).abs() <= 1e-9 * value.abs(), "{name} = {found}, not {value}: {:?}", self.row);
+        }
+    }
+}
+
+/// Levels of 1.5 and 1 N, and a stiffness of 1.5e5 N/m up to 10 um: held, also at the first event in motion, until the
+/// deflection is reached outwards; then sliding, whatever the load, until the motion turns.
+#[test]
+fn a_bond_of_the_reset_integrator_breaks_outwards_and_forms_where_the_motion_turns() {
+    for side in [1.0, -1.0] {
+        let [forward, v, z] = [side, side * 1e-3, side * 1e-5];
+        let start = [("velocity", v), ("bristle_deflection", 0.5 * z), ("sigma_1", 0.0)];
+        let mut contact = Contact::new("ResetIntegrator", &start);
+        contact.pass_event();
+        contact.has(&[("bond", HELD), ("friction_force", side * 0.75), ("sticking", 1.0), ("slip_direction", 0.0)]);
+        assert_eq!(contact.due_with(&[("bristle_deflection", 0.999 * z)]), [false, false]);
+        assert_eq!(contact.due_with(&[("velocity", -v), ("bristle_deflection", 1.001 * z)]), [false, false]);
+        contact.pass_event();
+        contact.has(&[("bond", HELD), ("bristle_deflection", z), ("friction_force", side * 1.5)]);
+        assert_eq!(contact.due_with(&[("velocity", v), ("bristle_deflection", 1.001 * z)]), [true, false]);
+        contact.pass_event();
+        let slides = if side > 0.0 { FORWARD } else { BACKWARD };
+        contact.has(&[("bond", slides), ("bristle_deflection", z), ("slip_direction", forward)]);
+        contact.has(&[("friction_force", side), ("sticking", 0.0)]);
+        assert_eq!(contact.due_with(&[("normal_force", 12.0)]), [false, false]);
+        contact.pass_event();
+        contact.has(&[("bond", slides), ("bristle_deflection", 1.2 * z), ("friction_force", side * 1.2)]);
+        for velocity in [0.0, side * -1e-13] {
+            assert_eq!(contact.due_with(&[("velocity", velocity)]), [false, false], "{velocity}");
+        }
+        assert_eq!(contact.due_with(&[("velocity", side * -1e-8)]), [true, false]);
+        contact.pass_event();
+        contact.has(&[("bond", HELD), ("bristle_deflection", 1.2 * z), ("slip_direction", 0.0), ("sticking", 1.0)]);
+        assert_eq!(contact.due_with(&[("normal_force", 0.0)]), [false, true]);
+        contact.pass_event();
+        contact.has(&[("bond", HELD), ("bristle_deflection", 0.0), ("friction_force", 0.0)]);
+    }
+}
+
+/// After steps, which have no phase, an event finds what they have left: a contact that slides, in motion and at rest, with
+/// the last force.
+#[test]
+fn an_event_goes_on_from_the_steps_of_the_reset_integrator() {
+    for rest in [false, true] {
+        let mut contact = Contact::new("ResetIntegrator", &[("velocity", -1e-3), ("sigma_1", 0.0)]);
+        assert!(contact.model.advance(&mut contact.row, 0.1));
+        contact.put(&[("velocity", if rest { 0.0 } else { -1e-3 })]);
+        contact.pass_event();
+        contact.has(&[("bond", BACKWARD), ("friction_force", -1.0), ("bristle_deflection", -1e-5)]);
+        assert_eq!(contact.due(), [false, false]);
+    }
+}
+
+/// A contact that has rested for gamma holds 1.25 N of 1 to 1.5: it breaks there, moving outwards, and keeps this level as
+/// its own; it stops where the motion turns, with what the velocity of a time lag ago leaves of it.
+#[test]
+fn a_contact_of_armstrong_breaks_at_the_level_that_has_risen() {
+    for side in [1.0, -1.0] {
+        let [v, z] = [side * 1e-3, side * 1e-5];
+        let start = [("velocity", v), ("bristle_deflection", 1.249 * z), ("dwell_time", 2.0), ("gamma", 2.0)];
+        let mut contact = Contact::new("Armstrong", &start);
+        let waiting = [false, false, false];
+        assert_eq!(contact.due(), waiting);
+        contact.pass_event();
+        contact.has(&[("phase", HELD), ("slipping", 0.0), ("friction_force", side * 1.249), ("sticking", 1.0)]);
+        // Past the level inwards, only the reserve is used up, and nothing breaks.
+        let inwards = [("velocity", -v), ("bristle_deflection", 1.251 * z)];
+        assert_eq!(contact.due_with(&inwards), [false, true, false]);
+        contact.pass_event();
+        contact.has(&[("phase", HELD), ("slipping", 0.0), ("dwell_time", 2.0), ("friction_force", side * 1.25)]);
+        // What the level does not carry goes within 0.1 ms, unless the motion stretches it.
+        assert_abs_diff_eq!(contact.rate::<Armstrong>("bristle_deflection"), -v - side * 1e-8 / 1e-4, epsilon = 1e-12);
+        assert_eq!(contact.due_with(&[("velocity", v)]), [true, true, false]);
+        contact.pass_event();
+        let slides = if side > 0.0 { FORWARD } else { BACKWARD };
+        contact.has(&[("phase", slides), ("slipping", 1.0), ("dwell_time", 0.0), ("stribeck_coefficient", 0.025)]);
+        contact.has(&[("bristle_deflection", 1.25 * z), ("sticking", 0.0)]);
+        for velocity in [v, side * 40.0, side * 1e-9, side * -1e-13] {
+            assert_eq!(contact.due_with(&[("velocity", velocity)]), waiting, "{velocity}");
+        }
+        let lagged = [("velocity", side * -1e-8), ("lagged_velocity", 1e-3), ("stribeck_velocity", 1e-3)];
+        assert_eq!(contact.due_with(&lagged), [true, false, false]);
+        contact.pass_event();
+        contact.has(&[("phase", HELD), ("slipping", 0.0), ("stribeck_coefficient", 0.0125), ("sticking", 1.0)]);
+        contact.has(&[("bristle_deflection", 1.125 * z), ("friction_force", side * 1.125)]);
+        assert_eq!(contact.due_with(&[("normal_force", 0.0)]), [false, true, true]);
+        contact.pass_event();
+        contact.has(&[("bristle_deflection", 0.0), ("stribeck_coefficient", 0.0), ("friction_force", 0.0)]);
+    }
+}
+
+/// A stuck contact whose load falls by half while it is stretched to 0.9 of its level keeps no more than that load carries,
+/// after a step of any length and after an event; the old load does not bring the force back.
+#[test]
+fn a_load_that_falls_cuts_the_deflection() {
+    for (name, level) in [("Wojewoda", 1.5), ("Armstrong", 1.0)] {
+        let z = level / 1e5;
+        for pass in [0, 1, 2] {
+            let mut contact = Contact::new(name, &[("bristle_deflection", 0.9 * z)]);
+            contact.compute();
+            contact.has(&[("friction_force", 0.9 * level)]);
+            contact.put(&[("normal_force", 5.0)]);
+            match pass {
+                0 => contact.pass_event(),
+                1 => assert!(contact.model.advance(&mut contact.row, 1e-12)),
+                _ => {
+                    let slope = vec![0.0; contact.row.len()];
+                    assert!(contact.model.advance_ramp(&mut contact.row, &slope, 1e-3));
+                }
+            }
+            contact.compute();
+            contact.has(&[("friction_force", 0.5 * level)]);
+            contact.put(&[("normal_force", 10.0)]);
+            contact.compute();
+            contact.has(&[("friction_force", if pass == 0 && name == "Armstrong" { 0.9 } else { 0.5 } * level)]);
+        }
+    }
+}
+
+/// Which laws are made of straight lines between events, with the start values and in which motion.
+#[test]
+fn motions_between_events_are_straight_lines_of_some_laws_only() {
+    let found = |name: &str, values: &[(&str, f64)]| {
+        let mut contact = Contact::new(name, values);
+        contact.pass_event();
+        contact.model.is_linear(&contact.row)
+    };
+    assert!(found("Armstrong", &[]) && !found("LuGre", &[]));
+    let slipping = [("velocity", 1e-3), ("slipping", 1.0), ("bristle_deflection", 1e-5)];
+    assert!(!found("Armstrong", &slipping), "the level follows the velocity");
+    let along = [("velocity_x", 3e-2), ("bristle_deflection_x", 1e-5)];
+    let across = [("velocity_x", 3e-2), ("bristle_deflection_x", 0.6e-5), ("bristle_deflection_y", 0.8e-5)];
+    assert!(found("Liang", &[]) && found("Liang", &along));
+    assert!(!found("Liang", &across), "a bristle that turns");
+    let steps = Contact::new("Liang", &[]);
+    assert!(!steps.model.is_linear(&steps.row), "no event has found a motion");
+}
+
+/// Laws with bonds give them to a solver, and take them back; no other does.
+#[test]
+fn one_law_has_bonds() {
+    let with_bonds = friction_models().filter(|model| {
+        let row: Vec<f64> = model.table.iter().map(|variable| variable.start).collect();
+        model.bonds(&row).is_some()
+    });
+    assert_eq!(with_bonds.map(|model| model.name).collect::<Vec<_>>(), ["Bristle"]);
+}
+
+/// Compares outputs and rates that are computed together with those computed each by itself.
+struct Together {
+    random: Random,
+    compared: usize,
+    moving: usize,
+}
+
+impl Visitor for Together {
+    fn visit<M: Model>(&mut self) {
+        let model = by_name(M::NAME).expect("a model of the catalogue");
+        if !model.has_rates || !friction_models().any(|law| law.name == M::NAME) {
+            return;
+        }
+        for _ in 0..40 {
+            let mut row = rows::everyday(model, &mut self.random);
+            if model.memory_in_use(&row) > 0 || !model.at_event(&mut row) {
+                continue;
+            }
+            let nothing = || vec![0.0; row.len()];
+            let (mut outputs, mut rates) = (row.clone(), nothing());
+            output_in::<M, f64>(&mut outputs, &[]);
+            rate_in::<M, f64>(&outputs, &mut rates);
+            let (mut with_rates, mut both) = (row.clone(), nothing());
+            output_and_rate_in::<M, f64>(&mut with_rates, &mut both);
+            self.moving += usize::from(rates.iter().any(|rate| *rate != 0.0));
+            assert_eq!((outputs, rates), (with_rates, both), "{}", M::NAME);
+            self.compared += 1;
+        }
+    }
+}
+
+/// To the last bit, after an event from drawn states.
+#[test]
+fn outputs_with_rates_are_both_by_themselves() {
+    let mut together = Together { random: Random(3), compared: 0, moving: 0 };
+    catalogue::visit(&mut together);
+    assert!(together.compared > 1000 && together.moving > 900, "{} {}", together.compared, together.moving);
+}
