@@ -5,7 +5,7 @@ use crate::common::random::Random;
 use crate::common::rows;
 use approx::assert_abs_diff_eq;
 use stribeck::catalogue::{self, by_name};
-use stribeck::friction::Armstrong;
+use stribeck::friction::{Armstrong, FrictionalLag, Wojewoda};
 use stribeck::model::{Model, ModelType, Visitor, output_and_rate_in, output_in, rate_in};
 
 const HELD: f64 = 2.0;
@@ -156,6 +156,46 @@ fn a_contact_of_armstrong_breaks_at_the_level_that_has_risen() {
         assert_eq!(contact.due_with(&[("normal_force", 0.0)]), [false, true, true]);
         contact.pass_event();
         contact.has(&[("bristle_deflection", 0.0), ("stribeck_coefficient", 0.0), ("friction_force", 0.0)]);
+    }
+}
+
+/// Held to 1.5 N or 15 um: beyond it inwards nothing breaks, and the excess goes within 0.1 ms; outwards it slides, and it is
+/// stuck again where the motion turns.
+#[test]
+fn a_spring_of_wojewoda_breaks_outwards_only() {
+    for side in [1.0, -1.0] {
+        let [v, z] = [side * 1e-3, side * 1.5e-5];
+        let mut contact = Contact::new("Wojewoda", &[("velocity", v), ("bristle_deflection", 0.5 * z)]);
+        contact.pass_event();
+        contact.has(&[("phase", HELD), ("slipping", 0.0), ("friction_force", side * 0.75)]);
+        assert!(!contact.due_with(&[("velocity", -v), ("bristle_deflection", 1.001 * z)])[0]);
+        let back = contact.rate::<Wojewoda>("bristle_deflection");
+        assert_abs_diff_eq!(back, -v - side * 1.5e-8 / 1e-4, epsilon = 1e-12);
+        contact.pass_event();
+        contact.has(&[("phase", HELD), ("bristle_deflection", z), ("friction_force", side * 1.5)]);
+        assert!(contact.due_with(&[("velocity", v), ("bristle_deflection", 1.001 * z)])[0]);
+        contact.pass_event();
+        let slides = if side > 0.0 { FORWARD } else { BACKWARD };
+        contact.has(&[("phase", slides), ("slipping", 1.0), ("bristle_deflection", z)]);
+        assert!(!contact.due_with(&[("velocity", side * -1e-13)])[0]);
+        contact.put(&[("velocity", side * 1e-9)]);
+        contact.pass_event();
+        contact.has(&[("phase", slides), ("slipping", 1.0)]);
+        assert!(contact.due_with(&[("velocity", side * -1e-8)])[0]);
+        contact.pass_event();
+        contact.has(&[("phase", HELD), ("slipping", 0.0), ("sticking", 1.0)]);
+        let kept = side * contact.get("bristle_deflection");
+        assert!(kept > 0.0 && kept < 1.5e-5, "{kept}");
+    }
+}
+
+/// The filtered velocity of the variant without a delay follows by (v - w) / tau_L; with a delay it has no rate.
+#[test]
+fn a_filtered_velocity_follows() {
+    let past = [("velocity", 0.03), ("lagged_velocity", 0.01), ("has_past", 1.0), ("time_lag", 5e-3)];
+    for (variant, rate) in [(1.0, 0.0), (2.0, 4.0)] {
+        let contact = Contact::new("FrictionalLag", &[&past[..], &[("variant", variant)]].concat());
+        assert_abs_diff_eq!(contact.rate::<FrictionalLag>("lagged_velocity"), rate, epsilon = 1e-12);
     }
 }
 
