@@ -50,7 +50,7 @@ CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
 RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "python", "ssp", "web", "examples"]
 PYTHON_FOLDERS = ["tasks.py", "benches", "docs", "examples", "fuzz", "python", "release", "tests", "web"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/multibody", "tests/c", "tests/platforms", "benches"]
-# Rust's names of the platforms of `fmu-build pack --platform all`.
+# Rust's names of the platforms of `fmu-build pack --platform all`, and of the static programs of a release.
 TARGETS = [
     "x86_64-unknown-linux-gnu",
     "aarch64-unknown-linux-gnu",
@@ -58,6 +58,7 @@ TARGETS = [
     "x86_64-apple-darwin",
     "aarch64-apple-darwin",
 ]
+TARGETS += ["x86_64-unknown-linux-musl", "aarch64-unknown-linux-musl"]
 # Tests for Miri: memory, states as bytes, instances of the test model, and a complete run of every model.
 UNDER_MIRI = ["guid::", "memory::", "number::", "serial::", "probe::", "fmi2::tests::child", "fmi3::tests::"]
 # Programs, files and libraries that tasks need, and the packages of Debian and Ubuntu that contain them. First those
