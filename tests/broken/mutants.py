@@ -27,7 +27,7 @@ from project_copy import ProjectCopy, errors
 
 SHARD = "0/13"
 SMALLEST_SAMPLE = 200
-SMALLEST_SHARE = 0.8
+SMALLEST_SHARE = 0.88
 TESTS = ["models"]
 
 SILENT = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
