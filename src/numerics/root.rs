@@ -47,8 +47,8 @@ pub fn crossing(w: impl Fn(f64) -> f64, level: f64, from: f64, to: f64) -> Optio
     passes.then(|| bisect(|t| if after > 0.0 { w(t) - level } else { level - w(t) }, from, to))
 }
 
-/// The first t in [0, end] with `f(t) >= 0` and not falling, for an f that has the sign of a cubic polynomial `... + c[0] t +
-/// c[1] t^2 + c[2] t^3`. The polynomial gives the turning points of f, f itself its zero.
+/// The first t in [0, end] with `f(t) >= 0` and not falling, for an f that has the sign of a cubic polynomial with these
+/// coefficients of t, t^2 and t^3. The polynomial gives the turning points of f, f itself its zero.
 pub fn first_rise(f: impl Fn(f64) -> f64, c: [f64; 3], end: f64) -> Option<f64> {
     // A zero from which f falls does not count: a contact whose load has just appeared.
     if f(0.0) > 0.0 || f(0.0) == 0.0 && c[0] >= 0.0 {

@@ -110,7 +110,7 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
         landing(&self.law.lifted(lane), marks, inertia, side, velocity, load)
     }
 
-    /// The curve at a velocity: once for all places of a step, which is not in registers.
+    /// The curve at a velocity; not inlined, since a step needs it at several places.
     #[inline(never)]
     fn at(&self, velocity: T) -> T {
         self.law.curve(velocity)
