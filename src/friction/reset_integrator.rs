@@ -280,11 +280,8 @@ impl ResetIntegrator {
     fn breakaway(&self, part: &Motion, direction: f64) -> Option<f64> {
         let compliance = self.mu_k / self.sigma_0;
         let excess = |t: f64| direction * (self.bristle_deflection + part.path(t)) - compliance * part.load_at(t);
-        let parabola = [
-            direction * part.velocity - compliance * part.load_rate,
-            0.5 * direction * part.acceleration,
-            0.0,
-        ];
+        let parabola =
+            [direction * part.velocity - compliance * part.load_rate, 0.5 * direction * part.acceleration, 0.0];
         first_rise(excess, parabola, part.duration)
     }
 

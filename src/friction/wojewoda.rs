@@ -368,11 +368,8 @@ impl Wojewoda {
         }
         let stiffness = direction * self.sigma_0;
         let excess = |t: f64| stiffness * (self.bristle_deflection + part.path(t)) - self.mu_s * part.load_at(t);
-        let parabola = [
-            stiffness * part.velocity - self.mu_s * part.load_rate,
-            stiffness * 0.5 * part.acceleration,
-            0.0,
-        ];
+        let parabola =
+            [stiffness * part.velocity - self.mu_s * part.load_rate, stiffness * 0.5 * part.acceleration, 0.0];
         first_rise(excess, parabola, part.duration)
     }
 
