@@ -41,7 +41,8 @@ crate::model! {
     /// f_f / f_n = mu_0 + (a - b) ln(v / v_0)
     /// ```
     ///
-    /// At rest there is no such age: a steady curve keeps the one that the contacts had.
+    /// A contact at rest has no steady age: its age grows without limit (Ageing) or stays as it is (Slip). A steady curve
+    /// keeps the age that the contact had.
     ///
     /// After a jump of the speed from $v_1$ to $v_2$ the coefficient changes by $a ln(v_2 / v_1)$ at once and by
     /// $-b ln(v_2 / v_1)$ over a way of some $D_c$.
