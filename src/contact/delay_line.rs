@@ -34,9 +34,13 @@ crate::part! {
     }
 }
 
-impl Piece {
-    const UNUSED: Piece = Piece { duration: 0.0, begin: 0.0, end: 0.0 };
+impl<T: Real> Piece<T> {
+    fn unused() -> Piece<T> {
+        Piece { duration: T::zero(), begin: T::zero(), end: T::zero() }
+    }
+}
 
+impl Piece {
     /// A constant velocity.
     pub(crate) fn held(duration: f64, velocity: f64) -> Piece {
         Piece { duration, begin: velocity, end: velocity }
@@ -81,7 +85,7 @@ crate::part! {
 impl<T: Real> DelayLine<T> {
     /// Forgets everything.
     pub(crate) fn clear(&mut self) {
-        self.history.fill(Piece { duration: T::zero(), begin: T::zero(), end: T::zero() });
+        self.history.fill(Piece::unused());
     }
 }
 
@@ -130,7 +134,7 @@ impl DelayLine {
             is_old
         };
         let kept = self.history.iter().position(is_old).unwrap_or(PIECES);
-        self.history[kept..].fill(Piece::UNUSED);
+        self.history[kept..].fill(Piece::unused());
         kept
     }
 
@@ -142,7 +146,7 @@ impl DelayLine {
         let duration = older.duration + younger.duration;
         self.history[least] = Piece { duration, begin: older.begin, end: younger.end };
         self.history.copy_within(least + 2.., least + 1);
-        self.history[PIECES - 1] = Piece::UNUSED;
+        self.history[PIECES - 1] = Piece::unused();
     }
 
     /// Pieces from the latest to the oldest, each with the time since it ended.
@@ -212,7 +216,7 @@ mod tests {
     const DELAY: f64 = 5e-3;
 
     fn line() -> DelayLine {
-        DelayLine { history: [Piece::UNUSED; PIECES] }
+        DelayLine { history: [Piece::unused(); PIECES] }
     }
 
     fn held(duration: f64, velocity: f64) -> Piece {
