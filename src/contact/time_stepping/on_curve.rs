@@ -112,7 +112,7 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
 
     /// The curve at a velocity; not inlined, since a step needs it at several places.
     #[inline(never)]
-    fn at(&self, velocity: T) -> T {
+    fn curve_at(&self, velocity: T) -> T {
         self.law.curve(velocity)
     }
 
@@ -124,12 +124,12 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
 
     /// One Newton correction from the velocity at the end of the step, which gives it its derivatives.
     fn corrected(&self, velocity: T, inertia: T) -> T {
-        let on = || [inertia, self.at(velocity)];
+        let on = || [inertia, self.curve_at(velocity)];
         let [slope, _] = T::found(on, |lane| {
             let curve = self.law.lifted(lane).curve(Dual { value: velocity.lane(lane), slope: 1.0 });
             [inertia.lane(lane) + curve.slope, 0.0]
         });
-        let residual = inertia * (velocity - self.velocity) + self.at(velocity) - self.external_force;
+        let residual = inertia * (velocity - self.velocity) + self.curve_at(velocity) - self.external_force;
         // Where two zeros meet there is no derivative.
         let has_slope = slope.above(T::from(f64::EPSILON) * inertia);
         choose!(has_slope, velocity - residual / slope, velocity)
@@ -138,7 +138,8 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     /// Force over the step of a body that reaches a jump or a point of the curve, and 1 if it is then at rest.
     fn landed(&self, inertia: T, side: T) -> [T; 2] {
         let marks = self.marks();
-        let on = || [inertia, side, self.velocity, self.external_force, self.at(self.velocity), marks[0], marks[1]];
+        let on =
+            || [inertia, side, self.velocity, self.external_force, self.curve_at(self.velocity), marks[0], marks[1]];
         let [mark, velocity] = T::found(on, |lane| match self.landing(lane, inertia.lane(lane), side.lane(lane)) {
             Landing::Curve(velocity) => [NO_MARK, velocity],
             Landing::Jump(mark) => [mark as f64, 0.0],
@@ -149,7 +150,7 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
             let velocity = side * found;
             [self.force_to_reach(velocity, inertia), T::truth(velocity.vanishes())]
         };
-        let on_curve = || [self.at(self.corrected(side * velocity, inertia)), T::zero()];
+        let on_curve = || [self.curve_at(self.corrected(side * velocity, inertia)), T::zero()];
         mark.equals(T::from(NO_MARK)).choose_all(on_curve, at_jump)
     }
 
