@@ -10,6 +10,7 @@ mod contact;
 mod events;
 mod inputs;
 mod passivity;
+mod rates;
 mod steps;
 mod tables;
 
