@@ -15,6 +15,7 @@ from types import SimpleNamespace
 
 import pytest
 
+import tasks
 from examples.fmpy.coupling import PROJECT
 from release import __main__ as command
 from release import checks, crates, fmus, index, macos, made, making, papers, program, python_package, wheels
@@ -311,3 +312,8 @@ def test_packed_sources_name_no_bench_that_is_not_packed():
     whole, kept = tomllib.loads(manifest), tomllib.loads(python_package.BENCH.sub("", manifest))
     assert whole.pop("bench")
     assert kept == whole
+
+
+def test_tasks_install_what_the_programs_of_all_platforms_are_built_for() -> None:
+    built = {target for kind in program.KINDS.values() for target in kind}
+    assert built <= set(tasks.TARGETS)
