@@ -244,18 +244,27 @@ mod tests {
     use super::*;
     use crate::describe::entry::entries;
     use crate::specimen::{SPECIMEN, Specimen};
+    use std::sync::LazyLock;
     use stribeck::model::Described;
 
-    fn page(entry: &Entry) -> String {
+    fn made(entry: &Entry) -> String {
         Page::of(entry).unwrap().text(Version::Two).unwrap()
     }
+
+    /// Every entry with its page.
+    static PAGES: LazyLock<Vec<(Entry, String)>> = LazyLock::new(|| {
+        let with_page = |entry: Entry| {
+            let page = made(&entry);
+            (entry, page)
+        };
+        entries().into_iter().map(with_page).collect()
+    });
 
     /// Every page, and that of a model with features that no shipped model has.
     fn pages() -> impl Iterator<Item = (&'static ModelType, String)> {
         let specimen =
             document(&SPECIMEN, <Specimen as Described>::DOCUMENTATION, &Pictures::default(), Version::Two).unwrap();
-        let of_entry = |entry: Entry| (entry.model, page(&entry));
-        entries().into_iter().map(of_entry).chain([(&SPECIMEN, specimen)])
+        PAGES.iter().map(|(entry, page)| (entry.model, page.clone())).chain([(&SPECIMEN, specimen)])
     }
 
     /// The page closes what it opens, so that with closed void elements it is also XML.
@@ -320,8 +329,7 @@ mod tests {
     /// Every line of every block of equations is on the page as MathML, and as text beside it.
     #[test]
     fn every_block_of_equations_is_typeset() {
-        for entry in entries() {
-            let page = page(&entry);
+        for (entry, page) in &*PAGES {
             let kept = entry.documentation.split(" # Example").next().unwrap();
             let blocks: Vec<&str> =
                 kept.split("```text\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
@@ -336,10 +344,9 @@ mod tests {
 
     #[test]
     fn every_page_has_a_diagram_and_is_the_same_twice() {
-        for entry in entries() {
-            let page = page(&entry);
+        for (entry, page) in &*PAGES {
             assert!(page.contains("<svg ") && page.contains("<figcaption>"), "{}", entry.model.name);
-            assert_eq!(page, super::tests::page(&entry), "{}", entry.model.name);
+            assert_eq!(*page, made(entry), "{}", entry.model.name);
         }
     }
 

@@ -4,9 +4,8 @@
 //! decides the course of the computation, each course is followed; results that are the same expression on all courses
 //! do not depend on the question.
 
-use std::cell::RefCell;
-use std::collections::{BTreeSet, HashMap};
-use std::sync::Arc;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use stribeck::catalogue;
 use stribeck::model::{self, InLanes, Model, ModelType, Steps, Visitor};
@@ -17,20 +16,19 @@ use super::tracked::{Course, Found, Others, Question, Tracked, applied, of_other
 /// Courses that are followed at most (chosen; the present models take up to 200).
 const MOST: usize = 20_000;
 
-thread_local! {
-    /// What has been found before: many models contain the same laws.
-    static KNOWN: RefCell<HashMap<&'static str, Found>> = RefCell::default();
-}
+/// What has been found before: many models contain the same laws, and each model is described more than once.
+static KNOWN: Mutex<BTreeMap<&'static str, Arc<OnceLock<Found>>>> = Mutex::new(BTreeMap::new());
 
 /// For each column that is computed, and then for the rate of each column, the columns that it is computed from. `None`
 /// if the equations ask for the value of a number, and for a model that is not in the catalogue.
 pub fn of(model: &ModelType) -> Found {
-    if let Some(found) = KNOWN.with_borrow(|known| known.get(model.name).cloned()) {
-        return found;
-    }
-    let mut find = Find { name: model.name, found: None };
+    let known = KNOWN.lock().expect("nothing panics while it is held").entry(model.name).or_default().clone();
+    known.get_or_init(|| find(model.name)).clone()
+}
+
+fn find(name: &str) -> Found {
+    let mut find = Find { name, found: None };
     catalogue::visit(&mut find);
-    KNOWN.with_borrow_mut(|known| known.insert(model.name, find.found.clone()));
     find.found
 }
 
