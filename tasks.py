@@ -51,18 +51,13 @@ RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "p
 PYTHON_FOLDERS = ["tasks.py", "benches", "docs", "examples", "fuzz", "python", "release", "tests", "web"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/multibody", "tests/c", "tests/platforms", "benches"]
 # Rust's names of the platforms of `fmu-build pack --platform all`, and of the static programs of a release.
-TARGETS = [
-    "x86_64-unknown-linux-gnu",
-    "aarch64-unknown-linux-gnu",
-    "x86_64-pc-windows-gnu",
-    "x86_64-apple-darwin",
-    "aarch64-apple-darwin",
-]
+TARGETS = ["x86_64-unknown-linux-gnu", "aarch64-unknown-linux-gnu", "x86_64-pc-windows-gnu"]
+TARGETS += ["x86_64-apple-darwin", "aarch64-apple-darwin"]
 TARGETS += ["x86_64-unknown-linux-musl", "aarch64-unknown-linux-musl"]
 # Tests for Miri: memory, states as bytes, instances of the test model, and a complete run of every model.
 UNDER_MIRI = ["guid::", "memory::", "number::", "serial::", "probe::", "fmi2::tests::child", "fmi3::tests::"]
-# Programs, files and libraries that tasks need, and the packages of Debian and Ubuntu that contain them. First those
-# for the tests: the German locale is made from a file, Ecos calls unzip, exudyn is linked to libraries for its window.
+# What tasks need, and the packages of Debian and Ubuntu that contain it. For the tests: the German locale is made from
+# a file, Ecos calls unzip, exudyn is linked to libraries for its window.
 TEST_PROGRAMS = {
     "localedef": "libc-bin",
     "/usr/share/i18n/locales/de_DE": "locales",
@@ -136,8 +131,7 @@ def run(*command: str | Path, **environment: str) -> None:
 
 
 def figures(*command: str | Path, **environment: str) -> tuple[list[str], int]:
-    """Runs a command as `run` does. Returns the text that it prints after `figure:` or cargo's `test result:`, and its
-    exit code: results before a failure are of interest too."""
+    """Returns what a command prints after `figure:` or cargo's `test result:`, and its exit code."""
     words = [str(word) for word in command]
     print(f"\n> {shlex.join(words)}", flush=True)
     found = []
@@ -423,8 +417,7 @@ def demo() -> None:
 
 
 def check_style() -> None:
-    """Formatting of all languages, lints but Rust's. `cargo fmt` does not see modules declared in a macro, rustfmt
-    does."""
+    """Formatting of all languages, lints but Rust's. rustfmt sees modules that macros declare, `cargo fmt` does not."""
     run("rustfmt", "--check", "--edition", "2024", *files(RUST_FOLDERS, ".rs"))
     run(PYTHON, "-m", "ruff", "format", "--check", *PYTHON_FOLDERS)
     run(PYTHON, "-m", "ruff", "check", *PYTHON_FOLDERS)
@@ -684,6 +677,9 @@ def main() -> int:
     parser.add_argument("task", choices=TASKS, metavar="task", help="one of those below")
     name = parser.parse_args().task
     print(described(name), flush=True)
+    # Python compiles each file that it imports once, not in each of many processes, and leaves nothing beside sources.
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    os.environ["PYTHONPYCACHEPREFIX"] = str(debug_folder().parent / "python")
     try:
         TASKS[name][0]()
     except TaskError as error:
