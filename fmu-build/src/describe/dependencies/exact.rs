@@ -16,7 +16,7 @@ use super::tracked::{Course, Found, Others, Question, Tracked, applied, of_other
 /// Courses that are followed at most (chosen; the present models take up to 200).
 const MOST: usize = 20_000;
 
-/// What has been found before: many models contain the same laws, and each model is described more than once.
+/// Dependencies by name of the model, each found once: many models contain the same laws, and each has several files.
 static KNOWN: Mutex<BTreeMap<&'static str, Arc<OnceLock<Found>>>> = Mutex::new(BTreeMap::new());
 
 /// For each column that is computed, and then for the rate of each column, the columns that it is computed from. `None`
